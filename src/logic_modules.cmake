@@ -1,6 +1,6 @@
 # Adds a library for each logic module: a folder of src or extensions. Module a/b is the target a.b.
 # design/uses.toml is read here: each allowed use is a link, and the linker finds the symbols of a module
-# through these links only. With clang an include that is no allowed use does not compile.
+# through these links only. With clang, an include that is not an allowed use does not compile.
 set(allowed ${CMAKE_SOURCE_DIR}/design/uses.toml)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${allowed})
 file(STRINGS ${allowed} lines REGEX "^(\\[uses[.])?\"")

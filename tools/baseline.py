@@ -1,4 +1,5 @@
-"""Measures the baseline design and the robot's: the same tests, scenario, compiler and flags."""
+"""Measures the baseline design and the design of the robot: the same tests, scenario, compiler and
+flags."""
 
 from __future__ import annotations
 
@@ -31,7 +32,7 @@ from traceability.sources import SRC, files_below
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
-MAIN = "main"  # the composition: its objects are the design's own
+MAIN = "main"  # the composition, whose objects belong to the design
 STACK = "stack"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 SYMBOL = re.compile(r"^([0-9a-f]+) [tTwW] (.+)$", re.MULTILINE)
@@ -227,7 +228,7 @@ def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
 
 
 def apply(log: TextIO, tree: Path, patch: Path) -> None:
-    # The copy is no repository of its own, and not to be taken for a part of the one around it.
+    # The copy is not a git repository, and must not be treated as part of the surrounding one.
     environment = {**os.environ, "GIT_CEILING_DIRECTORIES": str(tree.parent)}
     words = ["git", "-C", str(tree), "apply", "--whitespace=nowarn", str(patch)]
     log.write(f"$ {' '.join(words)}\n")

@@ -47,7 +47,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "the virtual K64 in the simulated robot, 1000 control cycles each: instructions, time from "
         "the clock pulse to the report, load, latencies, and the speed of the simulator. Compares "
         "the patterns with the baseline design, and measures the cost of the records of the calls. "
-        "With --port, gives the same orders to a connected board and takes the cycles that its "
+        "With --port, sends the same orders to a connected board and reads the cycles that its "
         "reports contain. Lift the robot: its wheels will turn with up to 300 rpm. The orders are "
         "those of a PC: no remote control is needed, it may be off.",
     )
@@ -88,7 +88,7 @@ def print_bench(root: Path) -> None:
 
 @dataclass(frozen=True)
 class Orders:
-    """The same order every 100 ms in a stretch of time [s]."""
+    """The same order every 100 ms in a period [s]."""
 
     first: float
     last: float
@@ -107,7 +107,7 @@ def orders_of(text: str) -> list[Orders]:
 
 
 def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
-    """One wish for each cycle of 100 ms, to the end or so many seconds."""
+    """One wish for each cycle of 100 ms, to the end or for a number of seconds."""
     end = orders[-1].last if seconds is None else min(orders[-1].last, orders[0].first + seconds)
     for one in orders:
         cycles = round((min(one.last, end) - one.first) * 1000 / PERIOD_MS) + 1
@@ -162,12 +162,12 @@ def drive(port: Path, wanted: Iterator[Wish]) -> list[Report]:
 
 
 def costs(reports: list[Report]) -> BenchRun:
-    """The numbers that a board reports of itself. Its first cycles belong to the orders before."""
+    """The numbers that a board reports of itself. The first cycles belong to earlier orders."""
     told = [report for report in reports if report.order_read][2:]
     if not told:
         raise FailureError("no report of a cycle that read an order")
     if not any(report.awake_cycles for report in told):
-        raise FailureError("this port counts no processor cycles: choose that of the board")
+        raise FailureError("this port counts no processor cycles: choose the port of the board")
     starts = [report.start_cycles for report in told]
     return BenchRun(
         report_ms=spread([report.report_cycles / CORE_PER_MS for report in told], 4),

@@ -1,4 +1,4 @@
-"""Plays parts of scenarios on the virtual board, and records each call with its instant."""
+"""Plays parts of scenarios on the virtual board, and records each call with its time."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def record_all(root: Path, log: TextIO) -> str:
             place = f"{chain.place.file}:{chain.place.line}"
             raise FailureError(
                 f"{place}: the recording {chain.recording} has no step "
-                f"{first_missing(chain, recording)!r} after the steps before it"
+                f"{first_missing(chain, recording)!r} after the previous steps"
             )
     content = {"recordings": {name: packed(one) for name, one in found.items()}}
     (root / RECORD).parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Builds and runs the firmware and its tests with CMake. Each stage redoes only changed parts."""
+"""Builds and runs the firmware and its tests with CMake. Each stage rebuilds only changed parts."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
 COPIED = (*TESTED, "docs", "design", "setup", *FRAMES)
 IMAGE = str(image_of(PAPER, ".bin"))
 TESTS = "firmware_tests"
-# The tests on the virtual K64 are a run of their own, built with the preset of this machine.
+# The tests on the virtual K64 are a separate run, built with the preset of this machine.
 BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
 BOARD_PROGRAM = "weeding_robot_board"
 
@@ -57,14 +57,15 @@ def jobs() -> str:
 
 
 def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
-    """Configures where needed, then builds into build/<preset>; one build at a time in each."""
+    """Configures where needed, then builds into build/<preset>; only one build at a time in each
+    folder."""
     directory = root / "build" / preset
     made = directory / "build.ninja"
     wanted = ["--target", *targets] if targets else []
     with _building[preset]:
         newest = max((root / name).stat().st_mtime for name in SETTINGS)
         if made.exists() and made.stat().st_mtime < newest:
-            shutil.rmtree(directory)  # notes of the compiler that belong to no object any more
+            shutil.rmtree(directory)  # notes of the compiler for objects that no longer exist
         if not made.exists():
             run(log, ["cmake", "--fresh", "-S", root, "--preset", preset])
         run(log, ["cmake", "--build", directory, "--parallel", jobs(), *wanted])
@@ -168,7 +169,7 @@ def run_shards(
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
-    """The tests of the image under test that are not for the paper's design alone."""
+    """The tests of the image under test that do not need only the paper's design."""
     return [
         f"{suite['name']}.{test['name']}"
         for suite in suites
@@ -243,7 +244,8 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
 
 
 def copy_sources(root: Path, target: Path, texts: Mapping[str, str] | None = None) -> None:
-    """Makes the target equal to the sources, but for the given texts. Equal files keep times."""
+    """Makes the target equal to the sources, except for the given texts. Equal files keep their
+    times."""
     python = root / "tests/python"
     paths = [path for path in files_below(root, COPIED) if python not in path.parents]
     wanted = {str(path.relative_to(root)): path.read_bytes() for path in paths}

@@ -1,6 +1,6 @@
 """Coverage of all tests together, counted by gcovr from the counters of gcc.
 
-A line in several functions, as one of a template does, counts once.
+A line in several functions, such as a line of a template, counts once.
 """
 
 from __future__ import annotations
@@ -51,7 +51,8 @@ def remove_stale_notes(root: Path, build: Path, log: TextIO) -> None:
 
 
 def _sources(root: Path, build: Path, file: Path) -> list[Path]:
-    """Where the source may be that CMake compiled: in the project, generated, or somewhere else."""
+    """The possible places of the source that CMake compiled: in the project, generated, or
+    somewhere else."""
     parts = file.relative_to(build).with_suffix("").parts
     if "CMakeFiles" not in parts:
         return [file]

@@ -26,13 +26,14 @@ from traceability.sources import files_below
 
 GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
 ON_HOST = "debug"  # the preset of programs that are debugged on this machine
-OF_EMULATOR = ("tests/sim/", "tests/torture/")  # their subject runs on this machine
+OF_EMULATOR = ("tests/sim/", "tests/torture/")  # folders of tests whose subject runs on this
+# machine
 WAIT = 20  # s, until a board waits at its port
 
 
 @dataclass(frozen=True)
 class Target:
-    """The debugger, and the board that waits for it; a program of this machine needs no board."""
+    """The debugger, and the waiting board, which a program of this machine does not need."""
 
     gdb: list[str]
     server: list[str] = field(default_factory=list)
@@ -43,7 +44,7 @@ class Target:
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "debug",
-        description="Builds a test with all that a debugger shows, and opens it in GDB; a test "
+        description="Builds a test with full debug information, and opens it in GDB; a test "
         "that runs only on the virtual board is debugged there. With a scenario, or "
         "without a name, GDB debugs the image on the virtual board, forwards and backwards.",
     )
@@ -78,7 +79,7 @@ def debug(root: Path, options: argparse.Namespace) -> int:
 
 
 def file_of(root: Path, name: str) -> str:
-    """The file of a test: Suite.Name, as the page Tests has it."""
+    """The file of a test: Suite.Name, as on the page Tests."""
     for file, found in tests_below(root):
         if found == name:
             return file
@@ -180,7 +181,8 @@ def python_target(root: Path, name: str) -> Target:
 
 
 def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:
-    """Looks at the list of the listening ports: a connection would be taken for that of GDB."""
+    """Looks at the list of the listening ports: because the board would treat a connection as
+    GDB."""
     wanted = f":{port:04X} 00000000:0000 0A"
     end = time.monotonic() + WAIT
     while time.monotonic() < end and server.poll() is None:
@@ -207,7 +209,7 @@ def start(root: Path, target: Target, shows: bool) -> int:
     if not target.server:
         return subprocess.run(target.gdb, check=False, cwd=root).returncode
     environment = {**os.environ, **target.variables}
-    # Ctrl-C is for GDB: the server is in a session of its own.
+    # Ctrl-C is for GDB: the server is in a separate session.
     with subprocess.Popen(
         target.server, env=environment, cwd=root, start_new_session=True
     ) as server:

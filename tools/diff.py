@@ -63,7 +63,7 @@ def commit_of(root: Path, name: str) -> str:
 
 
 def load(root: Path, name: str) -> Revision:
-    """The recorded revision, else that of its sources, which is recorded then."""
+    """The recorded revision, else the revision of its sources, which is then recorded."""
     commit = commit_of(root, name)
     found = read_revision(root, commit)
     if found is None:
@@ -73,7 +73,7 @@ def load(root: Path, name: str) -> Revision:
 
 
 def read_sources(root: Path, commit: str) -> Revision:
-    """Reads the sources of a commit, which are unpacked into a folder for this time."""
+    """Reads the sources of a commit, unpacked into a temporary folder."""
     from traceability.model.build import build
 
     with tempfile.TemporaryDirectory(prefix="weeding-robot-") as folder:

@@ -30,9 +30,9 @@ PARTS = ("model", "checks", "site", "links")
 
 
 def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
-    """Makes them, and writes the lines of the four steps as they come.
+    """Builds the documents, and writes the lines of the four steps as they appear.
 
-    The process ends with its memory, which a command that runs long need not keep.
+    The process frees its memory at its end, so that a long command does not keep it.
     """
     words = [sys.executable, "-m", "tools.documents", str(root)]
     with (
@@ -88,7 +88,7 @@ def main(root: Path) -> int:
 
 @contextmanager
 def no_collection() -> Iterator[None]:
-    """The model lives until the end: to look through it for garbage takes a fifth of the time."""
+    """The model lives until the end, and its garbage collection would take a fifth of the time."""
     gc.disable()
     try:
         yield
@@ -166,7 +166,7 @@ def record_revision(root: Path, model: Model, report: Report, metrics: Path) -> 
 
 
 def is_unreadable(built: Built | None) -> bool:
-    """Whether a part of the design is missing, and every page would show less than there is."""
+    """Whether a part of the design is missing, so that every page would be incomplete."""
     return bool(built and built.facts.declared.entries.unreadable)
 
 

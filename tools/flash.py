@@ -31,7 +31,7 @@ each way."""
 
 @dataclass(frozen=True)
 class Way:
-    """One way to the board; ``missing`` is empty when it is there."""
+    """A way to the board; ``missing`` is empty when it is available."""
 
     missing: str
     does: str
@@ -49,7 +49,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--with",
         dest="way",
         choices=("pyocd", "openocd", "drive"),
-        help="the way to the board (default: the first that is there)",
+        help="the way to the board (default: the first available one)",
     )
     parser.add_argument(
         "--drive", type=Path, metavar="PATH", help="where the drive of the board is mounted"
@@ -121,11 +121,11 @@ def add_key(image: Path, key_file: Path, keyed: Path) -> str:
 
 
 def ways(image: Path, folder: Path | None) -> dict[str, Way]:
-    """All ways, the one to try first in front."""
+    """All ways, in the order in which they are tried."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
-    # OpenOCD reads a script: braces keep the path one word. Without fcf_source it writes a flash
-    # configuration field of its own, and the comparison fails. The field was checked before.
+    # OpenOCD reads a script: braces keep the path one word. Without fcf_source OpenOCD writes its
+    # own flash configuration field, and the comparison fails. The field was checked before.
     script = f"init; kinetis fcf_source write; program {{{file}}} verify reset exit 0x0"
     return {
         "pyocd": pyocd(file, flags),
@@ -145,7 +145,7 @@ def tool(name: str, *arguments: str) -> Way:
 
 
 def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
-    """Writes with pyOCD, which does not compare by itself: reads the flash back and compares."""
+    """Writes with pyOCD, which does not compare the flash: reads the flash back and compares."""
     missing = "" if shutil.which("pyocd") else "not installed"
     words = ["pyocd", "flash", *flags, str(image)]
 
@@ -188,7 +188,7 @@ def copy(image: Path, folder: Path | None) -> Way:
 
 
 def choose(found: dict[str, Way], name: str | None) -> tuple[str, Way]:
-    """The way that is asked for, or the first that leads to a board."""
+    """The chosen way, or the first one that finds a board."""
     probe = name is not None or has_probe()
     for other, way in found.items():
         if name in (None, other) and not way.missing and (probe or other == "drive"):
@@ -202,7 +202,7 @@ def choose(found: dict[str, Way], name: str | None) -> tuple[str, Way]:
 
 
 def has_probe() -> bool:
-    """Whether a debug probe as that of the FRDM-K64F is connected."""
+    """Whether a debug probe of the FRDM-K64F is connected."""
 
     def text(file: Path) -> str:
         try:

@@ -6,7 +6,8 @@ FIELD = 0x400
 SIZE = 16
 FLASH = 0x100000
 SECURITY = 0x40C
-# Reads as after an erase, but for two bytes. Security: not secured, mass erase allowed. Options: no
+# The field is as after an erase, except for two bytes. Security: not secured, mass erase allowed.
+# Options: no
 # mode for programming over a serial line (EzPort) when PTA4 is low during a reset.
 WANTED = bytes([0xFF] * 12 + [0xFE, 0xFD] + [0xFF] * 2)
 PURPOSES = (

@@ -24,7 +24,8 @@ from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
-MAP = "build/clang/logic_modules.modulemap"  # which module may include which; CMake writes it
+# Which module may include which; CMake writes it.
+MAP = "build/clang/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "sim", "tests")
 CHECKED = (*DESIGN, "sim")
 WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
@@ -98,7 +99,8 @@ def on_board(root: Path, path: Path) -> bool:
 
 
 def check_imports(root: Path, log: TextIO) -> None:
-    """Checks the contracts of pyproject.toml: which package may import which, and no ring."""
+    """Checks the contracts of pyproject.toml: the allowed imports of each package, without
+    cycles."""
     env = os.environ | {"PYTHONPATH": os.pathsep.join([str(root), str(root / "site")])}
     linter = Path(sys.executable).with_name("lint-imports")
     run(log, [linter, "--config", "pyproject.toml", "--no-logo"], env, folder=root)
@@ -192,7 +194,7 @@ def check_changed(
 
 
 def settings(root: Path, path: Path) -> list[Path]:
-    """The settings of clang-tidy that hold for a file."""
+    """The settings of clang-tidy for a file."""
     folders = [one for one in path.parents if one.is_relative_to(root)]
     return [one for folder in folders if (one := folder / ".clang-tidy").exists()]
 

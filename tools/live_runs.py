@@ -64,7 +64,7 @@ const bytes = async (path) => new Uint8Array(await (await fetch(path)).arrayBuff
 
 @dataclass(frozen=True)
 class Run:
-    """All that a robot did in a scenario: its reports with the truth, and a hash of all events."""
+    """The result of a scenario: its reports with the true values, and a hash of all events."""
 
     reports: str
     events: int
@@ -228,6 +228,7 @@ def _wrong(
 
 
 def _bytes(root: Path) -> int:
-    """The bytes that a press loads: the module, an image, and the data of the page if it exists."""
+    """The bytes that the start of the robot loads: the module, an image, and the data of the page
+    if it exists."""
     loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
     return sum(path.stat().st_size for path in loaded if path.exists())

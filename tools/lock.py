@@ -1,4 +1,5 @@
-"""One command at a time may build, test or make pages: the others would change its files."""
+"""Only one command at a time may build, test or make pages, because another one would change its
+files."""
 
 from __future__ import annotations
 
@@ -10,12 +11,12 @@ from contextlib import contextmanager
 from pathlib import Path
 
 LOCK = Path("build/lock")
-HOLDER = "WR_LOCK"  # set for the programs that the holder of the lock starts
+HOLDER = "WR_LOCK"  # set for programs that the owner of the lock starts
 BUSY = 5  # exit code
 
 
 class BusyError(Exception):
-    """Another command is at work."""
+    """Another command is running."""
 
 
 @contextmanager

@@ -95,7 +95,7 @@ class Pages(AbstractContextManager["Pages"]):
         self.write(over=True)
 
     def end(self) -> None:
-        """Waits until nothing is rebuilt any more. The state of the run is not over yet."""
+        """Waits until all rebuilds have ended. The run has not ended yet."""
         self.over = True
         self.wanted.set()
         self.thread.join()

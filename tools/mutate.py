@@ -28,18 +28,21 @@ SHOWN_EVERY = 10.0  # seconds
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "mutate",
-        description="Builds a copy of the firmware that holds small faults in the methods of the "
-        "trees, each behind its number, and runs with one after the other the tests of the "
-        "requirements that the method serves. The score is shown in the portal; it is no gate. "
+        description="Builds a copy of the firmware that contains small faults in the methods of "
+        "the trees, each with a number. For each fault it runs the tests of the "
+        "requirements that the method serves. The score is shown in the portal; it is not a pass "
+        "criterion. "
         "Faults that no test finds are listed as file:line, with the change.",
     )
     parser.add_argument(
         "--minutes",
         type=minutes,
         default=LONGEST,
-        help=f"how long faults are tried, at most and by default {LONGEST:g}",
+        help=f"greatest and default time for the run {LONGEST:g}",
     )
-    parser.add_argument("--seed", type=int, help="which faults come first; by default a new one")
+    parser.add_argument(
+        "--seed", type=int, help="seed of the order of the faults; default: a new one"
+    )
     parser.add_argument(
         "--publish", action="store_true", help="write the score to tests/records, to be committed"
     )

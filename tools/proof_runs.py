@@ -38,7 +38,7 @@ EVENT = re.compile(
 
 
 def missing_program() -> str:
-    """Returns the first program that a proof needs and this machine does not have."""
+    """Returns the first missing program that a proof needs."""
     return next((name for name in (SPIN, COMPILER) if shutil.which(name) is None), "")
 
 

@@ -15,7 +15,7 @@ from traceability.reading.prose_record import FOLDERS
 from traceability.sources import files_below
 
 GLOSSARY = Path("docs/glossary.rst")
-PROSE = (".rst", ".md", ".dox", ".html")  # text, but for its marks
+PROSE = (".rst", ".md", ".dox", ".html")  # text with markup
 CODE = (".py", ".cpp", ".hpp", ".h", ".toml", ".tree", ".txt", ".cmake", "")
 LITERALS = re.compile(
     r"\{%.*?%\}|\{\{.*?\}\}|\{#|#\}|<[^>]*>|``[^`]*``|`[^`\n]*`|:[\w-]+:(?=`)|\{\w[^}]*\}|[^\s<>]*[_/:]{1,2}\w[^\s<>]*",
@@ -27,7 +27,7 @@ PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:,\s+)?)+): (.*(?:\n  .*)*)", re.MULTILI
 RIGHT = re.compile(r"\.\s+Right\s+in\s(.*)$", re.DOTALL)
 IN_BACKQUOTES = re.compile(r"``([^`]+)``")
 QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!;]*\?)", re.IGNORECASE)
-QUOTED = Path("design/paper.toml")  # has the words of the paper
+QUOTED = Path("design/paper.toml")  # contains the words of the paper
 LEAST_WORDS = 2  # of a text in quotes: shorter ones are names
 
 
@@ -72,14 +72,15 @@ def right_phrases(text: str) -> list[str]:
 
 
 def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
-    """Whole words; a blank is any white space, # any number, and a capital no difference."""
+    """Whole words; a blank is any white space, # any number, and case is ignored."""
     longest = sorted((" ".join(phrase.split()) for phrase in phrases), key=len, reverse=True)
     words = "|".join(map(re.escape, longest)).replace(r"\ ", r"\s+").replace(r"\#", r"\d+")
     return re.compile(rf"(?<![\w.-])(?:{words or '(?!)'})(?![\w-])", re.IGNORECASE)
 
 
 def prose_of(path: Path) -> str:
-    """The text of a file with blanks in the place of all that is no prose: lines stay the same."""
+    """The text of a file in which everything except prose is replaced by blanks; lines do not
+    change."""
     text = path.read_text(encoding="utf-8")
     if path.suffix not in PROSE:
         text = _remarks(path, text)

@@ -12,13 +12,14 @@ from tools.steps import FailureError, run
 from tools.task_graph import Outcome
 from traceability.reading.results import RESULTS
 
-# Tests that mostly wait for a robot in real time: more of them than processors run side by side.
+# Tests that mostly wait for a robot in real time: more of them than processors run in parallel.
 WAITING = "client"
 WAITING_JOBS = "4"
 
 
 def workers(folder: str) -> list[str | Path]:
-    """Options of pytest: how many tests run side by side, and which stay together."""
+    """Options of pytest: the number of parallel tests, and the tests that must run in one
+    process."""
     if folder == WAITING:
         return ["-n", WAITING_JOBS, "--dist", "load"]
     return ["-n", jobs(), "--dist", "loadfile"]
@@ -33,7 +34,8 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
     words += [*options, root / "tests/python" / folder]
     counts = counted(log, words, results)
-    if counts.failed and folder == WAITING:  # a busy machine may be late: once more, one by one
+    if counts.failed and folder == WAITING:  # a busy machine may be too slow, so these tests run
+        # again, one by one
         again = counted(log, [*words, "--lf", "-n", "0"], results)
         counts = replace(again, passed=counts.passed + again.passed, skipped=counts.skipped)
     log.writelines(f"to debug it: ./wr debug {name}\n" for name in failed_tests(results))

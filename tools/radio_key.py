@@ -1,4 +1,4 @@
-"""The key of the Bluetooth device: written into a copy of the image before that is flashed."""
+"""The key of the Bluetooth device: written into a copy of the image before the image is flashed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ KEY_AT = 0x410
 KEY_BYTES = 16
 ERASED = b"\xff" * KEY_BYTES
 ADVICE = (
-    "A key file holds 32 hexadecimal digits. Make one with: "
+    "A key file contains 32 hexadecimal digits. Make one with: "
     "head -c 16 /dev/urandom | xxd -p > robot.key"
 )
 
@@ -20,7 +20,7 @@ class KeyFileError(Exception):
 
 
 def read_key(file: Path) -> bytes:
-    """Returns the 16 bytes of a key file; its digits may be apart."""
+    """Returns the 16 bytes of a key file; its digits may be separated by blanks."""
     try:
         text = "".join(file.read_text(encoding="ascii").split())
     except (OSError, UnicodeDecodeError) as error:

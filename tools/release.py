@@ -40,7 +40,7 @@ VERSION = re.compile(r"project\([^)]*VERSION\s+([\d.]+)")
 ARCHIVE = ".tar.gz"
 SHOWN = 20  # differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
-# Files of a build that no page needs: they have paths and times of their machine.
+# Files of a build that no page needs: they contain paths and times of this machine.
 NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", ".bak", "status.json")
 EXPORTS = ("model.json", "model.schema.json", JSON, JUNIT, *(file.name for file in FILES))
 
@@ -97,7 +97,7 @@ def identity(root: Path) -> Release:
     """The commit and its time; an error when a file differs from it."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if not commit:
-        raise FailureError("this folder is no clone of git: a release is made of a commit")
+        raise FailureError("this folder is not a clone of git: a release is made of a commit")
     changed = git(root, "status", "--porcelain").splitlines()
     if changed:
         raise FailureError(f"{len(changed)} files differ from the commit: commit them first")
@@ -165,14 +165,14 @@ def compare_with_second(root: Path, folder: Path) -> list[str]:
 
 
 def bring_results(root: Path, copy: Path) -> None:
-    """Results of tests and measurements have times: a second run of the tests has others."""
+    """Results of tests and measurements contain times, which differ in a second run."""
     shutil.copytree(root / RESULTS, copy / RESULTS)
     shutil.copy2(root / TASKS, copy / TASKS)
 
 
 def differences(first: Path, second: Path) -> list[str]:
     here, there = below(first), below(second)
-    found = [f"{name}: only in one of both" for name in sorted(here.keys() ^ there.keys())]
+    found = [f"{name}: only in one of the two" for name in sorted(here.keys() ^ there.keys())]
     for name in sorted(here.keys() & there.keys()):
         if file_hash(here[name]) != file_hash(there[name]):
             found.append(f"{name}: the bytes differ")

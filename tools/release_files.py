@@ -1,4 +1,4 @@
-"""Archives and lists of hashes whose bytes depend on nothing but their content."""
+"""Archives and lists of hashes whose bytes depend only on their content."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def sums_text(folder: Path, names: Iterable[str]) -> str:
 
 
 def below(folder: Path, *without: str) -> dict[str, Path]:
-    """The files of a folder, by their names in it, but for those whose names end so."""
+    """The files of a folder, by their names in it, except files with these endings."""
     return {
         str(path.relative_to(folder)): path
         for path in sorted(folder.rglob("*"))
@@ -47,7 +47,7 @@ def below(folder: Path, *without: str) -> dict[str, Path]:
 
 
 def different_members(first: Path, second: Path) -> list[str]:
-    """The names in two archives whose content differs, or that only one of both has."""
+    """The names in two archives whose content differs, or that only one archive contains."""
     here, there = (_members(path) for path in (first, second))
     return sorted(name for name in here.keys() | there.keys() if here.get(name) != there.get(name))
 

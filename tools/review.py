@@ -1,4 +1,4 @@
-"""./wr review: a person reviews one requirement; or the baseline takes the present texts."""
+"""./wr review: a person reviews one requirement; or the baseline records the present texts."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ if TYPE_CHECKING:
     from traceability.model.reviews import LinkText
     from traceability.schema import Baseline, Requirement
 
-MOST_VERSIONS = 200  # of a file that are searched for the text in the baseline
+MOST_VERSIONS = 200  # number of versions of a file in which the text of the baseline is searched
 MOST_TRIES = 3  # of an answer
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "review",
-        description="Shows the texts that carry the verdict of one requirement: its text, tree, "
-        "safety goals, methods, tests, fixtures and scenarios, with the changes since its "
+        description="Shows the texts on which the verdict of one requirement depends: its text, "
+        "tree, safety goals, methods, tests, fixtures and scenarios, with the changes since its "
         "baseline. Then asks the questions of the checklist, and records your answers in "
         "requirements/reviews.toml. A reviewer is a person who wrote none of these texts, by git. "
         "With --baseline it asks nothing: it records the hashes of the present texts in "
-        "requirements/baseline.toml. A baseline shows later changes; it is no review.",
+        "requirements/baseline.toml. A baseline shows later changes; it is not a review.",
     )
     parser.add_argument("ids", nargs="*", metavar="ID", help="a requirement, such as FR-15")
     parser.add_argument(
@@ -74,7 +74,7 @@ def record_baseline(
             name = NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)
             print(f"{requirement.id}: {name} {suspicion.text}")
     write_baseline(root, {item.id: texts_of(item) for item in changed}, requirements)
-    print(f"Recorded the baseline of {len(changed)} requirements. It is no review.")
+    print(f"Recorded the baseline of {len(changed)} requirements. This is not a review.")
     return 0
 
 
@@ -138,7 +138,7 @@ def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> st
 def shown(
     root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
 ) -> Iterator[str]:
-    """The texts that a reviewer reads, with their changes; of a file of support its path."""
+    """The texts that a reviewer reads, with their changes; only the path of a support file."""
     for text in texts:
         yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"
         if text.kind != "support":
@@ -153,7 +153,7 @@ def shown(
 def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
     before = text_recorded(root, now, recorded)
     if before is None:
-        yield "changed since the baseline; git here does not have the text of the baseline"
+        yield "changed since the baseline; the text of the baseline is not in this git repository"
         return
     yield from difflib.unified_diff(
         before.splitlines(), now.text.splitlines(), "baseline", "now", lineterm=""

@@ -81,7 +81,7 @@ def test(root: Path, *, long: bool) -> int:
 
 
 def counts_of(run: Reporter, *counted: str | None) -> Counts:
-    """The tests of all tasks; those with sanitizers are the same as those with traces."""
+    """The tests of all tasks; the tests with sanitizers are the same as the tests with traces."""
     found = Counts()
     for name, values in run.values.items():
         if "passed" in values and (name in counted or name != TESTS_SANITIZE):

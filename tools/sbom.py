@@ -1,4 +1,5 @@
-"""The parts of a release in CycloneDX: images, libraries in the images, tools, files of others."""
+"""The parts of a release in CycloneDX: images, libraries in the images, tools, files of third
+parties."""
 
 from __future__ import annotations
 
@@ -61,7 +62,7 @@ def _images(images: Mapping[str, str], version: str) -> Iterable[Component]:
 
 
 def _linked() -> Iterable[Component]:
-    """The C and C++ library, and that of the compiler, as this machine has them."""
+    """The C and C++ library, and that of the compiler, as installed on this machine."""
     for name in LINKED:
         version = debian_version(name)
         yield Component(
@@ -83,7 +84,7 @@ def debian_version(name: str) -> str:
 
 
 def _python(root: Path) -> Iterable[Component]:
-    """Packages of the tools: no part of an image."""
+    """Packages of the tools: not part of an image."""
     found = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
     if not found:
         raise FailureError(f"{LOCK} names no package")

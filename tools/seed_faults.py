@@ -43,7 +43,7 @@ def seed_all(root: Path) -> list[Outcome]:
 
 
 def seed(root: Path, checks: list[str]) -> list[Outcome]:
-    """Seeds the faults of some checks. Records nothing: the record is of all faults."""
+    """Seeds the faults of some checks. Writes no record, because a record contains all faults."""
     faults = read_faults(root)
     unknown = sorted(set(checks) - {fault.check for fault in faults})
     if unknown:
@@ -52,7 +52,7 @@ def seed(root: Path, checks: list[str]) -> list[Outcome]:
 
 
 def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
-    """By stage; the groups of a stage are shared out among copies."""
+    """Ordered by stage; the copies share the groups of a stage."""
     tried.value = 0
     with (
         tempfile.TemporaryDirectory(prefix="drift-") as folder,
@@ -87,9 +87,10 @@ def _show_progress(parts: list[Future[list[Outcome]]], faults: int) -> None:
 
 
 def grouped(faults: list[Fault]) -> list[list[Fault]]:
-    """Groups whose faults share no file: they can be seeded together, and distinguished.
+    """Groups whose faults share no file: they can be seeded together and their findings can be
+    distinguished.
 
-    One that does not compile hides the other faults: it is checked alone.
+    A fault that does not compile hides the other faults, so it is checked alone.
     """
     alone = [[fault] for fault in faults if not fault.compiles]
     groups: list[tuple[set[str], list[Fault]]] = []
@@ -116,7 +117,7 @@ def _seed_part(root: Path, tree: Path, stage: str, groups: list[list[Fault]]) ->
 
 
 class Copy:
-    """A copy of the project, in which one fault after the other is seeded and taken back."""
+    """A copy of the project, in which one fault after the other is seeded and removed again."""
 
     def __init__(self, root: Path, tree: Path, stage: str) -> None:
         self.tree = tree
@@ -144,7 +145,7 @@ class Copy:
         return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
-        """Seeds the faults together, and each one again, alone, that was not found."""
+        """Seeds the faults together, and then each fault that was not found again alone."""
         outcomes = self._seed(faults)
         if len(faults) == 1:
             return outcomes
@@ -171,7 +172,7 @@ class Copy:
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
-        """The files to keep. The messages of Doxygen belong to its XML, which stays."""
+        """The files to keep. The messages of Doxygen are kept with its XML."""
         found = sorted((self.tree / "build" / "model").rglob("*.*"))
         kinds = (".json", ".facts")
         return [path for path in found if path.suffix in kinds and path.name != "doxygen.json"]

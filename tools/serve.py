@@ -41,7 +41,7 @@ def port_number(text: str) -> int:
 
 
 class Handler(SimpleHTTPRequestHandler):
-    """Files of the site; asks the browser to look again, because the site is rebuilt."""
+    """Files of the site; makes the browser load them again, because the site is rebuilt."""
 
     def end_headers(self) -> None:
         self.send_header("Cache-Control", "no-cache")
@@ -65,7 +65,7 @@ def make_server(site: Path, port: int) -> ThreadingHTTPServer:
 
 def serving(root: Path, port: int) -> tuple[str, Thread]:
     """Serves the portal in a thread; returns its address, and the thread."""
-    (root / STATUS).unlink(missing_ok=True)  # that of a run which ended
+    (root / STATUS).unlink(missing_ok=True)  # the state of a run that has ended
     server = make_server(root / SITE, port)
     thread = Thread(target=server.serve_forever, daemon=True)
     thread.start()

@@ -17,14 +17,14 @@ if TYPE_CHECKING:
 
 WIDTH = 100
 RANGE = ".."  # between two commits
-SHOWN = 12  # tests that are listed without --json
+SHOWN = 12  # greatest number of listed tests without --json
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "impact",
         description="Builds the model and lists the modules that a change may affect, by their "
-        "distance, and which requirements, patterns and tests to look at again. The portal shows "
+        "distance, and the requirements, patterns and tests to review. The portal shows "
         "the same on the page of each module and requirement.",
     )
     parser.add_argument(

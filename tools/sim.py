@@ -56,12 +56,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--reports", type=Path, metavar="FILE", help="with --scenario: write its reports as a table"
     )
     parser.add_argument(
-        "--trace", type=Path, metavar="FILE", help="with --board: write what happened, and when"
+        "--trace", type=Path, metavar="FILE", help="with --board: write the events with their times"
     )
     parser.add_argument(
         "--resets",
         action="store_true",
-        help="with --board: go on after a reset that the program causes",
+        help="with --board: continue after a reset that the program causes",
     )
     parser.add_argument(
         "--gdb",
@@ -108,7 +108,7 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
 
 
 def command(root: Path, options: argparse.Namespace) -> list[str]:
-    """The program and its options. A scenario takes the place of the PC link."""
+    """The program and its options. A scenario replaces the PC link."""
     stepped = options.fast or options.scenario is not None
     program = BOARD_PROGRAM if options.board else PROGRAM
     words = [str(root / "build" / "host" / "sim" / program)]
@@ -121,7 +121,7 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     link, control = options.link, options.control
     if not stepped:
         link = link or root / "build" / "pc-link"
-        if options.gdb is None:  # a run that begins again repeats the bytes of the PC only
+        if options.gdb is None:  # a repeated run repeats only the bytes of the PC
             control = control or root / "build" / "sim-control"
         (root / "build").mkdir(parents=True, exist_ok=True)
     for name, value in (

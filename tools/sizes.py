@@ -29,14 +29,14 @@ from traceability.reading.products import (
 
 ELF = image_of(DEFAULT, ".elf")
 SIZES = Path("build/results/size_k64.json")
-# Parts of the image that are no module.
+# Parts of the image that are not modules.
 VECTORS, CONFIGURATION = "vectors", "flash configuration field"
 STACK, PADDING = "stack", "padding and unnamed constants"
 PARTS = (VECTORS, CONFIGURATION, LIBRARY, STACK, PADDING)
 
 SRAM = 0x1FFF0000  # RAM begins here
 HEADER = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s")
-# An object: address, size, name, and the file of its source where the compiler writes it.
+# An object: address, size, name, and its source file, if the compiler records it.
 OBJECT = re.compile(
     r"^([0-9a-f]+) ([0-9a-f]+) [bdrvBDRV] (\S+)(?:\t.*?(\w+)\.[ch]pp:\d+)?$", re.MULTILINE
 )
@@ -53,12 +53,12 @@ class Size:
 
 @dataclass(frozen=True)
 class Section:
-    """A section of the image that takes memory."""
+    """A section of the image that uses memory."""
 
     name: str
     size: int
     address: int
-    load: int  # where the binary has it
+    load: int  # position in the binary
     in_flash: bool
     in_ram: bool
     code: bool
@@ -68,11 +68,11 @@ class Section:
 
 
 def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
-    """Part -> size. The flash is that which arm-none-eabi-size reports for the whole image.
+    """Part -> size. The flash is the value that arm-none-eabi-size reports for the whole image.
 
-    An instruction belongs to the module that its line of source is in, wherever it was inlined.
-    An object belongs to the module that defines it, by the ``recorded`` image: an image that was
-    linked as a whole has lost that.
+    An instruction belongs to the module of its source line, also where it was inlined.
+    An object belongs to the module that defines it, read from the ``recorded`` image, because
+    link-time optimisation removes this information.
     """
     sizes: dict[str, Size] = defaultdict(Size)
     known = list(objects(elf, homes(recorded or elf)))
@@ -118,14 +118,14 @@ def add(part: Size, section: Section, size: int) -> None:
 
 
 def owner(section: Section) -> str:
-    """The part that a section is as a whole; empty when it belongs to several."""
+    """The part to which a whole section belongs; empty when it belongs to several parts."""
     if not section.in_flash:
         return ""
     return {0: VECTORS, FIELD: CONFIGURATION}.get(section.address, "")
 
 
 def sections(elf: Path) -> list[Section]:
-    """The sections that take memory. One that is copied into RAM takes flash too."""
+    """The sections that use memory. A section that is copied into RAM also uses flash."""
     lines = output("arm-none-eabi-objdump", "-h", elf).splitlines()
     found = []
     for line, flags in pairwise(lines):
@@ -139,11 +139,11 @@ def sections(elf: Path) -> list[Section]:
 
 
 def place_in_binary(elf: Path, address: int) -> int:
-    """The place in the binary of the byte that is at an address while the program runs."""
+    """The position in the binary of the byte that is at a run-time address."""
     for section in sections(elf):
         if section.in_flash and section.holds(address):
             return section.load + address - section.address
-    raise FailureError(f"{elf.name} has nothing to load at {address:#x}")
+    raise FailureError(f"{elf.name} contains no data for {address:#x}")
 
 
 def output(*words: str | Path) -> str:
@@ -193,7 +193,7 @@ def write_products(root: Path) -> dict[str, Size]:
 
 
 def write_sizes(root: Path) -> dict[str, Size]:
-    """Measures the image that was built, and leaves the sizes for the model and the metrics."""
+    """Measures the image that was built, and writes the sizes for the model and the metrics."""
     sizes = sizes_of(root, DEFAULT)
     whole = total(sizes)
     write_json(root / SIZES, {name: vars(size) for name, size in sorted(sizes.items())})

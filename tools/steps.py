@@ -100,7 +100,7 @@ def attempt(action: Callable[[TextIO], Result], log: TextIO) -> Result:
 
 
 def log_of(root: Path, title: str) -> Path:
-    """Returns where the output of a step is written."""
+    """Returns the file for the output of a step."""
     return root / "build" / "logs" / (re.sub(r"\W+", "-", title).strip("-") + ".log")
 
 
@@ -135,7 +135,7 @@ class Steps:
         return True
 
     def skip(self, title: str, reason: str) -> None:
-        """Counts a step that cannot run."""
+        """Records a step that cannot run."""
         self.number += 1
         self._say(f"[{self.number}/{self.total}] {title} ... not run: {reason}")
 

@@ -36,7 +36,7 @@ LONG = 10  # [s] a task that is expected to take longer is announced when it sta
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result of a task: a note, and whether its results are bad although it has results."""
+    """Result of a task: a note, and whether its results exist but are bad."""
 
     note: str
     failed: bool = False
@@ -53,9 +53,9 @@ class Task:
     results: tuple[str, ...] = ()  # removed before the task runs
     must_exist: tuple[str, ...] = ()  # its other outputs
     after: tuple[str, ...] = ()
-    inputs_from: tuple[str, ...] = ()  # tasks that find inputs of this one
-    always: bool = False  # for a build, where the build tool itself finds the changes
-    state: Callable[[], str] | None = None  # inputs that are no files
+    inputs_from: tuple[str, ...] = ()  # tasks that determine inputs of this task
+    always: bool = False  # for a build, in which the build tool itself detects the changes
+    state: Callable[[], str] | None = None  # inputs that are not files
     quiet: bool = False  # prints its own lines
 
 
@@ -99,7 +99,7 @@ class Step(BaseAction):  # type: ignore[misc]  # doit has no types
 
 
 class Database(JsonDB):  # type: ignore[misc]  # doit has no types
-    """The record is replaced as a whole: one that was interrupted leaves the one before."""
+    """The record is replaced as a whole, so that an interruption keeps the previous one."""
 
     def dump(self) -> None:
         path = Path(self.name)
@@ -110,7 +110,7 @@ class Database(JsonDB):  # type: ignore[misc]  # doit has no types
 
 
 class Record(Dependency):  # type: ignore[misc]  # doit has no types
-    """Records the inputs of a task, but none that changed after the run of tasks began."""
+    """Records the inputs of a task, except those that changed after the start of the run."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(Database, str(path))
@@ -125,7 +125,8 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
 
 
 class WakingQueue(queue.Queue[Any]):
-    """A queue whose reader wakes up now and then: only then Ctrl-C reaches the main thread."""
+    """A queue whose reader wakes up periodically, because only then Ctrl-C reaches the main
+    thread."""
 
     def get(self, block: bool = True, timeout: float | None = None) -> Any:  # noqa: ARG002 - doit names them
         while True:
@@ -256,7 +257,8 @@ class Graph:
     ) -> Reporter:
         """Runs the named tasks and those that they need; returns their results.
 
-        ``changed`` gets the task that ended with new results, if one did, and the progress.
+        ``changed`` is called with the task that ended with new results, if any, and with the
+        progress.
         """
         with contextlib.chdir(self.root):
             record = Record(self.record)

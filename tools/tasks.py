@@ -71,7 +71,7 @@ LIVE_MODULE = "live module"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
 PAGES_RECORD = Path("build/pages.json")
 FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, task_record.IMAGES)
-# Results that the pages show besides the sources. A reader waits most for the first ones.
+# Results that the pages show. The most important results come first.
 RESULT_TASKS = (
     *FIRMWARE,
     task_record.TESTS_TRACE,
@@ -97,14 +97,14 @@ PROOF_INPUTS = (
     "traceability/model/promela.py",
     "tools/proof_runs.py",
 )
-SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # tests and runs read them
+SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # inputs of tests and runs
 TOOLS = ("traceability", "site/portal", "tools", "client", "pyproject.toml", "setup/python.lock")
 # The seeded faults: the sources, the checks, and the faults.
 SEEDED = (
     *(*DESIGN, "changes", "sim", "tests", "requirements", "design", "docs", "README.md"),
     *(*BUILD_FILES, *TOOLS),
 )
-# The pages show all that is written by hand.
+# The pages show all hand-written texts.
 SHOWN = (*SEEDED, "site", "setup", "wr")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
@@ -113,7 +113,7 @@ SHOWN_RESULTS = (
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json"),
 )
-# Each folder of tests/python, and the inputs of its tests besides the tools.
+# Each folder of tests/python, and the inputs of its tests in addition to the tools.
 PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "reading": (*DESIGN, "sim", "design", "tests/support", "tests/usual_design"),
     "model": ("design", "requirements", "sim/scenario"),
@@ -186,7 +186,8 @@ def builds(root: Path) -> list[Task]:
 
 
 def measurements(root: Path) -> list[Task]:
-    """Tests and runs of the programs that were built. Their inputs are the sources of these."""
+    """Tests and runs of the programs that were built. Their inputs are the sources of these
+    programs."""
 
     def tests(run: str) -> Callable[[TextIO], Outcome]:
         return lambda log: outcome_of(run_tests(root, run, log))
@@ -341,7 +342,7 @@ def documents(root: Path, out: TextIO) -> list[Task]:
 
     def pages(log: TextIO) -> Outcome:
         if not works(find_browser()):
-            log.write("There is no browser: the tests that need one are left out.\n")
+            log.write("There is no browser: the tests that need one are skipped.\n")
             return run_pytest(root, "site", log, "-m", "not browser")
         outcome = run_pytest(root, "site", log)
         add_metrics(root, reported_numbers(root / RESULTS / "pytest_site.xml"))

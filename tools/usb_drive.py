@@ -16,8 +16,8 @@ MOUNTS = Path("/proc/mounts")
 MARKS = ("DETAILS.TXT", "MBED.HTM")
 FAILURE = "FAIL.TXT"
 LABEL_OF_PROBE = re.compile(r"^(BOOTLOADER|MAINTENANCE)$", re.IGNORECASE)
-GOES_WITHIN = 10.0  # the drive goes when the image is written
-COMES_WITHIN = 10.0  # and comes again with the outcome
+GOES_WITHIN = 10.0  # the drive disappears when the image is written
+COMES_WITHIN = 10.0  # and appears again with the result
 LOOK = 0.1
 
 
@@ -35,7 +35,7 @@ def unescaped(name: str) -> str:
 
 
 def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
-    """The first file of these names, in capitals or not."""
+    """The first file with one of these names, in upper or lower case."""
     try:
         files = sorted(folder.iterdir())
     except OSError:
@@ -44,7 +44,8 @@ def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
 
 
 def problem(folder: Path) -> str:
-    """Why nothing can be copied to this folder; empty when it is the drive of a board."""
+    """The reason why no image can be copied to this folder; empty when it is the drive of a
+    board."""
     if not folder.is_dir():
         return f"{folder} is no folder"
     if file_of(folder, MARKS) is None:
@@ -60,7 +61,7 @@ def problem(folder: Path) -> str:
 
 
 def copy(image: Path, folder: Path, log: TextIO) -> str:
-    """Copies the image, then waits until the drive has come again, and reads the outcome."""
+    """Copies the image, then waits until the drive appears again, and reads the result."""
     old = failure(folder)
     log.write(f"copies {image} to {folder}\n")
     try:
@@ -73,12 +74,12 @@ def copy(image: Path, folder: Path, log: TextIO) -> str:
     went = wait(lambda: file_of(folder, MARKS) is None or failure(folder) != old, GOES_WITHIN)
     came = went and wait(lambda: file_of(folder, MARKS) is not None, COMES_WITHIN)
     if came and (text := failure(folder)):
-        raise FailureError(f"the board did not take the image: {text}")
+        raise FailureError(f"the board did not accept the image: {text}")
     if came:
-        return "the board took the image"
+        return "the board accepted the image"
     if went:
-        return "copied; the drive was not mounted again: look there for a file FAIL.TXT"
-    raise FailureError("copied, but the board did not react: its drive stayed as it was")
+        return "copied; the drive was not mounted again: mount it and look for a file FAIL.TXT"
+    raise FailureError("copied, but the board did not react: its drive did not change")
 
 
 def failure(folder: Path) -> str:

@@ -65,7 +65,7 @@ class PaperStatement:
 
 @dataclass(frozen=True)
 class Tuned:
-    """Constants whose values are right for one value of another constant only."""
+    """Constants whose values are suitable for only one value of another constant."""
 
     to: str
     why: str
@@ -95,7 +95,7 @@ class Method:
     interrupt: str = ""
     satisfies: Sequence[str] = field(default_factory=list)
     documented: bool = False
-    inherited_from: str | None = None  # method whose specification holds here
+    inherited_from: str | None = None  # method whose specification applies here
     overrides: str | None = None
     calls: Sequence[Call] = field(default_factory=list)
     called_by: Sequence[str] = field(default_factory=list)
@@ -103,7 +103,7 @@ class Method:
 
 @dataclass(frozen=True)
 class Function:
-    """A function of a composition: a folder that holds functions, and no module."""
+    """A function of a composition: a folder that contains functions and no module."""
 
     id: str
     place: Place
@@ -168,7 +168,7 @@ class Module:
     registers: Sequence[str] = field(default_factory=list)  # blocks that it owns
     tests: Sequence[str] = field(
         default_factory=list
-    )  # tests that executed it, or lie in its folder and carry its name
+    )  # tests that executed it, or are in its folder and have its name
     lines_total: int | None = None
     lines_covered: int | None = None
     branches_total: int | None = None
@@ -179,7 +179,7 @@ class Module:
 
     @property
     def extension(self) -> bool:
-        """Whether a product adds it to the robot: the design counts its modules without these."""
+        """Whether it belongs to an extension: the design does not count such modules."""
         return is_extension(self.logic)
 
 
@@ -206,7 +206,7 @@ class LogicModule:
 
 @dataclass(frozen=True)
 class Clause:
-    """A structural clause of a pattern, and whether it holds in one application."""
+    """A structural clause of a pattern, and whether one application meets it."""
 
     id: str
     says: str
@@ -221,14 +221,14 @@ class PatternApplication:
     title: str
     why: str
     changes: str
-    module: str  # above which it is declared
+    module: str  # module above which it is declared
     place: Place
     roles: Sequence[RoleBinding] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class PatternPrice:
-    """The price of an application: of the calls through tables of methods that the image has."""
+    """The price of an application: the cost of the virtual calls in the image."""
 
     instructions: float  # in a cycle, on average
     flash: int  # bytes: the tables of its modules, and the instructions of the calls
@@ -237,7 +237,7 @@ class PatternPrice:
 
 @dataclass(frozen=True)
 class TreeNode:
-    """A node of a requirement's tree; ``resolved`` is the method that has the body."""
+    """A node of a requirement's tree; ``resolved`` is the method with the body."""
 
     label: str
     module: str
@@ -248,19 +248,19 @@ class TreeNode:
     reachable: bool | None = None
     executed: Mapping[str, bool] = field(
         default_factory=dict
-    )  # target with a recorded test -> so far
+    )  # target with a recorded test -> whether it was executed
     outside: Sequence[str] = field(
         default_factory=list
-    )  # targets that implement it out of the trace
+    )  # targets that implement it outside of the trace
     children: Sequence[TreeNode] = field(default_factory=list)
-    otherwise: bool = False  # reached by a post instead of a call, or the other way round
+    otherwise: bool = False  # reached by a post although declared as a call, or the reverse
     often: str = ""  # declared: "" once, "?" under a condition, "*" several times
     often_in_code: str | None = None
-    too_early: str = ""  # the node before it, when the code calls that one behind it
+    too_early: str = ""  # the previous node in the tree, when the code calls it later
 
     @property
     def ran(self) -> bool | None:
-        """Whether any target executed it; ``None`` when none was measured."""
+        """Whether any target executed it; ``None`` when no target was measured."""
         return any(self.executed.values()) if self.executed else None
 
 
@@ -286,11 +286,11 @@ class TreeRun:
 
 @dataclass(frozen=True)
 class FoldedCall:
-    """Calls of a recorded run that lead from one module into another, alike ones together."""
+    """Calls of a recorded run that lead from one module into another, equal ones combined."""
 
     depth: int
     module: str
-    methods: Sequence[str]  # those that were called from the module above
+    methods: Sequence[str]  # methods that were called from the module above
     count: int
     declared_by: Sequence[str]  # requirements whose trees lead from the one module into the other
 
@@ -346,7 +346,7 @@ class Test:
     modules: Sequence[str] = field(default_factory=list)
 
     def gave(self, result: str | None) -> list[str]:
-        """The targets on which it gave this result."""
+        """The targets on which the test had this result."""
         return [binding for binding, one in self.results.items() if one.result == result]
 
     @property
@@ -400,12 +400,13 @@ class Review:
     remark: str
     answers: Mapping[str, str]  # question -> "yes", "no", "not applicable"
     place: Place
-    current: bool = False  # no text changed since
-    objections: Sequence[str] = field(default_factory=list)  # why the record is no review
+    current: bool = False  # whether no text changed since
+    objections: Sequence[str] = field(default_factory=list)  # reason why the record is not a valid
+    # review
 
     @property
     def holds(self) -> bool:
-        """Whether it is a review of the present texts."""
+        """Whether the review is about the present texts."""
         return self.current and not self.objections
 
     @property
@@ -416,7 +417,7 @@ class Review:
 
 @dataclass(frozen=True)
 class Suspicion:
-    """A text that a link depends on is not as in the baseline. Kind: see ``KINDS`` of reviews."""
+    """A text on which a link depends differs from the baseline. Kind: see ``KINDS`` of reviews."""
 
     kind: str
     name: str
@@ -426,7 +427,7 @@ class Suspicion:
 
 @dataclass(frozen=True)
 class SourceReference:
-    """Where a requirement comes from: ``kind`` is one of ``SOURCE_KINDS``."""
+    """The source of a requirement: ``kind`` is one of ``SOURCE_KINDS``."""
 
     kind: str
     name: str
@@ -464,18 +465,18 @@ class Requirement:
 
     @property
     def reviewed(self) -> bool:
-        """Whether a person reviewed it as it is, and found no open point."""
+        """Whether a person reviewed its present texts and found no open point."""
         return any(review.holds and not review.open_points for review in self.reviews)
 
     @property
     def by_calls(self) -> bool:
-        """Whether calls fulfil it: it is functional, or has a tree although it is not."""
+        """Whether calls fulfil it: it is functional, or has a tree."""
         return self.id.startswith("FR-") or self.tree is not None
 
 
 @dataclass(frozen=True)
 class SafeState:
-    """A state that the robot goes to, where it is safe and where it is not."""
+    """A state of the robot, and the situations in which it is safe and not safe."""
 
     id: str
     says: str
@@ -499,7 +500,8 @@ class Assumption:
 
 @dataclass(frozen=True)
 class Hazard:
-    """A situation that can hurt somebody. ``level`` is its AgPLr; empty when it cannot be found."""
+    """A situation that can hurt somebody. ``level`` is its AgPLr; empty when it cannot be
+    computed."""
 
     id: str
     title: str
@@ -523,17 +525,15 @@ class SafetyGoal:
     title: str
     text: str
     safe_states: Sequence[str]
-    time: float  # in which harm must be averted
+    time: float  # time in which harm must be averted
     formula: str
     because: str
-    reaction: float  # that the firmware needs
+    reaction: float  # time that the firmware needs
     reacts: str
     requirements: Sequence[str]
     scenarios: Sequence[str]
     place: Place
-    exceptions: Sequence[str] = field(
-        default_factory=list
-    )  # cases in which it is known not to hold
+    exceptions: Sequence[str] = field(default_factory=list)  # known exceptions
     computed: float | None = None  # by the formula
     hazards: Sequence[str] = field(default_factory=list)
     level: str = ""  # the highest of its hazards
@@ -541,7 +541,7 @@ class SafetyGoal:
 
 @dataclass(frozen=True)
 class FaultScenario:
-    """A scenario in which something fails, the goals that it is about, the tests that play it."""
+    """A scenario in which something fails, its goals, and the tests that play it."""
 
     name: str
     title: str
@@ -553,7 +553,7 @@ class FaultScenario:
 
 @dataclass(frozen=True)
 class Correction:
-    """Files whose edits correct defects; ``for_safety`` of the touched lines do not."""
+    """Files whose edits correct defects; except for the lines ``for_safety``."""
 
     paths: Sequence[str]
     why: str
@@ -568,7 +568,7 @@ class TouchedFile:
     file: str
     added: int
     removed: int
-    corrections: str = ""  # why they are no safety function; empty when they are
+    corrections: str = ""  # reason why they are not a safety function; empty when they are one
 
     @property
     def touched(self) -> int:
@@ -630,16 +630,16 @@ class NumbersWithout:
 
 @dataclass(frozen=True)
 class Justified:
-    """Methods, tests or lines of methods that serve no requirement, and why this is right.
+    """Methods, tests or lines of methods that serve no requirement, and the reasons.
 
-    So are methods that only tests call, and functions with a loop that counts no rounds.
+    Also methods that only tests call, and functions with a loop without a count of rounds.
     """
 
     kind: str  # "method", "test", "line", "uncalled", "loop"
     names: Sequence[str]
     why: str
     place: Place
-    covers: Sequence[str] = field(default_factory=list)  # ids that need it
+    covers: Sequence[str] = field(default_factory=list)  # ids that need the justification
 
 
 @dataclass(frozen=True)
@@ -658,7 +658,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Mutation:
-    """The faults that were tried, of all that there are."""
+    """The faults that were tried, of all possible faults."""
 
     seed: int
     minutes: float
@@ -723,13 +723,13 @@ class Transition:
     requirements: Sequence[str] = field(default_factory=list)
     changes: Sequence[Place] = field(
         default_factory=list
-    )  # where the code makes it; none of a stay
-    tests: Sequence[str] = field(default_factory=list)  # that passed, and made it
+    )  # places in the code that make it; none without a change
+    tests: Sequence[str] = field(default_factory=list)  # passed tests that made it
 
 
 @dataclass(frozen=True)
 class StateMachine:
-    """``states`` maps a state's name to the module that realises it.
+    """``states`` maps a state's name to the module that implements it.
 
     ``events`` maps an event to the operation of the state that the Context calls then, ``guards``
     a guard or an event to the condition in the code, and ``actions`` an action to its calls.
@@ -774,7 +774,7 @@ class ProofResult:
 
 @dataclass(frozen=True)
 class Proofs:
-    """The properties, the model in Promela, and the results if they are of these sources."""
+    """The properties, the model in Promela, and the results if they belong to these sources."""
 
     properties: Mapping[str, ProofProperty] = field(default_factory=dict)
     results: Mapping[str, ProofResult] | None = None
@@ -835,12 +835,13 @@ class StackContext:
 
 @dataclass(frozen=True)
 class TimeBound:
-    """The most processor time that an interrupt, or a thread with all its handlers, needs."""
+    """The greatest processor time that an interrupt, or a thread with all its handlers, needs."""
 
     context: str
     name: str
     cycles: int
-    entries: int | None  # of an interrupt in so many ticks of 1 ms; none: once in a control cycle
+    entries: int | None  # number of ticks of 1 ms for the entries of an interrupt; none: once in a
+    # control cycle
     ticks: int
     why: str
 
@@ -851,7 +852,7 @@ class TimeProof:
 
     contexts: Sequence[TimeBound]
     cycle_ms: float  # from the clock pulse to the end of the main thread, with all interrupts
-    seen_ms: float | None  # the longest to the report in a run of the bench
+    seen_ms: float | None  # the longest time to the report in a run of the bench
     unbound: Sequence[tuple[str, Place]]  # loops and copies: function, place
     unresolved: Sequence[tuple[str, Place]]  # calls: function, place
 
@@ -866,14 +867,14 @@ class StackProof:
 
     exception_frame: int  # bytes that the hardware stores at each entry
     limit: int = 0  # size of the stack in the linker script
-    seen: int | None = None  # the most that a run in closed loop used
+    seen: int | None = None  # the greatest use in a run in closed loop
     contexts: Sequence[StackContext] = field(default_factory=list)
     unresolved: Sequence[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
     cycles: Sequence[list[str]] = field(default_factory=list)
     dynamic: Sequence[str] = field(default_factory=list)  # functions whose frame has no bound
     untold: Sequence[str] = field(
         default_factory=list
-    )  # of ours: the compiler reported nothing of them
+    )  # functions of the project without a report of the compiler
 
     @property
     def proven(self) -> bool:
@@ -893,7 +894,8 @@ class StackProof:
 
     @property
     def total(self) -> int:
-        """All levels at a time, each but the lowest with the frame that the hardware stores."""
+        """The sum of all levels; each level except the lowest includes the frame that the hardware
+        stores."""
         levels = self.levels
         return sum(one.bytes for one in levels) + self.exception_frame * (len(levels) - 1)
 
@@ -944,7 +946,7 @@ class AllowedUse:
 
 @dataclass(frozen=True)
 class Apart:
-    """Modules that never name the others, nor the others them."""
+    """Two groups of modules that never name each other."""
 
     modules: Sequence[str]
     others: Sequence[str]
@@ -991,7 +993,7 @@ class PaperElement:
     kind: str
     name: str
     here: Sequence[str]
-    alias: str = ""  # why it has another name here
+    alias: str = ""  # reason for another name here
     deviation: str = ""  # intended difference
     note: str = ""
     where: Sequence[str] = field(default_factory=list)  # places of the paper that name it
@@ -1037,13 +1039,13 @@ class LikelyChange:
     application: str
     pattern: str
     hidden_by: str  # module
-    altered: Sequence[str]  # modules that each hide one way that exists
+    altered: Sequence[str]  # modules that each hide one variant
     role: str  # role of a new class; "" when none is added
     derives: Sequence[str]  # base classes of a new class
-    logic: str  # where the present ones are
+    logic: str  # folder of the present ones
     edits: Sequence[str]  # modules that register a new class
     untouched: Sequence[str]
-    requirements: Sequence[str]  # to look at again
+    requirements: Sequence[str]  # requirements to review
     tests: Sequence[str]
     steps: Sequence[str]
     examples: Sequence[str]  # modules of extensions that are such a change
@@ -1069,7 +1071,8 @@ class Connection:
     target: str
     connector: str
     place: Place
-    way: Sequence[str] = field(default_factory=list)  # methods; none of a line outside the code
+    way: Sequence[str] = field(default_factory=list)  # methods; none for a connection outside the
+    # code
 
     @property
     def arrow(self) -> str:
@@ -1079,7 +1082,7 @@ class Connection:
 
 @dataclass(frozen=True)
 class BoardFinding:
-    """A kind of mistake that the virtual K64 finds, and the tests that make it happen."""
+    """A kind of mistake that the virtual K64 detects, and the tests that cause it."""
 
     id: str
     says: str
@@ -1089,11 +1092,11 @@ class BoardFinding:
 
 @dataclass(frozen=True)
 class BeliefSource:
-    """Where a belief of the virtual board comes from."""
+    """The source of a belief of the virtual board."""
 
     id: str
     says: str
-    outside: bool  # neither driver nor model was written from it by memory
+    outside: bool  # neither driver nor model was written from memory of it
     place: Place
 
 
@@ -1106,7 +1109,7 @@ class BoardBelief:
     says: str
     source: str  # id of a BeliefSource
     model: str  # file of the virtual board
-    shared: bool  # driver and model have only each other
+    shared: bool  # only the driver and the model state it
     place: Place
 
     @property
@@ -1117,7 +1120,8 @@ class BoardBelief:
 
 @dataclass(frozen=True)
 class DriverFault:
-    """A fault seeded in a driver, and the findings of the virtual K64 in the image made from it."""
+    """A fault seeded in a driver, and the findings of the virtual K64 in the image built from
+    it."""
 
     fault: str
     file: str
@@ -1154,7 +1158,7 @@ class LoopPlot:
 
 @dataclass(frozen=True)
 class LoopFigure:
-    """A metric of a run in closed loop, with the greatest value that is allowed."""
+    """A metric of a run in closed loop, with its limit."""
 
     title: str
     limit: float
@@ -1210,7 +1214,7 @@ class Spread:
 
 @dataclass(frozen=True)
 class Latency:
-    """The longest time from a request to its handler, and whose request it was."""
+    """The longest time from a request to its handler, and the source of the request."""
 
     us: float
     who: str

@@ -54,11 +54,11 @@ STICK_RPM = 3.0
 STICK_DEGREES = 2.0
 OBSERVE_S = 2.0
 FAIL_SAFE_S = 0.3
-CYCLE_S = 0.1  # a report shows a stop at most this long after it
+CYCLE_S = 0.1  # greatest time from a stop to its report
 WHEEL_VOLTS = 1.0
 WHEEL_S = 1.0
-COUNTS_LEAST = 3  # Hall edges that show motion
-CURRENT_LEAST_AMPERES = 0.15  # below, the sign of a current is noise
+COUNTS_LEAST = 3  # number of Hall edges that shows motion
+CURRENT_LEAST_AMPERES = 0.15  # below this current its sign is noise
 STOP_WITHIN_S = 1.0
 REST_RPM = 3.0
 GOOD_RESETS = ("power on", "reset pin", "debugger", "software", "unknown cause")
@@ -68,7 +68,7 @@ _UNSEEN = (
     "the Hall sensors count, but this wheel was not seen to turn",
     "Check that motor and Hall cable belong to the same wheel.",
 )
-# Finding and next action, by: the Hall count rises, the wheel was seen to turn forwards.
+# Finding and next action. Key: whether the Hall count rises, and whether the wheel turned forwards.
 POLARITY: dict[tuple[bool, bool | None], tuple[str, str] | None] = {
     (True, True): None,
     (True, False): (
@@ -159,7 +159,7 @@ class Step:
 
 
 class BringUp:
-    """The steps, on a link that is open."""
+    """The steps, on an open link."""
 
     def __init__(
         self, link: Link, operator: Operator, images: Path = IMAGES, has_rc: bool = True
@@ -279,7 +279,7 @@ class BringUp:
         self.orders.service(self._wish)
 
     def _do(self, action: str, instruction: str) -> float:
-        """Asks for an action; returns the time of its begin."""
+        """Asks for an action; returns the time at which it began."""
         self._operator.perform(action, instruction, self.idle)
         begin = time.monotonic()
         if self._operator.skips():
@@ -289,7 +289,7 @@ class BringUp:
     def _wait(
         self, condition: Callable[[Report], bool], missing: str, advice: str = ""
     ) -> tuple[Report, float]:
-        """Waits for a report; returns it and its time. Fails when it does not come."""
+        """Waits for a report; returns it and its time. Fails when no such report comes."""
         end = time.monotonic() + self._operator.patience_s
         while time.monotonic() < end:
             for report in self.orders.service(self._wish):
@@ -346,7 +346,7 @@ class BringUp:
         assert self.link.welcome is not None
         start = self.link.welcome.start
         if start.faulted or str(start) not in GOOD_RESETS:
-            raise FailError(str(start), "Find the cause before you go on; docs/protocol.rst.")
+            raise FailError(str(start), "Find the cause before you continue; docs/protocol.rst.")
         return str(start)
 
     def _supply(self) -> str:
@@ -388,7 +388,7 @@ class BringUp:
             raise FailError(
                 f"the {side} end stop is reached although nobody presses it",
                 "Turn the steering to the middle. Else check the wire: the contact is closed at "
-                "rest, and a broken wire is seen as reached.",
+                "rest, and a broken wire has the same effect as a reached end stop.",
             )
         self._do(f"{side} end press", f"press the {side} end stop by hand and keep it pressed")
         self._wait(reached, f"the {side} end stop was not seen", "Check its wire and its pin.")
@@ -566,7 +566,7 @@ class Motion:
     wheel: int
     counts: int
     amperes: float | None  # the greatest one
-    others: tuple[str, ...]  # wheels that moved and should not
+    others: tuple[str, ...]  # other wheels that moved
     saw_forward: bool | None
     stop: str | None  # cause of a protective stop
 
@@ -614,7 +614,7 @@ class Motion:
         if self.others:
             return (
                 f"also moved: {', '.join(self.others)}",
-                "Check that the drivers' wires belong to one wheel each.",
+                "Check that the drivers' wires belong to the same wheel.",
             )
         return None
 
@@ -633,7 +633,8 @@ class Motion:
 
 
 def perform(bring_up: BringUp, record: Record) -> None:
-    """Goes through the steps. However it ends, the robot is ordered to stop or is neutral."""
+    """Executes the steps. At the end, also after an error, the robot has a stop order or neutral
+    orders."""
     steps = bring_up.steps()
     outcomes = [Outcome(step.name, step.expected) for step in steps]
     record.steps = outcomes
@@ -674,14 +675,14 @@ def now() -> str:
 
 
 def find_port() -> list[Path]:
-    """Returns the serial ports of boards with this debug probe, by their lasting names."""
+    """Returns the serial ports of boards with this debug probe, by their permanent names."""
     ports = [Path(port.device) for port in list_ports.comports() if port.vid == PROBE_VENDOR]
     names = {path.resolve(): path for path in sorted(Path("/dev/serial/by-id").glob("*"))}
     return [names.get(port.resolve(), port) for port in ports]
 
 
 def choose_link(link: Path | None) -> Path | None:
-    """Returns the port to use; None after a message when there is none or more than one."""
+    """Returns the port to use; None and a message when there is no port or more than one."""
     if link is not None:
         return link
     ports = find_port()
@@ -698,7 +699,8 @@ def choose_link(link: Path | None) -> Path | None:
 
 
 def folder(text: str) -> Path:
-    """Returns the folder with this name, and makes it, so that no record is lost at the end."""
+    """Creates and returns the folder with this name, so that the record can be written at the
+    end."""
     path = Path(text)
     try:
         path.mkdir(parents=True, exist_ok=True)
@@ -719,7 +721,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         help="folder of the records (default: build/bring-up)",
     )
     parser.add_argument(
-        "--no-rc", action="store_true", help="the product has no remote control: leave it out"
+        "--no-rc", action="store_true", help="the product has no remote control: skip these steps"
     )
     parser.add_argument(
         "--simulated",

@@ -18,14 +18,14 @@ FILTER = "weeding_robot"
 USER0 = 147  # link type for private use
 SECTION, INTERFACE, PACKET = 0x0A0D0D0A, 1, 6  # blocks of a pcapng file
 FLAGS = 2  # option of a packet
-RECEIVED, SENT = 1, 2  # its values, seen from the PC
+RECEIVED, SENT = 1, 2  # values of the direction, as seen from the PC
 MOST = 0xFFFF  # bytes of a packet
 
 
 class Capture(AbstractContextManager["Capture"]):
     """Writes each frame of the line to a pcapng file; without a path it writes nothing.
 
-    A full disk ends the capture, not the program: the robot is driven on.
+    A full disk ends the capture, but not the program: the robot continues to drive.
     """
 
     def __init__(self, path: Path | None, clock: Callable[[], float] = time.time) -> None:
@@ -58,7 +58,7 @@ class Capture(AbstractContextManager["Capture"]):
         for byte in data:
             pending.append(byte)
             if byte == 0 or len(pending) == MOST:
-                if len(pending) > 1:  # zeros with nothing between them are no frame
+                if len(pending) > 1:  # zeros with nothing between them are not a frame
                     self._packet(direction, bytes(pending))
                 pending.clear()
 

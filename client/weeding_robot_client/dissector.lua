@@ -1,5 +1,5 @@
--- The lines above hold the frames, made from design/frames.toml. A packet is one frame as on the
--- line: byte stuffing, body with CRC, a zero at the end. The link type is USER0.
+-- The lines above contain the frames, generated from design/frames.toml. A packet is one frame as on
+-- the line: byte stuffing, body with CRC, a zero at the end. The link type is USER0.
 
 local proto = Proto("weeding_robot", "Weeding robot PC protocol")
 local HEADER, CRC_BYTES = 3, 2

@@ -44,7 +44,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
         action="append",
         metavar="N",
         help="with the keyboard: drive this wheel only (0 front left, 1 front right, 2 rear left, "
-        "3 rear right); more than once for several wheels",
+        "3 rear right); repeat the option for several wheels",
     )
 
 
@@ -79,9 +79,9 @@ def _script(options: argparse.Namespace) -> Script | None:
 
 
 def by_script(link: Link, script: Script, recording: Recording) -> int:
-    """Arms the robot and drives by the script. Returns the exit code.
+    """Arms the robot and drives according to the script. Returns the exit code.
 
-    Whatever ends it before the end of the script, the robot is ordered to stop.
+    If it ends before the end of the script, the robot is ordered to stop.
     """
 
     def observe(report: Report) -> None:
@@ -122,7 +122,7 @@ def _follow(orders: Orders, script: Script, requests: list[int]) -> int:
 
 
 def _prepare(orders: Orders) -> str | None:
-    """Connects and arms; returns why it could not."""
+    """Connects and arms; returns the reason if this failed."""
     report = connect(orders)
     if report is None:
         return not_connected(orders.link)
@@ -150,7 +150,7 @@ def ended_by_signals() -> Iterator[list[int]]:
 
 
 def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None) -> int:
-    """Drives by the keys. Whatever ends it but the key q, the robot is ordered to stop."""
+    """Drives with the keys. Unless the key q ends it, the robot is ordered to stop."""
     orders = Orders(link, recording.add)
     print(keyboard.HELP)
     quits = False
@@ -188,7 +188,7 @@ class _Driver:
         self._requests = requests
         self._welcome: Welcome | None = None
         self._conditions: list[str] = []
-        self._first = True  # no report of this connection has come yet
+        self._first = True  # no report of this connection was received yet
 
     def run(self) -> bool:
         """Returns true when the key q ended it, false when the terminal or the program ends."""
@@ -213,7 +213,7 @@ class _Driver:
                 print(f"\r\x1b[Kno connection on {self._link.path}, trying", end="", flush=True)
 
     def _ends(self) -> bool:
-        """Stops the robot and suspends this program if asked to; true when it must end."""
+        """Stops the robot and suspends this program on request; returns true when it must end."""
         if not self._requests:
             return False
         if set(self._requests) != {signal.SIGTSTP}:

@@ -57,7 +57,7 @@ def decode(coded: bytes) -> Frame:
 
 @dataclass
 class Decoder:
-    """Cuts the bytes of a line into frames; drops and counts the rest."""
+    """Splits the bytes of a line into frames; drops and counts other bytes."""
 
     dropped: int = 0
     _pending: bytearray = field(default_factory=bytearray)

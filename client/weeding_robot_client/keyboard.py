@@ -1,4 +1,5 @@
-"""Keys of a terminal, and the driver's hand: a motion lasts only while its key is repeated."""
+"""Keys of a terminal, and the motion that they demand, which lasts only while its key is
+repeated."""
 
 from __future__ import annotations
 
@@ -66,9 +67,9 @@ def keys(data: bytes) -> Iterator[bytes]:
 
 @dataclass
 class Hand:
-    """State of the keys, and the wish that follows from it at a time."""
+    """State of the keys, and the wish at a given time."""
 
-    wheels: tuple[int, ...] | None = None  # None: all of them
+    wheels: tuple[int, ...] | None = None  # None: all wheels
     speed_rpm: float = SPEED_RPM
     steering_degrees: float = 0.0
     stop: bool = False
@@ -77,7 +78,7 @@ class Hand:
     _acknowledged_at: float = float("-inf")
 
     def press(self, key: bytes, now: float) -> None:
-        """Takes a key into account. Keys without a meaning change nothing."""
+        """Processes a key. Keys without a meaning change nothing."""
         if key in (FORWARD, BACKWARD):
             self._direction = 1 if key == FORWARD else -1
             self._moved_at = now

@@ -1,4 +1,4 @@
-"""Frames of the PC protocol, read from ``design/frames.toml``: the table that all sides share."""
+"""Frames of the PC protocol, read from ``design/frames.toml``: the table of all programs."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CODES = {
     "i32": "i",
     "char8": "8s",
 }
-# How the name of a value with this unit ends.
+# The ending of the name of a value with this unit.
 ENDS = {
     "degree": "_degrees",
     "rpm": "_rpm",
@@ -31,7 +31,7 @@ ENDS = {
     "ms": "_ms",
     "count": "_counts",
 }
-BY_QUANTITY = "quantity"  # unit of a set-point: that of its quantity
+BY_QUANTITY = "quantity"  # the unit of a set-point depends on its quantity
 
 
 class LayoutError(ValueError):
@@ -66,7 +66,7 @@ class Enumeration:
         return next((entry for entry in self.entries if entry.number == number), None)
 
     def shown(self, number: int) -> str:
-        """Returns the text of a number; the number itself when it has none here."""
+        """Returns the text of a number; the number itself when it has no text."""
         entry = self.find(number)
         return entry.shown if entry else f"{self.name} {number}"
 
@@ -194,14 +194,14 @@ class Layout:
 
 
 def scale_of(quantity: Field, numbers: Mapping[str, int]) -> float:
-    """Returns the scale of a quantity; 1 for one that has no name here."""
+    """Returns the scale of a quantity; 1 for an unknown quantity."""
     assert quantity.values
     entry = quantity.values.find(numbers[quantity.name])
     return entry.scale if entry else 1
 
 
 def scaled(number: int, scale: float) -> int | float:
-    """Returns the value in its unit. A division keeps it the nearest number to the decimal."""
+    """Returns the value in its unit. A division returns the number nearest to the decimal value."""
     return number if scale == 1 else number / round(1 / scale)
 
 
@@ -274,12 +274,12 @@ def _layout(item: dict[str, Any], enumerations: Mapping[str, Enumeration]) -> La
     names = [one.name for one in fields]
     unknown = {name for one in fields for name in one.valid} - set(names)
     if len(set(names)) < len(names) or unknown:
-        raise LayoutError(f"{item['name']}: a name is double, or unknown: {sorted(unknown)}")
+        raise LayoutError(f"{item['name']}: a name is unknown or occurs twice: {sorted(unknown)}")
     return Layout(item["name"], item["type"], item["sender"], item["use"], tuple(fields))
 
 
 def _in_order(items: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], int | None]]:
-    """Gives each field in the order of the line; a group for the wheels repeats."""
+    """Yields each field in the order on the line; a group for the wheels repeats."""
     group: list[dict[str, Any]] = []
     for one in [*items, None]:
         if one is not None and "each" in one:
@@ -332,5 +332,5 @@ FRAMES = read_frames(TABLE.read_text(encoding="utf-8"))
 LAYOUTS = FRAMES.frames
 SCHEMA_HASH = FRAMES.schema_hash
 
-if __name__ == "__main__":  # the build of the firmware asks for it
+if __name__ == "__main__":  # the build of the firmware uses it
     print(f"{SCHEMA_HASH:#010x}")

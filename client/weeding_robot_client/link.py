@@ -1,4 +1,5 @@
-"""The serial line to the robot: handshake, keep-alive, and a new handshake when it falls silent."""
+"""The serial line to the robot: handshake, keep-alive, and a new handshake when the robot is
+silent."""
 
 from __future__ import annotations
 
@@ -42,7 +43,8 @@ class BusyError(OSError):
 
 
 def open_line(path: Path) -> serial.Serial:
-    """Opens a serial port or pseudo-terminal for this program alone: 115200 baud, never waiting."""
+    """Opens a serial port or pseudo-terminal for this program alone: 115200 baud, without waiting
+    for data."""
     if not path.exists():
         raise FileNotFoundError(errno.ENOENT, "there is no such file", str(path))
     try:
@@ -56,7 +58,7 @@ def open_line(path: Path) -> serial.Serial:
 
 
 def clock_ms(seconds: float) -> int:
-    """Returns a time of this computer in ms, as the orders carry it."""
+    """Returns a time of this computer in ms, as sent in orders."""
     return int(seconds * 1000) % CLOCK_MS
 
 
@@ -64,8 +66,8 @@ class Link:
     """A connection to the robot. Call service() at least every 100 ms, or iterate over reports().
 
     ``connected`` is true from the first report after a handshake until the robot is silent for a
-    second. Reports of a connection that another program began are ignored. A line that went
-    away is opened again as soon as its path exists. ``incompatible`` is the reason why a robot that
+    second. Reports of a connection that another program began are ignored. A line that disappeared
+    is opened again as soon as its path exists. ``incompatible`` is the reason why a robot that
     answers cannot be connected: it speaks another version of the protocol.
     """
 
@@ -99,7 +101,8 @@ class Link:
         self.connected = False
 
     def service(self, timeout_s: float = 0.0) -> list[Report]:
-        """Waits for bytes for at most the time given, answers them, and returns the reports."""
+        """Waits for bytes for at most the given time, answers the frames, and returns the
+        reports."""
         reports = []
         for message in self._receive(timeout_s):
             if isinstance(message, Welcome):
@@ -114,14 +117,14 @@ class Link:
     def send(self, order: Order) -> bool:
         """Sends an order with the present time, and returns whether it could be sent.
 
-        A stop is sent without a connection too, because the robot obeys it in every state.
+        A stop is also sent without a connection, because the robot executes it in every state.
         """
         if not (self.connected or order.stop):
             return False
         return self._send(replace(order, sent_at_ms=clock_ms(self._clock())))
 
     def reports(self, timeout_s: float | None = None) -> Iterator[Report]:
-        """All reports, across lost connections, until none came for the time given."""
+        """All reports, across lost connections, until no report came for the given time."""
         last = self._clock()
         while timeout_s is None or self._clock() - last < timeout_s:
             for report in self.service(0.05):
@@ -138,7 +141,8 @@ class Link:
             self._send(Confirm(welcome.session))
 
     def _timed(self, report: Report) -> Report:
-        """The report with the round trip of its order, if it read one of this connection."""
+        """The report with the round trip of its order, if the robot read an order of this
+        connection."""
         if not (report.order_read and report.source == "PC"):
             return report
         passed = (clock_ms(self._clock()) - report.sent_at_ms) % CLOCK_MS
@@ -154,7 +158,8 @@ class Link:
         self.welcome = None
 
     def _keep_up(self) -> None:
-        """Opens the line again, begins again, or keeps the connection, as the time demands."""
+        """When the time has come, opens the line again, begins a handshake, or keeps the connection
+        alive."""
         now = self._clock()
         if self._line is None:
             try:
@@ -185,7 +190,7 @@ class Link:
         return sent
 
     def _write(self, data: bytes) -> bool:
-        """Sends the bytes, some of them later when the line is slow; false when it is full."""
+        """Sends the bytes, or stores them while the line is slow; returns false when it is full."""
         if self._line is None or len(self._unsent) > READ_BYTES:
             return False
         self._unsent += data

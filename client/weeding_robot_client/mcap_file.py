@@ -17,7 +17,7 @@ from weeding_robot_client.messages import Report
 TOPIC = "/report"
 SCHEMA_NAME = "weeding_robot.Report"
 ROUND_TRIP = "round_trip_ms"
-CHUNK = 1 << 16  # bytes that a broken run loses at most: reports of a few seconds
+CHUNK = 1 << 16  # greatest number of bytes that an interrupted run loses: reports of a few seconds
 NANOSECONDS = 1_000_000  # of a ms
 
 

@@ -13,11 +13,11 @@ from weeding_robot_client.layout import FRAMES, LAYOUTS, SCHEMA_HASH, Layout, sc
 WHEELS = ("front left", "front right", "rear left", "rear right")
 STEERING = LAYOUTS["Order"].of("steering_set_point")
 UNITS = {entry.shown: entry.unit for entry in FRAMES.enumerations["quantity"].entries}
-CLOCK_MS = 1 << 32  # the clock of the sender begins again at 0
+CLOCK_MS = 1 << 32  # the clock of the sender restarts at 0 after this value
 
 
 class MessageError(ValueError):
-    """A frame that is no message, or a message that the protocol does not allow."""
+    """A frame that is not a message, or a message that the protocol does not allow."""
 
 
 class Quantity(Enum):
@@ -59,7 +59,7 @@ class WheelSetPoint:
 
 @dataclass(frozen=True)
 class ReportedSetPoint:
-    """Set-point in a report: any number, in any quantity, also one without a name here."""
+    """Set-point in a report: any number, in any quantity, also an unknown quantity."""
 
     value: float
     unit: str
@@ -77,7 +77,8 @@ class Hello:
 
     def payload(self) -> bytes:
         if self.version != VERSION:
-            return b""  # other versions have their own layout; an empty Hello fits each
+            return b""  # other versions have their own layout; an empty Hello is valid in each of
+            # them
         return LAYOUTS["Hello"].pack(
             lowest_version=VERSION, highest_version=VERSION, schema_hash=SCHEMA_HASH
         )
@@ -168,14 +169,15 @@ class Welcome:
     waiting_cycles: int
     start: Start
     protocol_versions: tuple[int, int] = (VERSION, VERSION)  # lowest and highest
-    schema_hash: int | None = SCHEMA_HASH  # None: the robot states none
+    schema_hash: int | None = SCHEMA_HASH  # None: the robot does not report it
     kind: ClassVar[int] = LAYOUTS["Welcome"].kind
     layout: ClassVar[Layout] = LAYOUTS["Welcome"]
-    appended: ClassVar[int] = 6  # bytes that version 1 did not have
+    appended: ClassVar[int] = 6  # bytes that are missing in version 1
 
     @classmethod
     def from_payload(cls, payload: bytes, frame_version: int = VERSION) -> Welcome:
-        """Reads a Welcome; one of version 1 ends before the versions that the robot supports."""
+        """Reads a Welcome; a Welcome of version 1 does not contain the versions that the robot
+        supports."""
         short = len(payload) < cls.layout.size
         fields = cls.layout.unpack(payload + bytes(cls.appended))
         lowest, highest = fields["lowest_version"], fields["highest_version"]
@@ -197,7 +199,8 @@ class Welcome:
 
     @property
     def incompatible(self) -> str | None:
-        """Why there can be no connection, and the next action; None when there can be one."""
+        """The reason why no connection is possible, and the next action; None when it is
+        possible."""
         lowest, highest = self.protocol_versions
         if lowest <= VERSION <= highest:
             return None
@@ -210,13 +213,13 @@ class Welcome:
 
     @property
     def schema_note(self) -> str | None:
-        """How the frames differ within one version; None when they are the same."""
+        """How the frames differ within one version; None when they are equal."""
         if self.incompatible or self.schema_hash in (SCHEMA_HASH, None):
             return None
         return (
             f"The robot's frames have the layout 0x{self.schema_hash:08x}, this client's "
             f"0x{SCHEMA_HASH:08x}. Fields that only one side has are ignored. To use all fields, "
-            "take client and firmware from one version of the project."
+            "use client and firmware of the same version of the project."
         )
 
 
@@ -260,8 +263,8 @@ class Report:
     held: bool
     overran: bool
     armed: bool
-    inhibit: str  # why the robot does not follow its set-points
-    stop_cause: str  # of the latched protective stop
+    inhibit: str  # reason why the robot does not follow its set-points
+    stop_cause: str  # cause of the latched protective stop
     stop_wheel: int | None  # wheel that the cause concerns
     stop_sources: tuple[str, ...]  # sources that order stop
     order_id: int
@@ -274,17 +277,18 @@ class Report:
     right_end: bool
     wheels: tuple[WheelReport, WheelReport, WheelReport, WheelReport]
     counters: dict[str, int]
-    report_cycles: int  # of the processor; 0 where the platform counts none, as the next two
+    report_cycles: int  # processor cycles; 0 if the platform does not count them, also in the next
+    # two
     awake_cycles: int
     start_cycles: int
-    values: Mapping[str, Any]  # all of them, by name and unit
+    values: Mapping[str, Any]  # all values, by name and unit
     round_trip_ms: int | None = None  # from the order to this report, by the clock of this computer
     kind: ClassVar[int] = LAYOUTS["Report"].kind
     layout: ClassVar[Layout] = LAYOUTS["Report"]
 
     @classmethod
     def from_payload(cls, payload: bytes) -> Report:
-        """Reads a report. A number that has no name here is shown as a number."""
+        """Reads a report. An unknown number is shown as a number."""
         values = cls.layout.decode(payload)
         front_left, front_right, rear_left, rear_right = (
             WheelReport.from_values(values, wheel) for wheel in range(len(WHEELS))
@@ -299,7 +303,7 @@ class Report:
 
     @property
     def ready(self) -> bool:
-        """Whether an order of the PC that moves the robot would be followed now."""
+        """Whether an order of the PC that moves the robot would be executed now."""
         return self.armed or (self.inhibit == "none" and self.order_read and self.source == "PC")
 
 

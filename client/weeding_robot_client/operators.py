@@ -1,4 +1,4 @@
-"""The operator of a bring-up: a person at a terminal, or commands to the simulator."""
+"""The operator of a bring-up: a person at a terminal, or the simulated operator."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ class OperatorError(RuntimeError):
 
 
 class Operator(Protocol):
-    """Carries out actions by hand. ``idle`` is called while the operator is waited for."""
+    """Executes manual actions. ``idle`` is called while the program waits for the operator."""
 
-    reaction_s: float  # between the action and its start, as seen by the program
-    patience_s: float  # for the effect of an action
+    reaction_s: float  # greatest time between the announced and the actual start of an action
+    patience_s: float  # time for the effect of an action
 
     def perform(self, action: str, instruction: str, idle: Idle) -> None:
         """Asks for an action. Returns when the operator begins with it."""
@@ -129,7 +129,7 @@ class Control:
         self._folder.cleanup()
 
     def do(self, action: str) -> None:
-        """Carries out an action of a scenario. Raises OperatorError when it is refused."""
+        """Executes an action of a scenario. Raises OperatorError when it is refused."""
         reply = self._request(action)
         if reply != "ok":
             raise OperatorError(f"the simulator refused '{action}': {reply}")
@@ -191,7 +191,7 @@ class SimulatedOperator:
         return True
 
     def watch(self, wheel: int) -> None:
-        """Looks at a wheel that turns now."""
+        """Returns how a wheel turns now."""
         field = f"true_velocity{wheel} between"
         self._forward[wheel] = None
         if self._control.holds(f"{field} {TURNS_LEAST} {TURNS_MOST}"):

@@ -1,4 +1,5 @@
-"""Sends orders at the pace of the protocol, and the procedures made of them: arm, stop, end."""
+"""Sends orders at the pace of the protocol, and contains the procedures from them: arm, stop,
+end."""
 
 from __future__ import annotations
 
@@ -14,7 +15,8 @@ from weeding_robot_client.script import Wish
 ORDER_EVERY_S = 0.1
 CONNECT_WITHIN_S = 5.0
 ARM_WITHIN_S = 5.0
-ACKNOWLEDGE_S = 0.3  # an order is read once in a cycle of 100 ms: this is read at least once
+ACKNOWLEDGE_S = 0.3  # an order is read once in a cycle of 100 ms: in this time the order is read at
+# least once
 STOP_ORDERS = 3
 STOP_EVERY_S = 0.05
 
@@ -22,7 +24,7 @@ Observer = Callable[[Report], None]
 
 
 def order_ids() -> Iterator[int]:
-    """1 to 65535, again and again; 0 means an order of the remote control."""
+    """1 to 65535, then again from 1; 0 means an order of the remote control."""
     return itertools.cycle(range(1, 0x10000))
 
 
@@ -53,7 +55,7 @@ class Orders:
         return reports
 
     def hold(self, wish: Wish, seconds: float) -> list[Report]:
-        """Orders the same for a time; returns the reports."""
+        """Repeats a wish for a time; returns the reports."""
         reports = []
         end = time.monotonic() + seconds
         while (rest := end - time.monotonic()) > 0:
@@ -61,7 +63,7 @@ class Orders:
         return reports
 
     def stop(self) -> None:
-        """Orders stop, several times: one lost frame does not lose the stop."""
+        """Orders stop, several times: the stop arrives even if a frame is lost."""
         wish = Wish(stop=True)
         for _ in range(STOP_ORDERS):
             self.send(wish)
@@ -74,7 +76,7 @@ class Orders:
 
 
 def connect(orders: Orders) -> Report | None:
-    """Returns the first report; None when none came in time, or when versions differ."""
+    """Returns the first report; None when no report came in time, or when versions differ."""
     end = time.monotonic() + CONNECT_WITHIN_S
     while time.monotonic() < end and orders.link.incompatible is None:
         if reports := orders.service(None):
@@ -98,7 +100,7 @@ def arm(
     within_s: float | None = None,
     progress: Callable[[str], None] = lambda _words: None,
 ) -> str | None:
-    """Orders neutral until the robot is armed. Returns None, or the reason why it is not."""
+    """Orders neutral until the robot is armed. Returns None, or the reason why it is not armed."""
     neutral = (wish or Wish()).neutral()
     reason: str | None = None
     end = time.monotonic() + (ARM_WITHIN_S if within_s is None else within_s)
@@ -115,6 +117,6 @@ def arm(
 
 
 def acknowledge(orders: Orders, wish: Wish | None = None) -> None:
-    """Orders all control systems to rest and to release latched faults."""
+    """Orders all control systems to halt and to release latched faults."""
     still = (wish or Wish()).neutral()
     orders.hold(Wish(still.wheels, still.steering_degrees, acknowledge=True), ACKNOWLEDGE_S)

@@ -61,7 +61,7 @@ def faults(report: Report) -> list[str]:
         for name, wheel in zip(WHEELS, report.wheels, strict=True)
         for words, is_set in (
             ("has an overcurrent trip: its current was too high", wheel.cut_off),
-            ("has no motion feedback: it has voltage but gives no Hall edge", wheel.blind),
+            ("has no motion feedback: it has voltage but no Hall edges", wheel.blind),
         )
         if is_set
     ]

@@ -52,9 +52,9 @@ class CsvFile:
 
 
 class Recording(AbstractContextManager["Recording"]):
-    """Writes reports to files as they come; without a path it writes nothing.
+    """Writes reports to files as they arrive; without a path it writes nothing.
 
-    A full disk ends the recording, not the program: the robot is driven on.
+    A full disk ends the recording, but not the program: the robot continues to drive.
     """
 
     def __init__(self, table: Path | None, mcap: Path | None = None) -> None:
@@ -82,5 +82,5 @@ class Recording(AbstractContextManager["Recording"]):
             try:
                 action(file)
             except OSError as error:
-                del self._files[path]  # the recording is not complete, and gets no more
+                del self._files[path]  # the recording is incomplete, and gets no more reports
                 print(f"\nthe recording {path} ends here: {error.strerror}", file=sys.stderr)

@@ -92,7 +92,7 @@ class Wish:
 
 @dataclass(frozen=True)
 class Script:
-    """Wishes with the time in seconds from which each holds; the last time ends the script."""
+    """Wishes with the time in seconds from which each applies; the last time ends the script."""
 
     wishes: tuple[tuple[float, Wish], ...]
     end_s: float
@@ -111,7 +111,7 @@ def load(path: Path) -> Script:
     try:
         return parse(path.read_text(encoding="utf-8"), str(path))
     except UnicodeDecodeError as error:
-        raise ScriptError(f"{path}: this is no text in UTF-8") from error
+        raise ScriptError(f"{path}: this is not a text in UTF-8") from error
     except OSError as error:
         raise ScriptError(f"cannot read {path}: {error.strerror}") from error
 

@@ -1,9 +1,11 @@
-// The parts of the robot that are in no state machine of design/fsm: the latches of the stops, arming at neutral,
-// the protective stop, and the sequence of a control cycle. The state machines are generated in front of this file.
+// The parts of the robot that are not state machines of design/fsm: the latches of the stops,
+// arming at neutral, the protective stop, and the sequence of a control cycle. The state machines
+// are generated and put in front of this file.
 //
 // A round is a period of 100 ms: a control cycle, a missed cycle, or a reset; then two ticks of the steering.
 // Above each inline, "code:" names the elements of the firmware that it models; "environment" chooses inputs
-// at random; "observer" only records. A number that is a constant of the firmware names it.
+// at random; "observer" only records. A number that is a constant of the firmware has the name of
+// this constant.
 
 #define WAITING_CYCLES 4  // SystemConstants::waitingCycles
 #define ORDER_ROUNDS 2    // SystemConstants::orderLifetime / SystemConstants::cyclePeriod
@@ -54,8 +56,8 @@ byte reset;  // 0: none
 #define ACKNOWLEDGE 3
 #define ACKNOWLEDGE_MOVING 4
 byte order;         // content of the newest order of the PC
-bool unread;        // it can be read
-byte age;           // of it, in rounds
+bool unread;        // the order can be read
+byte age;           // age of the order, in rounds
 byte set_points;    // in force
 bool read_now;      // an order was read in this cycle
 byte failed_reads;  // in a row
@@ -63,19 +65,19 @@ bool accepted;      // a frame was accepted in this round
 bool welcome_due;
 bool pc_stop;     // the reader of the PC stores a stop
 bool pc_kept;     // a stop from before the reset
-bool stop_memory; // the memory that outlives a reset
+bool stop_memory; // the memory that a reset does not clear
 bool rc_stopped = true;
 byte neutral_orders;
-bool latched;  // protective stop; its memory outlives a reset
+bool latched;  // protective stop; a reset does not clear its memory
 bool halted = true;
 bool moves;
-bool follow;        // the target of the steering is one to follow
-bool release;       // and is newer than the state of the steering
-bool stopped_now;   // the stops as they were noted before the read
+bool follow;        // the steering has to follow its target
+bool release;       // the target is newer than the state of the steering
+bool stopped_now;   // the stops as they were recorded before the read
 bool missed;        // no control cycle in this round
 bool abandoned;     // the steering had no new target for 300 ms
 
-// ---- observed at the end of each round: the properties speak of these ------------
+// ---- observed at the end of each round: used by the properties ------------
 
 bool pulse;  // changes in each round
 bool cycle_ran;
@@ -305,7 +307,8 @@ inline answer_frame() {
      forget_order();
      accepted = true; welcome_due = true; pc_ordered = false
   :: frame == CONFIRM || frame == WRONG_CONFIRM ->
-     // A good Confirm is one of the offered session: the Welcome was sent in an earlier cycle.
+     // A correct Confirm has the number of the offered session, whose Welcome was sent in an
+     // earlier cycle.
      pc_mcu_connection_if_session_is_the_offered_one = (frame == CONFIRM && !welcome_due);
      accepted = accepted || (pc_mcu_connection_if_session_is_the_offered_one &&
                              pc_mcu_connection == pc_mcu_connection_Handshaking);

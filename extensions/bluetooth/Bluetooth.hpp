@@ -8,8 +8,9 @@ namespace wr {
 
 /// @brief The reading mode in which a Bluetooth device commands the robot.
 ///
-/// @function Extends the basic mode: an order counts only while the device is connected, and its
-/// set-points are marked as given by Bluetooth. Changes to the other mode on demand.
+/// @function Extends the basic mode: an order is valid only while the device is connected, and its
+/// set-points are marked as given by Bluetooth. Changes to the other mode when the operation state
+/// demands it.
 ///
 /// @secret How set-points are marked as given by a Bluetooth device.
 ///
@@ -24,7 +25,7 @@ class Bluetooth final : public ModeDecorator {
   /// @param wrapped basic mode that reads the orders of the device
   /// @param other mode to change to; only its address is used before the first changeMode()
   /// @param connection connection to the device
-  /// @param timebase gives the time at which the connection is served
+  /// @param timebase returns the time at which the connection is served
   Bluetooth(Mode& wrapped, Mode& other, PcConnection& connection, const Timebase& timebase);
 
   /// @brief Serves the connection to the device, then the wrapped mode.
@@ -40,9 +41,9 @@ class Bluetooth final : public ModeDecorator {
   [[nodiscard]] bool newMessage() const override;
 
   /// @brief Saves the mode id of Bluetooth, then reads as the wrapped mode does.
-  /// @param mCtrl controller whose data takes the set-points and the source
+  /// @param mCtrl controller whose data receive the set-points and the source
   /// @pre newMessage() was true in this cycle.
-  /// @post The order is consumed.
+  /// @post The order cannot be read again.
   /// @satisfies FR-150
   /// @isr{no}
   void read(MainController& mCtrl) override;

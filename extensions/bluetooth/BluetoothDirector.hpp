@@ -12,18 +12,18 @@ namespace wr {
 
 /// @brief Builds a robot that the PC and a Bluetooth device command, and starts it.
 ///
-/// @function Calls the steps of the builders in the right sequence, passes them the modes of this
-/// product in place of their own, and starts the parts that they built.
+/// @function Calls the steps of the builders in the required sequence, passes them the modes of
+/// this product instead of their own, and starts the parts that they built.
 ///
-/// @secret Which steps make a robot with a Bluetooth device and without a remote control.
+/// @secret Which steps build a robot with a Bluetooth device and without a remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}
 class BluetoothDirector final {
  public:
   /// @brief Binds the director to the builders and to the line of the device.
-  /// @param poolBuilder makes the control systems
-  /// @param controllerBuilder makes the main controller
+  /// @param poolBuilder builds the control systems
+  /// @param controllerBuilder builds the main controller
   /// @param devices devices of the Bluetooth connection
   BluetoothDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder,
                     const BluetoothDevices& devices);
@@ -41,7 +41,7 @@ class BluetoothDirector final {
 
   /// @brief Starts the control cycles.
   /// @pre construct() was called.
-  /// @errors A robot that is not made ends the program with the assertion PartMissing.
+  /// @errors A robot that was not built ends the program with the assertion PartMissing.
   /// @satisfies FR-150
   /// @isr{no}
   void start();

@@ -22,7 +22,7 @@
 
 namespace wr {
 
-/// @brief The memories of the stops of both sources, which outlive a reset.
+/// @brief The memories of the stops of both sources, which a reset does not clear.
 /// @datatype
 struct BluetoothStops {
   StopMemory& pc;      ///< stop of the PC
@@ -36,7 +36,7 @@ struct BluetoothDevices {
   SipHash::Key key;          ///< key that the device shares with the robot
   RandomSource& random;      ///< draws the number of this start
   const Timebase& timebase;  ///< gives the time
-  const StartRecord& start;  ///< why the firmware started
+  const StartRecord& start;  ///< cause of the start of the firmware
   BluetoothStops stops;      ///< memories of the stops
 };
 
@@ -64,14 +64,14 @@ struct BluetoothModes {
 
   SerialReader reader;             ///< newest order of the device
   SignedPort port;                 ///< line to the device, with authenticated frames
-  Handshaking handshaking;         ///< the device was welcomed
+  Handshaking handshaking;         ///< a Welcome was sent to the device
   Disconnected disconnected;       ///< no device is connected
   Connected connected;             ///< the device is connected
   PcConnection connection;         ///< connection to the device, with the handshake of the PC
   BasicMode basicPc;               ///< basic mode of the PC
   BasicMode basicBluetooth;        ///< basic mode of the device
-  PersistentStop stopOfPc;         ///< makes the stop of the PC outlive a reset
-  PersistentStop stopOfBluetooth;  ///< makes the stop of the device outlive a reset
+  PersistentStop stopOfPc;         ///< keeps the stop of the PC over a reset
+  PersistentStop stopOfBluetooth;  ///< keeps the stop of the device over a reset
   PC pc;                           ///< reads from the PC
   Bluetooth bluetooth;             ///< reads from the device
   std::array<Mode*, 2> all;        ///< both modes

@@ -5,15 +5,15 @@
 
 namespace wr {
 
-/// @brief Source of numbers that nobody can foresee.
+/// @brief Source of numbers that nobody can predict.
 /// @function Draws a random number.
-/// @secret Where the randomness comes from.
+/// @secret The source of the randomness.
 class RandomSource {
  public:
   RandomSource(const RandomSource&) = delete;
   RandomSource& operator=(const RandomSource&) = delete;
 
-  /// @brief Draws a number. Waits a bounded time at most.
+  /// @brief Draws a number. Waits at most a bounded time.
   /// @return a number of 64 random bits; nothing when the source does not work
   /// @isr{no}
   [[nodiscard]] virtual std::optional<std::uint64_t> draw() = 0;

@@ -17,8 +17,8 @@ constexpr std::uint8_t kFromRobot = 'R';
 constexpr std::uint8_t kToRobot = 'D';
 constexpr std::uint8_t kErased = 0xFF;  // a byte of the flash that was never written
 
-// Writes a number as hexadecimal digits, the highest first: they contain no zero, which ends a
-// frame.
+// Writes a number as hexadecimal digits, the most significant first: the digits contain no zero
+// byte, which would end a frame.
 void writeDigits(std::uint64_t number, std::span<std::uint8_t> digits) {
   for (std::uint8_t& digit : digits) {
     number = std::rotl(number, kDigit);
@@ -86,7 +86,7 @@ bool SignedPort::write(std::span<const std::uint8_t> bytes) {
     return false;
   }
   const auto frame = bytes.first(bytes.size() - 1);
-  if (frame.empty()) {  // a zero byte alone ends a frame that a reset interrupted
+  if (frame.empty()) {  // the zero byte ends a frame that a reset interrupted
     return port_.write(bytes);
   }
   Coded coded{};
@@ -148,7 +148,7 @@ bool SignedPort::accept() {
   return true;
 }
 
-// A flood of wrong frames must not take the room of frames to send.
+// A flood of wrong frames must not use the buffer space of the frames to send.
 void SignedPort::challenge() {
   if (port_.free() < 2 * FrameEncoder::kMaxBytes) {
     return;

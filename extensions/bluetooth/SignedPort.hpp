@@ -18,9 +18,9 @@ namespace wr {
 ///
 /// @function Extends a serial port. Each frame on the line has a counter and a tag between its coded
 /// bytes and the zero that ends it. Received frames with a wrong tag, or with a counter that is not
-/// greater than the one before, are dropped; the others are given without counter and tag. Frames
-/// to send get both. A wrong frame is answered with a challenge, which contains the values that an
-/// honest sender needs for its tags.
+/// greater than the previous one, are dropped; other frames are returned without counter and tag.
+/// Counter and tag are added to frames to send. A wrong frame is answered with a challenge, which
+/// contains the values that an authorised sender needs for its tags.
 ///
 /// @secret How counter and tag are put on the line, and the content of the tag: a number that the
 /// robot draws at start, the direction, the counter and the coded frame.
@@ -39,25 +39,25 @@ class SignedPort final : public SerialPort {
   SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& random);
 
   /// @brief Returns the bytes of at most one frame whose tag is right and whose counter is new.
-  /// @param bytes where the bytes are put
-  /// @return how many bytes were put there; 0 when there is no such frame
+  /// @param bytes receives the bytes
+  /// @return number of these bytes; 0 when there is no such frame
   /// @isr{no}
   /// @satisfies FR-262
   std::size_t read(std::span<std::uint8_t> bytes) override;
 
-  /// @brief Returns when the last byte of the frame that read() gave was received.
+  /// @brief Returns the time at which the last byte of the frame from read() was received.
   /// @return time of its zero byte
   /// @isr{no}
   [[nodiscard]] Instant receivedAt() const override;
 
-  /// @brief Returns the room for bytes to send, less the room for counter and tag.
+  /// @brief Returns the free space for bytes to send, minus the space for counter and tag.
   /// @return number of bytes of a coded frame that a write can accept now
   /// @isr{no}
   [[nodiscard]] std::size_t free() const override;
 
   /// @brief Sends one coded frame with counter and tag, or nothing.
   /// @param bytes bytes of a coded frame with the zero that ends it
-  /// @return false when there is no room, no key or no random number: nothing is sent
+  /// @return false when there is no space, no key or no random number: nothing is sent
   /// @isr{no}
   /// @satisfies FR-263
   bool write(std::span<const std::uint8_t> bytes) override;
@@ -71,7 +71,7 @@ class SignedPort final : public SerialPort {
   using Coded = std::array<std::uint8_t, FrameEncoder::kMaxBytes + kTrailer>;
 
   /// @brief Checks whether there is a key and a random number.
-  /// @return true when both are there
+  /// @return true when both exist
   /// @satisfies FR-265
   [[nodiscard]] bool works() const;
   void collect(std::uint8_t byte);
@@ -85,9 +85,10 @@ class SignedPort final : public SerialPort {
   std::optional<std::uint64_t> nonce_;
   FrameEncoder encoder_;
   Coded received_{};
-  std::size_t count_ = 0;           // bytes of the frame that is received; more than fit: too long
-  std::size_t ready_ = 0;           // bytes of the accepted frame that wait to be read
-  std::size_t given_ = 0;           // of these, given already
+  std::size_t count_ = 0;           // received bytes of the present frame; more than the capacity:
+                                    // the frame is too long
+  std::size_t ready_ = 0;           // bytes of the accepted frame that were not read yet
+  std::size_t given_ = 0;           // number of these that were read
   std::uint32_t lastReceived_ = 0;  // counter of the last accepted frame
   std::uint32_t lastSent_ = 0;      // counter of the last sent frame
 };

@@ -8,7 +8,7 @@ namespace {
 
 constexpr unsigned kByte = 8;            // bits
 constexpr std::size_t kWord = 8;         // bytes
-constexpr unsigned kCountPosition = 56;  // of the count in the last word
+constexpr unsigned kCountPosition = 56;  // position of the count in the last word
 constexpr int kFinalRounds = 4;
 // The letters of "somepseudorandomlygeneratedbytes", as the algorithm demands.
 constexpr std::array<std::uint64_t, 4> kInitial = {0x736f6d6570736575, 0x646f72616e646f6d,

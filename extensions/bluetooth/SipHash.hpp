@@ -9,8 +9,8 @@ namespace wr {
 
 /// @brief A keyed check value of 64 bits: SipHash-2-4.
 ///
-/// @function Computes a tag over bytes with a secret key. Nobody can compute the tag without the key
-/// of other bytes.
+/// @function Computes a tag over bytes with a secret key. Without the key nobody can compute the
+/// tag of other bytes.
 ///
 /// @secret The algorithm of the tag. Source: J.-P. Aumasson and D. J. Bernstein, SipHash: a fast
 /// short-input PRF, 2012.
@@ -24,12 +24,12 @@ class SipHash final {
   explicit SipHash(const Key& key);
 
   /// @brief Adds bytes to the tag.
-  /// @param bytes bytes in the sequence in which the other side adds them
+  /// @param bytes bytes in the same sequence as at the other side
   /// @isr{no}
   /// @satisfies FR-261
   void add(std::span<const std::uint8_t> bytes);
 
-  /// @brief Computes the tag of all bytes that were added.
+  /// @brief Computes the tag of all number of added bytes.
   /// @return the tag, 64 bits without meaning as a number
   /// @post A second call returns another value.
   /// @isr{no}
@@ -41,8 +41,8 @@ class SipHash final {
   void compress(std::uint64_t word);
 
   std::array<std::uint64_t, 4> v_{};
-  std::uint64_t word_ = 0;   // bytes that do not fill a word yet, the first one lowest
-  std::uint64_t count_ = 0;  // bytes that were added
+  std::uint64_t word_ = 0;   // bytes of the incomplete word, the first byte in the lowest bits
+  std::uint64_t count_ = 0;  // number of added bytes
 };
 
 }  // namespace wr

@@ -8,38 +8,38 @@ namespace wr {
 
 /// @brief Lets orders move the robot only after neutral orders.
 ///
-/// @function Holds the robot until the orders of five cycles in a row had 0 as the set-point of all wheels,
-/// then passes set-points on. An order that is only still in force does not count. Every hold and
-/// every acknowledgement ends that permission.
+/// @function Holds the robot until the orders of five successive cycles had 0 as the set-point of
+/// all wheels, then forwards set-points. An order from an earlier cycle that is still in force does
+/// not count. Every hold and every acknowledgement withdraws this permission.
 ///
 /// @secret Which set-points are neutral, and for how long a source has to order them.
 class Arming final : public OrderStageDecorator {
  public:
   /// @brief Binds the permission to the robot.
-  /// @param wrapped control system that set-points move
+  /// @param wrapped control system that gets the set-points
   explicit Arming(OrderStage& wrapped);
 
-  /// @brief Adds the measurements and outputs of the robot, and whether orders may move it.
+  /// @brief Adds the measurements and outputs of the robot, and the permission to move it.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @satisfies FR-281
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
-  /// @brief Passes set-points on; holds until they were neutral for long enough.
+  /// @brief Forwards set-points; holds the robot until they were neutral for long enough.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-280
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
-  /// @brief Holds, and ends the permission.
+  /// @brief Holds the robot, and withdraws the permission.
   /// @param cycle number of the cycle
   /// @satisfies FR-280
   /// @isr{no}
   void stand(std::uint32_t cycle) override;
 
-  /// @brief Acknowledges, and ends the permission.
+  /// @brief Acknowledges, and withdraws the permission.
   /// @param cycle number of the cycle
   /// @satisfies FR-280
   /// @isr{no}

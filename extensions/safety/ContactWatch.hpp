@@ -7,10 +7,10 @@
 
 namespace wr {
 
-/// @brief Finds an opening of a contact that is shorter than a control cycle.
+/// @brief Detects an opening of a contact that is shorter than a control cycle.
 ///
-/// @function Samples the contact at each tick, and latches that it was open at three successive ticks until
-/// the control cycle reads it.
+/// @function Samples the contact at each tick, and latches an opening at three successive ticks
+/// until the control cycle reads it.
 ///
 /// @secret How long a contact has to be open before that counts, and how an opening is latched.
 class ContactWatch final {
@@ -34,15 +34,16 @@ class ContactWatch final {
   /// @isr{no}
   [[nodiscard]] bool open();
 
-  /// @brief Checks whether the contact is open now or was open since the last call of this or of open().
-  /// @return true if it is, or was at three successive ticks.
+  /// @brief Checks whether the contact is open now or was open since the last call of this method
+  /// or of open().
+  /// @return true if it is open, or was open at three successive ticks.
   /// @satisfies FR-271
   /// @isr{no}
   [[nodiscard]] bool opened();
 
  private:
   const EdgeInput& contact_;
-  std::uint8_t openTicks_ = 0;  // up to now, in succession
+  std::uint8_t openTicks_ = 0;  // successive ticks up to now
   std::atomic<bool> latched_{false};
 
   static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait");

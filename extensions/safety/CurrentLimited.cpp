@@ -6,9 +6,9 @@ namespace wr {
 
 namespace {
 
-constexpr Current kMaxCurrent(12000);  // 3 A below the overcurrent trip
-constexpr std::int32_t kWinding =
-    1000;  // [mOhm] less than any winding has: the current stays below
+constexpr Current kMaxCurrent(12000);    // 3 A below the overcurrent trip
+constexpr std::int32_t kWinding = 1000;  // [mOhm] less than the resistance of any winding, so that
+                                         // the real current stays below the limit
 constexpr std::int32_t kThousand = 1000;
 
 Tension across(Current current) {

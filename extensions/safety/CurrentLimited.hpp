@@ -10,10 +10,10 @@ namespace wr {
 
 /// @brief An algorithm that keeps the current of its wheel below the overcurrent trip.
 ///
-/// @function Computes the voltage of the wrapped algorithm, and limits its change from the voltage that the
-/// wheel has, so that the measured current does not grow beyond 12 A.
+/// @function Computes the voltage of the wrapped algorithm, and limits its difference from the
+/// present voltage of the wheel, so that the measured current does not exceed 12 A.
 ///
-/// @secret The greatest current that control orders, and the voltage that leads to it.
+/// @secret The greatest current that control orders, and the corresponding voltage.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentLimited final : public WheelAlgorithm {
@@ -25,12 +25,12 @@ class CurrentLimited final : public WheelAlgorithm {
   /// @brief Computes the limited voltage.
   /// @param setPoint set-point in the unit of the wrapped algorithm
   /// @param feedback measurements of the wheel
-  /// @return voltage that the wheel shall have [mV].
+  /// @return voltage for the wheel [mV].
   /// @satisfies FR-296
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Records the voltage that the wheel got, and passes it to the algorithm.
+  /// @brief Records the applied voltage, and passes it to the algorithm.
   /// @param tension voltage of the wheel [mV]
   /// @satisfies FR-296
   /// @isr{no}

@@ -7,9 +7,9 @@ namespace wr {
 namespace {
 
 constexpr std::int32_t kMiddlePulse = 1500;    // [us]
-constexpr std::int32_t kFullDeflection = 500;  // [us]: the deflection is in us
+constexpr std::int32_t kFullDeflection = 500;  // [us], so that the deflection is in us
 
-// Widths of the pulses of the switch; those out of the range order a stop.
+// Widths of the pulses of the switch; widths out of the range order a stop.
 constexpr Microseconds kShortestPulse(900);
 constexpr Microseconds kLongestPulse(2100);
 

@@ -10,11 +10,11 @@ namespace wr {
 
 /// @brief Receives the pulses of the enable switch.
 ///
-/// @function Stores the width of each pulse of the third channel of the remote control with its time. Two
-/// pulses in succession that order a stop are stored apart, so that a later pulse does not hide
-/// them.
+/// @function Stores the width of each pulse of the third channel of the remote control with its time.
+/// The second of two successive pulses that order a stop is also stored separately, so that a later
+/// pulse does not hide them.
 ///
-/// @secret Where the position of the enable switch is stored, and how many pulses of its stop count.
+/// @secret Where the position of the enable switch is stored, and how many pulses confirm a stop.
 ///
 /// @role{rc-buffers, Concrete Class}
 class EnableBuffer final : public RcBuffer {
@@ -38,7 +38,7 @@ class EnableBuffer final : public RcBuffer {
 
   Pipe<Microseconds>& pipe_;
   Pipe<Microseconds>& stop_;
-  bool stopBefore_ = false;  // the pulse before ordered a stop
+  bool stopBefore_ = false;  // the previous pulse ordered a stop
 };
 
 }  // namespace wr

@@ -19,7 +19,7 @@ namespace wr {
 struct EnableChannel {
   /// @brief Constructs the channel, and enables the interrupt of its pin.
   /// @param input pin of the channel
-  /// @param timebase gives the time of its edges
+  /// @param timebase returns the time of its edges
   EnableChannel(EdgeInput& input, const Timebase& timebase)
       : period(instants),
         collector(period),
@@ -34,7 +34,7 @@ struct EnableChannel {
   BasicCollector instants;   ///< instants of its edges
   PeriodCollector period;    ///< period of its pulses
   WidthCollector collector;  ///< width of a pulse
-  PulsePosition function;    ///< position that a pulse means
+  PulsePosition function;    ///< computes the position from a pulse
   EnableBuffer buffer;       ///< stores the position
   RcPin pin;                 ///< its pin
   ReadRcPin readPin;         ///< command of its edges

@@ -9,7 +9,7 @@ namespace wr {
 
 namespace {
 
-// Widths of the pulses of the enable switch. Between the bands the position stays.
+// Widths of the pulses of the enable switch. Between the bands the position does not change.
 constexpr Microseconds kMinPcPulse(1350);
 constexpr Microseconds kMaxPcPulse(1650);
 constexpr Microseconds kMinDrivePulse(1750);
@@ -82,7 +82,7 @@ void EnableSwitch::takePosition(Instant now) {
   }
 }
 
-// Checks for a stop since the last cycle.
+// Returns whether a stop came since the last cycle.
 bool EnableSwitch::stopConfirmed() {
   const std::optional<Stamped<Microseconds>> pulse = signals_.stop.read();
   const bool confirmed = pulse && pulse->at != confirmedAt_;
@@ -92,8 +92,8 @@ bool EnableSwitch::stopConfirmed() {
   return confirmed;
 }
 
-// A receiver whose radio link returns goes from stop to drive at once. Only an operator stays at
-// PC.
+// A receiver whose radio link returns goes from stop to drive at once. Only an operator leaves the
+// switch at PC.
 void EnableSwitch::advanceSequence() {
   if (position_ == Position::Stop) {
     sequence_ = Sequence::Stopped;

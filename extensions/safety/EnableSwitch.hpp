@@ -14,9 +14,9 @@ namespace wr {
 ///
 /// @function Reads the enable switch in every cycle. In its position "stop", or without its pulses, a stop
 /// is latched until the switch leaves that position while the velocity stick is centred. A stop
-/// between two cycles acts in the second one. In the position "PC" the remote control gives no
-/// orders. The sequence stop, PC, drive acknowledges latched faults. A remote control that moves
-/// the robot without a change of its pulses ends in a stop.
+/// between two cycles acts in the second one. In the position "PC" the remote control has no
+/// orders. The sequence stop, PC, drive acknowledges latched faults. When the remote control moves
+/// the robot and its pulses do not change, the robot is stopped.
 ///
 /// @secret Which position of the enable switch permits which orders, and when its stop ends.
 ///
@@ -61,7 +61,7 @@ class EnableSwitch final : public ModeDecorator {
   void read(MainController& mCtrl) override;
 
   /// @brief Has no effect: the mode that wraps this one changes the mode.
-  /// @param mCtrl controller whose mode stays
+  /// @param mCtrl controller whose mode does not change
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 
@@ -74,7 +74,7 @@ class EnableSwitch final : public ModeDecorator {
 
  private:
   enum class Position : std::uint8_t { Stop, Pc, Drive };
-  // How far the sequence that acknowledges has been moved through.
+  // Progress in the sequence that acknowledges.
   enum class Sequence : std::uint8_t { None, Stopped, Passed };
 
   [[nodiscard]] static Position positionOf(Microseconds width, Position before);
@@ -89,7 +89,7 @@ class EnableSwitch final : public ModeDecorator {
   Position position_ = Position::Stop;
   Instant confirmedAt_{};  // newest pulse that confirmed a stop
   Sequence sequence_ = Sequence::None;
-  std::uint8_t acknowledgements_ = 0;  // orders that still acknowledge
+  std::uint8_t acknowledgements_ = 0;  // number of orders that still acknowledge
   bool stopped_ = true;
 };
 

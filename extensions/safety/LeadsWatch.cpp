@@ -8,26 +8,26 @@ namespace wr {
 
 namespace {
 
-// The parameters are shares of the resistance and of the motor constant, divided by the share of
-// the supply, and the voltage of the current sensor's offset. These are their variances before the
-// first cycle, and the limits of the learned values.
+// The parameters are the resistance and the motor constant relative to their nominal values,
+// divided by the relative supply, and the voltage of the current sensor's offset. The arrays
+// contain their variances before the first cycle, and the limits of the learned values.
 constexpr std::array<float, 3> kInitialVariances{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
 constexpr float kMaxVariance = 0.5F;
 constexpr float kVarianceDrift = 1e-6F;  // growth of a variance in a cycle: temperature and battery
 
-// Standard deviations of the measured voltage balance.
+// Standard deviations of the voltage that the model does not explain.
 constexpr float kNoise = 0.1F;  // [V] always
 constexpr float kVelocityNoise =
-    0.3F;  // of the change of the induced voltage since the cycle before
-constexpr float kTensionNoise = 0.2F;   // of the change of the voltage since the cycle before
+    0.3F;  // of the change of the induced voltage since the previous cycle
+constexpr float kTensionNoise = 0.2F;   // of the change of the voltage since the previous cycle
 constexpr float kCurrentNoise = 0.02F;  // of the voltage across the winding
 
-// Evidence: logarithm of the probability of these measurements with swapped leads, divided by that
-// with right leads.
+// Evidence: logarithm of the probability of these measurements with swapped leads, divided by the
+// probability with correct leads.
 constexpr float kSwappedThreshold = 12.0F;
 constexpr float kMaxRisePerCycle = 6.0F;  // two cycles are needed
-constexpr float kMaxFallPerCycle = 3.0F;  // as much a cycle takes back
-constexpr float kDoubtThreshold = 3.0F;   // from here on nothing is learned
+constexpr float kMaxFallPerCycle = 3.0F;  // reduction by a cycle without a swap
+constexpr float kDoubtThreshold = 3.0F;   // from this evidence on the model does not learn
 
 // Up to this voltage the bring-up turns a wheel whose leads may be swapped.
 constexpr Tension kBringUp(1000);
@@ -46,7 +46,7 @@ float induced(Velocity velocity) {
   return static_cast<float>(velocity.count()) * kConstant;
 }
 
-// Voltage of a current in the nominal winding.
+// Voltage of a current across the nominal winding.
 float across(Current current) {
   constexpr float kWinding = static_cast<float>(SystemConstants::instance().winding()) * kMilli;
   return static_cast<float>(current.count()) * kMilli * kWinding;
@@ -79,7 +79,7 @@ bool LeadsWatch::swapped(const WheelMeasurements& measured, std::optional<Tensio
   if (cycle.moved && (*tension > kBringUp || *tension < -kBringUp)) {
     weigh(cycle);
   }
-  // Without edges the measured velocity is only the greatest possible one.
+  // Without edges the measured velocity is only an upper bound.
   if (evidence_ < kDoubtThreshold && (cycle.moved || measured.velocity == Velocity())) {
     learn(cycle);
   }
@@ -121,7 +121,8 @@ LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension
   return cycle;
 }
 
-// Swapped leads change the sign of the induced voltage: then twice of it is missing in the balance.
+// Swapped leads change the sign of the induced voltage: the balance then differs by twice this
+// voltage.
 void LeadsWatch::weigh(const Cycle& cycle) {
   const float turning = (1 + deviations_[kInduced]) * cycle.inputs[kInduced];
   const float shown = -2 * turning * (cycle.unexplained + turning) / cycle.variance;

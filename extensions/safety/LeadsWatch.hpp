@@ -11,10 +11,11 @@ namespace wr {
 
 /// @brief Watch over the polarity of one motor.
 ///
-/// @function Learns the resistance, the constant and the offset of a motor while it turns, and finds leads
-/// that are swapped afterwards: the induced voltage changes its sign in one cycle.
+/// @function Learns the resistance, the constant and the offset of a motor while it turns, and
+/// detects leads that are swapped later: the induced voltage changes its sign in one cycle.
 ///
-/// @secret How the model of a motor is learned, and how much its measurements must contradict it.
+/// @secret How the model of a motor is learned, and how strongly the measurements must contradict
+/// the model.
 class LeadsWatch final {
  public:
   /// @brief Begins with the nominal motor.
@@ -52,12 +53,13 @@ class LeadsWatch final {
   void weigh(const Cycle& cycle);
   void learn(const Cycle& cycle);
 
-  Vector deviations_{};                       // of the parameters from those of the nominal motor
+  Vector deviations_{};                       // deviations of the parameters from the nominal motor
   std::array<Vector, kParameters> doubts_{};  // covariance of the deviations
-  float evidence_ = 0;                        // for swapped leads, a logarithm of probabilities
-  Tension tension_{};                         // voltage of the cycle before
-  Velocity velocity_{};                       // of the cycle before
-  std::optional<HallCount> position_;         // of the cycle before
+  float evidence_ = 0;                        // evidence for swapped leads, a logarithm of
+                                              // probabilities
+  Tension tension_{};                         // voltage of the previous cycle
+  Velocity velocity_{};                       // of the previous cycle
+  std::optional<HallCount> position_;         // of the previous cycle
 };
 
 }  // namespace wr

@@ -16,13 +16,13 @@ struct LimitedAlgorithms {
   VelocityAlgorithm velocity;                  ///< for orders of velocity
   TensionAlgorithm tension;                    ///< for orders of voltage
   CurrentAlgorithm current;                    ///< for orders of current
-  SpeedLimited slowTension{tension};           ///< orders of voltage, to the speed limit
-  SpeedLimited slowCurrent{current};           ///< orders of current, to the speed limit
+  SpeedLimited slowTension{tension};           ///< orders of voltage, limited at the speed limit
+  SpeedLimited slowCurrent{current};           ///< orders of current, limited at the speed limit
   CurrentLimited limitedVelocity{velocity};    ///< orders of velocity, limited
   CurrentLimited limitedTension{slowTension};  ///< orders of voltage, limited
   CurrentLimited limitedCurrent{slowCurrent};  ///< orders of current, limited
 
-  /// @brief Returns the algorithm of each quantity, in the sequence of WheelQuantity.
+  /// @brief Returns the algorithm of each quantity, in the order of WheelQuantity.
   /// @return limited algorithms of velocity, voltage and current.
   /// @isr{no}
   [[nodiscard]] std::array<WheelAlgorithm*, 3> all() {

@@ -8,15 +8,16 @@ namespace wr {
 
 /// @brief A stage that extends another stage.
 ///
-/// @function Passes the operations that it does not extend on to the wrapped stage. Derived classes change the
+/// @function Forwards the operations that it does not extend to the wrapped stage. Derived classes
+/// change the
 /// orders that they extend.
 ///
-/// @secret Which calls of the wrapped stage pass unchanged.
+/// @secret Which calls of the wrapped stage are forwarded unchanged.
 class OrderStageDecorator : public OrderStage {
  public:
   /// @brief Checks whether the wrapped stage has carried out the orders of a cycle.
   /// @param cycle number of the cycle
-  /// @return true if it has.
+  /// @return true if it has carried them out.
   /// @satisfies FR-293
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;

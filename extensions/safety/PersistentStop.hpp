@@ -10,7 +10,7 @@ namespace wr {
 /// @function Stores the stop of the wrapped mode in every cycle. A stop that was in force before a reset
 /// stays in force until the source orders neutral set-points without a stop.
 ///
-/// @secret When a stop from before a reset ends.
+/// @secret The event that ends a stop from before a reset.
 ///
 /// @role{mode-extensions, Concrete Decorator}
 class PersistentStop final : public ModeDecorator {
@@ -25,7 +25,7 @@ class PersistentStop final : public ModeDecorator {
   /// @isr{no}
   void serve() override;
 
-  /// @brief Reads an order; a neutral one ends a stop from before the reset.
+  /// @brief Reads an order; a neutral order ends a stop from before the reset.
   /// @param mCtrl controller whose data receive the set-points
   /// @satisfies FR-290
   /// @isr{no}
@@ -37,7 +37,7 @@ class PersistentStop final : public ModeDecorator {
   void changeMode(MainController& mCtrl) override;
 
   /// @brief Checks whether the source orders a stop.
-  /// @return true if it does, or if its stop from before the reset lasts.
+  /// @return true if it does, or if its stop from before the reset is still in force.
   /// @satisfies FR-290
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;

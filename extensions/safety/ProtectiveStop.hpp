@@ -15,8 +15,8 @@ namespace wr {
 /// @brief Stops the whole robot when one of its parts fails.
 ///
 /// @function Checks the contact of the emergency-stop circuit, the steering and every wheel after each
-/// order. When one of them fails, all control systems hold in the same cycle and in every cycle
-/// that follows, until an order acknowledges.
+/// order. When one of them fails, all control systems hold in this cycle and in every later cycle
+/// until an acknowledgement.
 ///
 /// @secret Which parts are supervised, and how long a protective stop lasts.
 class ProtectiveStop final : public OrderStageDecorator {
@@ -24,7 +24,8 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @brief Binds the protective stop to the robot.
   /// @param wrapped all control systems of the robot
   /// @param emergencyStop watches the contact of the emergency-stop circuit
-  /// @param memory stores the protective stop; one from before a reset is latched again
+  /// @param memory stores the protective stop; a protective stop from before a reset is latched
+  /// again
   ProtectiveStop(OrderStage& wrapped, ContactWatch& emergencyStop, RetainedProtection& memory);
 
   /// @brief Adds the measurements and outputs of the robot, and the state of the protective stop.
@@ -34,14 +35,14 @@ class ProtectiveStop final : public OrderStageDecorator {
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
-  /// @brief Passes set-points on; holds while a protective stop is latched.
+  /// @brief Forwards set-points; holds the robot while a protective stop is latched.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-270
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
-  /// @brief Holds, and checks the robot.
+  /// @brief Holds the robot and checks it.
   /// @param cycle number of the cycle
   /// @satisfies FR-270
   /// @isr{no}
@@ -62,7 +63,7 @@ class ProtectiveStop final : public OrderStageDecorator {
   void examine(const SetPoints* followed);
   /// @brief Compares the wheels with each other while they follow set-points.
   /// @param measurements measurements of the cycle
-  /// @param following true while they do
+  /// @param following true while they follow set-points
   /// @satisfies FR-297
   /// @satisfies FR-298
   void compareWheels(const Measurements& measurements, bool following);

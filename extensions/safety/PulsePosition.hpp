@@ -7,17 +7,17 @@
 
 namespace wr {
 
-/// @brief The position of a switch that a pulse of the remote control means.
+/// @brief The position of a switch, from a pulse of the remote control.
 ///
-/// @function Computes the deflection of the pulse from its middle. It has no neutral range and no bounds: a
-/// pulse out of range is a position as well.
+/// @function Computes the deflection of the pulse from its middle. It has no neutral range and no
+/// bounds: a pulse out of range also has a position.
 ///
-/// @secret Which width of a pulse means which position of a switch.
+/// @secret The relation between the width of a pulse and the position of a switch.
 ///
 /// @role{functions, Concrete Strategy}
 class PulsePosition final : public Function {
  public:
-  /// @brief Begins without state.
+  /// @brief Constructs the function without state.
   PulsePosition() = default;
 
   /// @brief Computes the deflection.

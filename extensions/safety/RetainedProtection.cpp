@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-// Marks valid content; neither erased nor empty memory has it.
+// Marks valid content; erased or empty memory does not contain it.
 constexpr std::uint32_t kRetainedMark = 0x96C3'0000;
 constexpr std::uint32_t kMarkBits = 0xFFFF'0000;
 constexpr std::uint32_t kByte = 0xFF;

@@ -7,10 +7,11 @@
 
 namespace wr {
 
-/// @brief The latched protective stop in memory that a reset leaves as it is.
+/// @brief The latched protective stop in memory that a reset does not change.
 ///
-/// @function Stores the cause of the protective stop and its wheel, with a check word. After power-on it
-/// begins without a protective stop. After a loss of the clock it begins with one. After any other
+/// @function Stores the cause of the protective stop and its wheel, with a check word. After
+/// power-on there is no protective stop. After a loss of the clock there is one. After any
+/// other
 /// reset, content that fails its check counts as a protective stop because of a missing
 /// measurement.
 ///
@@ -35,7 +36,7 @@ class RetainedProtection final {
   };
 
   /// @brief Binds the object to its memory.
-  /// @param cells memory that a reset leaves as it is
+  /// @param cells memory that a reset does not change
   explicit RetainedProtection(Cells& cells);
 
   RetainedProtection(const RetainedProtection&) = delete;

@@ -7,9 +7,9 @@
 
 namespace wr {
 
-/// @brief A stop in memory that a reset leaves as it is.
+/// @brief A stop in memory that a reset does not change.
 ///
-/// @function Stores the stop with a check word. After power-on it begins without a stop; after any other
+/// @function Stores the stop with a check word. After power-on there is no stop; after any other
 /// reset, content that fails its check counts as a stop.
 ///
 /// @secret Which numbers mean a stop, and how damaged memory is detected.
@@ -23,7 +23,7 @@ class RetainedStop final : public StopMemory {
   };
 
   /// @brief Binds the object to its memory.
-  /// @param cells memory that a reset leaves as it is
+  /// @param cells memory that a reset does not change
   explicit RetainedStop(Cells& cells);
 
   /// @brief Checks the cause of the last reset: after power-on there is no stop.

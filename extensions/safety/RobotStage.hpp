@@ -12,15 +12,16 @@ namespace wr {
 
 /// @brief The last stage of an order: all control systems of the robot.
 ///
-/// @function Passes each order on to every control system of the robot, so that the stages before it do not depend on their number.
+/// @function Forwards each order to every control system of the robot, so that the stages before it
+/// do not depend on the number of control systems.
 ///
 /// @secret How many control systems receive an order.
 class RobotStage final : public OrderStage {
  public:
-  /// @brief Number of control systems that have room.
+  /// @brief Greatest number of control systems.
   static constexpr std::size_t kCapacity = 8;
 
-  /// @brief Begins without control systems.
+  /// @brief Constructs the stage without control systems.
   RobotStage() = default;
 
   /// @brief Adds a control system.
@@ -32,7 +33,7 @@ class RobotStage final : public OrderStage {
 
   /// @brief Checks whether every control system of the robot has carried out the orders of a cycle.
   /// @param cycle number of the cycle
-  /// @return true if all have.
+  /// @return true if all control systems have carried them out.
   /// @satisfies FR-293
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;

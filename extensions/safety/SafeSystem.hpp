@@ -10,10 +10,10 @@ namespace wr {
 
 /// @brief The robot with its safety functions as one control system.
 ///
-/// @function Records the order of a cycle while it is given in parts, and passes it on to the first
-/// safety function as one call: follow set-points, hold, or acknowledge.
+/// @function Records the order of a cycle while it arrives in parts, and passes it to the first
+/// safety function in one call: follow set-points, hold, or acknowledge.
 ///
-/// @secret How the parts of an order become one call.
+/// @secret How the parts of an order are combined in one call.
 ///
 /// @role{control-system-orders, Concrete Class}
 class SafeSystem final : public ControlSystem {
@@ -24,7 +24,7 @@ class SafeSystem final : public ControlSystem {
 
   /// @brief Checks whether every control system of the robot has carried out the orders of a cycle.
   /// @param cycle number of the cycle
-  /// @return true if all have.
+  /// @return true if all control systems have carried them out.
   /// @satisfies FR-293
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
@@ -44,7 +44,7 @@ class SafeSystem final : public ControlSystem {
   void apply(const SetPoints& setPoints) override;
   void halt() override;
   void release() override;
-  /// @brief Passes the recorded order on.
+  /// @brief Forwards the recorded order.
   /// @param cycle number of the cycle
   /// @satisfies FR-293
   void activate(std::uint32_t cycle) override;

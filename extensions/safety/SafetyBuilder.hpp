@@ -23,8 +23,8 @@ namespace wr {
 
 /// @brief Builds the robot with its safety functions as one control system.
 ///
-/// @function Calls each step of the builders of the robot's control systems, wraps their products in the
-/// safety functions of the control cycle, and passes ticks on to them.
+/// @function Calls each step of the builders of the robot's control systems, wraps their products
+/// in the safety functions of the control cycle, and forwards ticks to them.
 ///
 /// @secret Which safety functions wrap the robot, and in which sequence.
 ///
@@ -47,7 +47,8 @@ class SafetyBuilder final : public ControlSystemBuilder {
 
   void buildActuator() override;
   void buildSensors() override;
-  /// @brief Builds every controller; those of the wheels get algorithms that end at the speed limit.
+  /// @brief Builds every controller; the controllers of the wheels get algorithms with a speed
+  /// limit.
   /// @satisfies FR-283
   /// @isr{no}
   void buildController() override;
@@ -69,7 +70,7 @@ class SafetyBuilder final : public ControlSystemBuilder {
     SafeSystem system;
   };
 
-  /// @brief Executes the tick command of every control system, and watches the contact.
+  /// @brief Executes the tick command of every control system, and samples the contact.
   class Ticks final : public Command {
    public:
     /// @brief Adds a command.

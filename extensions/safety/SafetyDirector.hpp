@@ -17,8 +17,8 @@ namespace wr {
 
 /// @brief Builds a robot with safety functions, and starts it.
 ///
-/// @function Calls the steps of the builders in the right sequence, gives them the reading modes with
-/// safety functions in place of their own, and starts their products.
+/// @function Calls the steps of the builders in the required sequence, passes them reading modes
+/// with safety functions instead of their own, and starts the parts that they built.
 ///
 /// @secret Which steps build a robot with safety functions.
 ///
@@ -31,7 +31,7 @@ class SafetyDirector final {
   /// @datatype
   struct Devices {
     const Timebase& timebase;  ///< gives the time
-    const Timebase& edgeTime;  ///< gives the time of an edge of the remote control
+    const Timebase& edgeTime;  ///< returns the time of an edge of the remote control
     StopMemory& memory;        ///< memory of the PC's stop
     EdgeInput& enablePin;      ///< pin of the enable switch
     Pipe<Velocity>& velocity;  ///< position of the velocity stick
@@ -58,7 +58,7 @@ class SafetyDirector final {
 
   /// @brief Starts the control cycles.
   /// @pre A robot was built.
-  /// @errors A robot that is not built ends the program with the assertion PartMissing.
+  /// @errors A robot that was not built ends the program with the assertion PartMissing.
   /// @satisfies FR-293
   /// @isr{no}
   void start();

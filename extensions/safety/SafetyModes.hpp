@@ -36,9 +36,9 @@ struct SafetyModes {
 
   BasicMode basicPc;              ///< reads orders of the PC
   BasicMode basicRc;              ///< reads orders of the remote control
-  PersistentStop persistentStop;  ///< makes the stop of the PC outlive a reset
-  SteeringGeometry geometry;      ///< gives each wheel its velocity
-  EnableSwitch enableSwitch;      ///< gives the remote control its stop
+  PersistentStop persistentStop;  ///< keeps the stop of the PC over a reset
+  SteeringGeometry geometry;      ///< computes the velocity of each wheel
+  EnableSwitch enableSwitch;      ///< adds a stop to the remote control
   PC pc;                          ///< mode of the PC
   RC rc;                          ///< mode of the remote control
   std::array<Mode*, 2> all;       ///< both modes

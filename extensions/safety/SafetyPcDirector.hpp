@@ -11,8 +11,8 @@ namespace wr {
 
 /// @brief Builds a robot with safety functions that only the PC commands, and starts it.
 ///
-/// @function Calls the steps of the builders in the right sequence, gives them the reading mode with
-/// safety functions in place of their own, and starts their products.
+/// @function Calls the steps of the builders in the required sequence, passes them the reading mode
+/// with safety functions instead of their own, and starts the parts that they built.
 ///
 /// @secret Which steps build a robot with safety functions that has no remote control.
 ///
@@ -39,7 +39,7 @@ class SafetyPcDirector final {
 
   /// @brief Starts the control cycles.
   /// @pre construct() was called.
-  /// @errors A robot that is not built ends the program with the assertion PartMissing.
+  /// @errors A robot that was not built ends the program with the assertion PartMissing.
   /// @satisfies FR-293
   /// @isr{no}
   void start();

@@ -25,7 +25,7 @@ struct SafetyPcMode {
         all{&pc} {}
 
   BasicMode basicPc;              ///< reads orders of the PC
-  PersistentStop persistentStop;  ///< makes the stop of the PC outlive a reset
+  PersistentStop persistentStop;  ///< keeps the stop of the PC over a reset
   PC pc;                          ///< mode of the PC
   std::array<Mode*, 1> all;       ///< the mode
 };

@@ -13,11 +13,11 @@ namespace {
 // 0.5 m/s^2 in a cycle of 0.1 s are 0.05 m/s; 300 rpm of the motor shaft are 0.85 m/s.
 constexpr std::int32_t kMaxChangePerCycle = 176;  // [0.1 rpm] in a cycle
 
-// A slope of 2.4 V in a cycle is that of a stop.
+// 2.4 V in a cycle is also the rate of a stop.
 constexpr Tension kMaxRisePerCycle(1000);  // in a cycle, away from 0
 constexpr Tension kMaxFallPerCycle(2400);  // in a cycle, towards 0
 
-// A robot that a slope or a curve makes too fast gets lower set-points.
+// When a slope or a curve makes the robot too fast, its set-points are lowered.
 constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] above the greatest set-point
 constexpr std::int32_t kFullScale = 1000;
 constexpr std::int32_t kMinScale = 100;       // [0.001]
@@ -42,7 +42,7 @@ std::int32_t between(std::int32_t low, std::int32_t high, std::int32_t part, std
   return low + (high - low) * part / whole;
 }
 
-// Greatest set-point of velocity at an angle.
+// Returns the greatest set-point of velocity at a steering angle.
 std::int32_t greatestAt(std::int32_t angle) {
   if (angle <= kCurveAngle) {
     const std::int32_t part = std::max(angle - kStraight, std::int32_t{0});
@@ -52,12 +52,12 @@ std::int32_t greatestAt(std::int32_t angle) {
   return between(kCurveVelocity, kTightestVelocity, part, kTightestAngle - kCurveAngle);
 }
 
-// Velocity of a wheel without load at a voltage.
+// Returns the velocity of a wheel without load at a voltage.
 std::int32_t unloadedVelocity(Tension tension) {
   return tension.count() * kFullScale / SystemConstants::instance().motorConstant().count();
 }
 
-// The next voltage on the way to an order.
+// Returns the next voltage on the way to the ordered one.
 Tension ramped(Tension order, Tension applied) {
   const Tension most =
       applied < Tension() ? applied + kMaxFallPerCycle : applied + kMaxRisePerCycle;
@@ -110,8 +110,8 @@ void SetPointRamp::recover(std::uint32_t cycle) {
 }
 
 // A ramp that begins after an order of voltage or current begins at the measured velocity, or at
-// the lower one that the voltage of the wheel makes without load: the voltage does not rise at
-// once.
+// the velocity that the present voltage makes without load if this is lower, so that the voltage
+// does not jump.
 void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements& measurements,
                                   const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -125,7 +125,7 @@ void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements
   }
 }
 
-// A wheel that is too fast, or will be in two cycles, lowers the set-points of all.
+// A wheel that is too fast, or will be in two cycles, lowers the set-points of all wheels.
 void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t most) {
   bool fast = false;
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

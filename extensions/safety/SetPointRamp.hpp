@@ -12,10 +12,10 @@ namespace wr {
 
 /// @brief Limits the acceleration and the speed of the robot.
 ///
-/// @function Leads the set-points of velocity to the ordered ones by at most 0.5 m/s^2, and those of voltage by
-/// at most 1.0 V per cycle. The greatest velocity falls with the steering angle. The wheels share
-/// one factor, so that the ratio of their changes stays as ordered. While a wheel is too fast, the
-/// set-points of all wheels are lowered by one more factor.
+/// @function Changes the set-points of velocity towards the ordered ones by at most 0.5 m/s^2, and
+/// those of voltage by at most 1.0 V per cycle. The greatest velocity falls with the steering
+/// angle. The wheels share one factor, so that the ratio of their velocities stays as ordered.
+/// While a wheel is too fast, the set-points of all wheels are lowered by another factor.
 ///
 /// @secret How far a set-point changes in a cycle, how fast a curve may be driven, and how a robot that is too
 /// fast slows down.
@@ -25,7 +25,7 @@ class SetPointRamp final : public OrderStageDecorator {
   /// @param wrapped control system that follows the limited set-points
   explicit SetPointRamp(OrderStage& wrapped);
 
-  /// @brief Passes set-points on, limited.
+  /// @brief Forwards limited set-points.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-282
@@ -34,7 +34,7 @@ class SetPointRamp final : public OrderStageDecorator {
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
-  /// @brief Holds; the next ramp begins at 0.
+  /// @brief Holds the robot; the next ramp begins at 0.
   /// @param cycle number of the cycle
   /// @satisfies FR-282
   /// @isr{no}
@@ -54,8 +54,9 @@ class SetPointRamp final : public OrderStageDecorator {
   [[nodiscard]] std::int32_t greatestChange(const SetPoints& setPoints) const;
 
   std::array<std::int32_t, kWheelCount> ramped_{};      // [0.1 rpm] set-point of each wheel
-  std::array<std::int32_t, kWheelCount> velocities_{};  // [0.1 rpm] magnitudes of the cycle before
-  std::int32_t share_ = 1000;                           // [0.001] part of the ordered set-points
+  std::array<std::int32_t, kWheelCount> velocities_{};  // [0.1 rpm] magnitudes of the previous
+                                                        // cycle
+  std::int32_t share_ = 1000;                           // [0.001] factor of the ordered set-points
 };
 
 }  // namespace wr

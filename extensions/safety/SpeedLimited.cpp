@@ -13,8 +13,8 @@ constexpr std::int32_t kPerVelocity = 21;      // [mV] for 1 rpm below the limit
 constexpr std::int32_t kPerAcceleration = 47;  // [mV] for 1 rpm that the wheel loses in a cycle
 constexpr std::int32_t kTenths = 10;
 
-// Voltage of a wheel whose voltage is not known: less than its velocity induces, as the supply may
-// be higher than assumed and the ground may fall.
+// Returns the voltage of a wheel whose voltage is unknown: less than the induced voltage, because
+// the supply may be higher than assumed and the robot may drive downhill.
 Tension assumed(Velocity velocity) {
   constexpr std::int32_t kInduced = SystemConstants::instance().motorConstant().count() * 3 / 4;
   constexpr std::int32_t kThousand = 1000;
@@ -25,8 +25,8 @@ Tension assumed(Velocity velocity) {
 
 SpeedLimited::SpeedLimited(WheelAlgorithm& wrapped) : wrapped_(wrapped) {}
 
-// The limits begin at the voltage that the wheel has, so that neither the supply nor a slope makes
-// the wheel faster than the limit.
+// The limits begin at the present voltage of the wheel, so that neither the supply nor a slope
+// makes the wheel faster than the limit.
 Tension SpeedLimited::calculate(std::int16_t setPoint, const WheelFeedback& feedback) {
   constexpr std::int32_t kLimit = 2900;
   const std::int32_t velocity = feedback.velocity.count();

@@ -8,11 +8,11 @@
 
 namespace wr {
 
-/// @brief An algorithm that ends at the speed limit.
+/// @brief An algorithm with a speed limit.
 ///
-/// @function Computes the voltage of the wrapped algorithm, and limits its change from the voltage that the
-/// wheel has: the closer the wheel is to the speed limit, and the more it accelerates, the smaller
-/// the change.
+/// @function Computes the voltage of the wrapped algorithm, and limits its difference from the
+/// present voltage of the wheel. The closer the wheel is to the speed limit, and the more it
+/// accelerates, the smaller is this difference.
 ///
 /// @secret How the voltage of an order that sets no velocity is limited.
 ///
@@ -26,12 +26,12 @@ class SpeedLimited final : public WheelAlgorithm {
   /// @brief Computes the limited voltage.
   /// @param setPoint set-point in the unit of the wrapped algorithm [mV or mA]
   /// @param feedback measurements of the wheel
-  /// @return voltage that the wheel shall have [mV].
+  /// @return voltage for the wheel [mV].
   /// @satisfies FR-283
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Records the voltage that the wheel got, and passes it to the algorithm.
+  /// @brief Records the applied voltage, and passes it to the algorithm.
   /// @param tension voltage of the wheel [mV]
   /// @satisfies FR-283
   /// @isr{no}
@@ -44,7 +44,7 @@ class SpeedLimited final : public WheelAlgorithm {
 
  private:
   WheelAlgorithm& wrapped_;
-  std::optional<Velocity> before_;  // of the cycle before
+  std::optional<Velocity> before_;  // of the previous cycle
   std::optional<Tension> applied_;  // voltage of the wheel
 };
 

@@ -19,10 +19,11 @@ constexpr double kTrack = 1.054;      // [m]
 
 constexpr std::size_t kDegrees = 33;        // 0 to 32
 constexpr std::int32_t kDegree = 100;       // [0.01 degree]
-constexpr std::int32_t kFullShare = 10000;  // share of the wheel on the greatest circle
+constexpr std::int32_t kFullShare = 10000;  // factor of the wheel on the greatest circle
 constexpr double kRadians = std::numbers::pi / 180;
 
-// Shares of the wheels at one angle. The front wheel on the outside has the greatest circle.
+// Factors of the wheels at a steering angle. The front wheel on the outside has the greatest
+// circle.
 struct Shares {
   std::int32_t innerFront = kFullShare;
   std::int32_t innerRear = kFullShare;
@@ -37,7 +38,7 @@ consteval double root(double square) {
   return value;
 }
 
-// By its continued fraction, which is exact to 10 digits up to 45 degrees.
+// Computed by its continued fraction, which is exact to 10 digits up to 45 degrees.
 consteval double tangent(double angle) {
   double fraction = 0;
   for (int odd = 21; odd > 0; odd -= 2) {
@@ -46,7 +47,7 @@ consteval double tangent(double angle) {
   return fraction / angle;
 }
 
-// A part of the whole, rounded; parts are not negative.
+// Returns part of whole in thousandths, rounded; the part is not negative.
 consteval std::int32_t shareOf(double part) {
   return (static_cast<std::int32_t>(2 * kFullShare * part) + 1) / 2;
 }

@@ -7,8 +7,9 @@ namespace wr {
 
 /// @brief Computes the velocity of each wheel on its own circle.
 ///
-/// @function Changes the set-points of a source that orders one velocity for all wheels: each wheel gets
-/// the share that its circle has of the circle of the fastest wheel, at the ordered steering angle.
+/// @function Changes the set-points of a source that orders one velocity for all wheels: each wheel
+/// gets a velocity proportional to its circle at the ordered steering angle, and the fastest wheel
+/// gets the ordered velocity.
 ///
 /// @secret The geometry of the steering: wheelbase, track, and which wheel turns on which circle.
 ///
@@ -19,7 +20,7 @@ class SteeringGeometry final : public ModeDecorator {
   /// @param wrapped mode whose orders have one velocity for all wheels
   explicit SteeringGeometry(Mode& wrapped);
 
-  /// @brief Reads the order, and gives each wheel its velocity.
+  /// @brief Reads the order, and sets the velocity of each wheel.
   /// @param mCtrl controller whose data receive the set-points
   /// @satisfies FR-284
   /// @isr{no}
@@ -32,8 +33,8 @@ class SteeringGeometry final : public ModeDecorator {
 
   /// @brief Computes the velocities of the wheels.
   /// @param order order with one velocity for all wheels
-  /// @return the order with the velocity of each wheel; an order that is not alike for all wheels, or sets
-  /// no velocity, stays as it is.
+  /// @return the order with the velocity of each wheel; an order that is not equal for all wheels,
+  /// or sets no velocity, is not changed.
   /// @satisfies FR-284
   /// @isr{no}
   [[nodiscard]] static SetPoints distributed(const SetPoints& order);

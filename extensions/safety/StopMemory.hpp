@@ -2,7 +2,7 @@
 
 namespace wr {
 
-/// @brief Memory of a stop that outlives resets.
+/// @brief Memory of a stop that a reset does not clear.
 ///
 /// @function Stores whether a stop is in force.
 ///
@@ -13,7 +13,7 @@ class StopMemory {
   StopMemory& operator=(const StopMemory&) = delete;
 
   /// @brief Returns the stored value.
-  /// @return true if a stop was in force, or if the content is doubtful.
+  /// @return true if a stop was in force, or if the content fails its check.
   /// @isr{no}
   [[nodiscard]] virtual bool stopped() const = 0;
 

@@ -10,16 +10,17 @@ namespace {
 
 constexpr std::int32_t kComparedWay = 20;  // [edges] 0.057 m
 
-// In the tightest curve the slowest wheel has 71 % of the common way. While the robot reverses in a
-// curve it has less, once.
-constexpr std::int32_t kMinShareDivisor = 2;  // half of the common way
+// In the tightest curve the slowest wheel moves 71 % of the mean distance. While the robot reverses
+// in a curve it can move less, in one comparison.
+constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 
 // Straight on, no wheel needs this current for longer than 1 s. In a curve the set-points of a
-// source can make the wheels work against each other for a while: there it takes 5 s.
+// source can make the wheels work against each other for a while: there the limit is 5 s.
 constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;
-constexpr std::uint8_t kStraightCycle = 5;  // cycles of a curve that count as much
+constexpr std::uint8_t kStraightCycle = 5;  // number of cycles in a curve that count as one
+                                            // straight on
 
 bool isGreat(std::optional<Current> current) {
   const Current measured = current.value_or(Current());

@@ -12,11 +12,12 @@ namespace wr {
 
 /// @brief Comparison of the wheels of one robot.
 ///
-/// @function Adds the Hall edges of each wheel until the robot has driven 0.057 m, and returns a wheel that
-/// moved by half as much as the others or less twice in a row. Returns a wheel that pushes with a
-/// great current although the robot drives straight on.
+/// @function Adds the Hall edges of each wheel until the robot has driven 0.057 m, and returns a
+/// wheel that in two successive comparisons moved at most half as far as the others. Returns a
+/// wheel that has a great current although the robot drives straight on.
 ///
-/// @secret How far the wheels of one robot can differ, and over which way and time they are compared.
+/// @secret How far the wheels of one robot can differ, and the distance and the time of a
+/// comparison.
 class WheelComparison final {
  public:
   /// @brief Begins without measurements.
@@ -51,7 +52,8 @@ class WheelComparison final {
 
   std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the cycle before
   std::array<std::int32_t, kWheelCount> ways_{};                // [edges]
-  std::array<std::uint8_t, kWheelCount> greatCycles_{};         // with a great current, in a row
+  std::array<std::uint8_t, kWheelCount> greatCycles_{};         // successive cycles with a great
+                                                                // current
   std::optional<std::uint8_t> late_;                            // at the last comparison
 };
 

@@ -17,16 +17,18 @@ constexpr Velocity kMaxVelocity(3300);  // 10 % above the velocity limit
 constexpr Tension kDriving(1000);
 constexpr Velocity kOpposingVelocity(50);
 constexpr std::int32_t kOpposingPercent = 50;  // of the induced voltage
-constexpr std::int32_t kDrivingPercent = 40;   // of the voltage, for supply, winding and delay
+constexpr std::int32_t kDrivingPercent = 40;   // of the voltage, to allow for supply, winding and
+                                               // delay
 constexpr std::uint8_t kOpposingCycles = 2;
 
 // A wheel is faster than its set-point.
 constexpr Velocity kMargin(400);
 constexpr std::int32_t kMarginShare = 4;  // and a quarter of the set-point
-constexpr Velocity kSlower(10);  // loss of speed in a cycle of a wheel that its control brakes
+constexpr Velocity kSlower(10);  // decrease of the velocity in a cycle when the control brakes the
+                                 // wheel
 constexpr std::uint8_t kTooFastCycles = 3;
 
-// Voltage, velocity and current do not match. The shares cover a supply of 21 to 29 V, and the
+// Voltage, velocity and current do not match. The percentages cover a supply of 21 to 29 V, and the
 // variation of the resistance and the motor constant with temperature and from motor to motor.
 constexpr Tension kResidual(700);         // offset of the current, and changes during a cycle
 constexpr Tension kMaxIdleTension(1500);  // 1 A in the winding; 1 V turns a wheel at bring-up
@@ -38,10 +40,13 @@ constexpr std::uint8_t kDeviatingCycles = 2;
 
 constexpr std::uint8_t kMissingCycles = 3;  // the third one ends more than 0.2 s after the first
 
-constexpr std::uint8_t kEqualCycles = 7;  // in which a current is the same to the milliampere
+constexpr std::uint8_t kEqualCycles = 7;  // changes of cycle in which a current is equal to the
+                                          // milliampere
 
-constexpr std::uint16_t kRejectedEdges = 5;
-constexpr std::uint8_t kRejectingCycles = 2;
+// Implausible edges, in halves: each cycle takes back half an edge.
+constexpr std::int32_t kRejectedEdges = 18;
+constexpr std::int32_t kRejectedOfCycle = 10;
+constexpr Velocity kTurning(100);  // a slower wheel can come to rest on an edge
 
 constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kPercent = 100;
@@ -72,8 +77,8 @@ Tension part(Tension tension, std::int32_t percent) {
   return magnitude(tension) * percent / kPercent;
 }
 
-// Counts the cycles of a condition, a cycle without it takes back half a cycle, and returns whether
-// there are enough.
+// Counts the cycles with a condition, subtracts half a cycle for each cycle without it, and returns
+// whether the count reached its limit.
 bool lasts(bool condition, std::uint8_t& halves, std::uint8_t limit) {
   const std::int32_t greatest = kHalves * limit;
   const std::int32_t counted = condition ? halves + kHalves : halves - 1;
@@ -91,7 +96,7 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   const bool opposing = lasts(opposes(measured), opposing_, kOpposingCycles);
   const bool tooFast = lasts(exceedsReference(velocity), tooFast_, kTooFastCycles);
   const bool deviating = lasts(deviates(measured), deviating_, kDeviatingCycles);
-  const bool rejecting = lasts(rejectsEdges(measured.rejectedEdges), rejecting_, kRejectingCycles);
+  const bool rejecting = rejectsEdges(measured);
   const bool swapped = leads_.swapped(measured, tension_);
   velocity_ = velocity;
   const bool constant = staysEqual(measured.current);
@@ -137,7 +142,7 @@ void WheelSupervision::reset() {
 }
 
 // A wheel that is dragged against its voltage draws the current that its velocity explains. A wheel
-// that its own motor turns the wrong way draws less.
+// that its own motor turns the wrong way draws less current.
 bool WheelSupervision::opposes(const WheelMeasurements& measured) const {
   if (!tension_ || !measured.velocity || !measured.current) {
     return false;
@@ -177,10 +182,17 @@ bool WheelSupervision::deviates(const WheelMeasurements& measured) const {
   return magnitude(residual(*tension_, *measured.velocity, *measured.current)) > bound;
 }
 
-bool WheelSupervision::rejectsEdges(std::uint16_t rejected) {
-  const std::uint16_t before = rejected_.value_or(rejected);
-  rejected_ = rejected;
-  return tension_.value_or(Tension()) != Tension() && rejected >= before + kRejectedEdges;
+bool WheelSupervision::rejectsEdges(const WheelMeasurements& measured) {
+  const std::uint16_t before = rejected_.value_or(measured.rejectedEdges);
+  rejected_ = measured.rejectedEdges;
+  const bool driven = tension_.value_or(Tension()) != Tension();
+  const bool turns = magnitude(measured.velocity.value_or(velocity_)) >= kTurning;
+  const std::int32_t edges =
+      std::min(kHalves * (measured.rejectedEdges - before), kRejectedOfCycle);
+  const bool counts = driven && (turns || edges == kRejectedOfCycle);
+  const std::int32_t counted = rejecting_ + (counts ? edges : 0) - 1;
+  rejecting_ = static_cast<std::uint8_t>(std::clamp<std::int32_t>(counted, 0, kRejectedEdges));
+  return counts && rejecting_ >= kRejectedEdges;
 }
 
 // A measured current always varies by some milliamperes.

@@ -14,11 +14,11 @@ namespace wr {
 
 /// @brief Plausibility checks of one wheel.
 ///
-/// @function Compares the measurements of a wheel with its voltage, its set-point and the model of its
-/// motor once per cycle, and returns the cause of a protective stop when one of them cannot be
-/// right.
+/// @function Compares the measurements of a wheel with its voltage, its set-point and the model of
+/// its motor once per cycle, and returns the cause of a protective stop when one of them is
+/// implausible.
 ///
-/// @secret Which measurements of a wheel are implausible, and for how long they may be.
+/// @secret Which measurements of a wheel are implausible, and for how long this is tolerated.
 class WheelSupervision final {
  public:
   /// @brief Begins without measurements.
@@ -30,7 +30,7 @@ class WheelSupervision final {
   /// @param measured measurements of the cycle that ends
   /// @param applied voltage that the wheel has from now on [mV]; nothing while its driver is off
   /// @param followed set-point that the wheel follows from now on; nullptr while it is halted
-  /// @return cause of a protective stop; StopCause::None if the wheel is plausible.
+  /// @return cause of a protective stop; StopCause::None if the measurements are plausible.
   /// @satisfies FR-273
   /// @satisfies FR-274
   /// @satisfies FR-275
@@ -43,25 +43,25 @@ class WheelSupervision final {
   [[nodiscard]] StopCause examine(const WheelMeasurements& measured, std::optional<Tension> applied,
                                   const WheelSetPoint* followed);
 
-  /// @brief Clears everything that was recorded of earlier cycles.
+  /// @brief Clears all records of earlier cycles.
   /// @satisfies FR-291
   /// @isr{no}
   void reset();
 
  private:
-  static constexpr std::size_t kReferences = 10;  // cycles of a delayed set-point
+  static constexpr std::size_t kReferences = 10;  // number of stored set-points
 
   [[nodiscard]] bool opposes(const WheelMeasurements& measured) const;
   [[nodiscard]] bool exceedsReference(Velocity velocity) const;
   [[nodiscard]] bool deviates(const WheelMeasurements& measured) const;
-  [[nodiscard]] bool rejectsEdges(std::uint16_t rejected);
+  [[nodiscard]] bool rejectsEdges(const WheelMeasurements& measured);
   [[nodiscard]] bool staysEqual(std::optional<Current> current);
   void record(std::optional<Tension> applied, const WheelSetPoint* followed);
 
   std::optional<Tension> tension_;         // voltage during the cycle that ends
-  std::optional<std::uint16_t> rejected_;  // implausible Hall edges until the cycle before
-  Velocity velocity_{};                    // of the cycle before
-  std::optional<Current> current_;         // of the cycle before
+  std::optional<std::uint16_t> rejected_;  // implausible Hall edges up to the previous cycle
+  Velocity velocity_{};                    // of the previous cycle
+  std::optional<Current> current_;         // of the previous cycle
   std::uint8_t equalCycles_ = 0;
   std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
   bool following_ = false;
@@ -69,7 +69,7 @@ class WheelSupervision final {
   std::uint8_t tooFast_ = 0;
   std::uint8_t deviating_ = 0;
   std::uint8_t missing_ = 0;
-  std::uint8_t rejecting_ = 0;
+  std::uint8_t rejecting_ = 0;  // halves of an implausible edge
   LeadsWatch leads_;
 };
 

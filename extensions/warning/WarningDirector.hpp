@@ -9,18 +9,18 @@ namespace wr {
 
 /// @brief Builds a robot that warns before it stops, and starts it.
 ///
-/// @function Calls the steps of the builders in the right sequence, passes them the states of this
-/// product in place of their own, and starts the parts that they built.
+/// @function Calls the steps of the builders in the required sequence, passes them the states of
+/// this product instead of their own, and starts the parts that they built.
 ///
-/// @secret Which steps make a robot that warns and that the PC and the remote control command.
+/// @secret Which steps build a robot with a warning that the PC and the remote control command.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}
 class WarningDirector final {
  public:
   /// @brief Binds the director to the builders and to the warning.
-  /// @param poolBuilder makes the control systems
-  /// @param controllerBuilder makes the main controller
+  /// @param poolBuilder builds the control systems
+  /// @param controllerBuilder builds the main controller
   /// @param warning output that is on during a warning
   WarningDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder,
                   DigitalOutput& warning);
@@ -37,7 +37,7 @@ class WarningDirector final {
 
   /// @brief Starts the control cycles.
   /// @pre construct() was called.
-  /// @errors A robot that is not made ends the program with the assertion PartMissing.
+  /// @errors A robot that was not built ends the program with the assertion PartMissing.
   /// @satisfies FR-152
   /// @isr{no}
   void start();

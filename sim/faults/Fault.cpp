@@ -20,10 +20,11 @@ struct Share {
 };
 
 constexpr std::array<Share, kKinds> kShares{{
-    {Kind::Ram, 36, "ram"},
+    {Kind::Ram, 22, "ram"},
+    {Kind::Code, 22, "code"},
     {Kind::Stack, 10, "stack"},
     {Kind::Register, 14, "register"},
-    {Kind::Flash, 12, "flash"},
+    {Kind::Flash, 4, "flash"},
     {Kind::Interrupt, 10, "interrupt"},
     {Kind::Sensor, 8, "sensor"},
     {Kind::Serial, 4, "serial"},
@@ -117,6 +118,8 @@ Injected choose(Kind kind, Random& random, const Places& places, std::uint32_t s
   switch (kind) {
     case Kind::Ram:
       return byteOf(places.dataBegin, places.dataEnd);
+    case Kind::Code:
+      return byteOf(places.codeBegin, places.codeEnd);
     case Kind::Stack:
       return byteOf(std::min(stack, places.stackEnd - 1), places.stackEnd);
     case Kind::Flash:
@@ -141,6 +144,7 @@ void inject(const Injected& fault, board_robot::BoardSession& robot) {
   emulator::VirtualBoard& board = robot.board;
   switch (fault.kind) {
     case Kind::Ram:
+    case Kind::Code:
     case Kind::Stack:
     case Kind::Flash:
       board.flipBit(fault.place, fault.bit);

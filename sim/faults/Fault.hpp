@@ -13,6 +13,7 @@ namespace wr::faults {
 /// @brief Part of the robot that a fault hits.
 enum class Kind : std::uint8_t {
   Ram,        ///< a bit of .data or .bss
+  Code,       ///< a bit of the program in RAM
   Stack,      ///< a bit of the stack in use
   Register,   ///< a bit of a core register
   Flash,      ///< a bit of the image
@@ -22,13 +23,15 @@ enum class Kind : std::uint8_t {
   Clock,      ///< another clock of the PC; the external clock or the lock of the PLL is lost
   Supply      ///< low voltage, power cycle, reset pin
 };
-inline constexpr std::uint32_t kKinds = 9;
+inline constexpr std::uint32_t kKinds = 10;
 
 /// @brief Name of a kind in the record.
 [[nodiscard]] std::string_view nameOf(Kind kind);
 
 /// @brief Memory of the image that faults can hit.
 struct Places {
+  std::uint32_t codeBegin;
+  std::uint32_t codeEnd;  ///< of the program in RAM
   std::uint32_t dataBegin;
   std::uint32_t dataEnd;   ///< of .data and .bss
   std::uint32_t stackEnd;  ///< the stack begins there and grows downwards
@@ -60,7 +63,7 @@ struct Fault {
   return kind == Kind::Sensor || kind == Kind::Serial || kind == Kind::Clock ? 1800 : 1000;
 }
 
-/// @brief Chooses a kind; bits of RAM are the most frequent.
+/// @brief Chooses a kind; bits of RAM, of objects and of the program, are the most frequent.
 [[nodiscard]] Kind chooseKind(Random& random);
 
 /// @brief Chooses a fault of a kind.

@@ -257,7 +257,9 @@ FaultRun::FaultRun(std::vector<std::uint8_t> image, const std::filesystem::path&
                    std::uint64_t seed)
     : image_(std::move(image)), seed_(seed), places_{} {
   const emulator::Symbols symbols(elf);
-  places_ = {.dataBegin = symbols.addressOf("dataBegin"),
+  places_ = {.codeBegin = symbols.addressOf("codeBegin"),
+             .codeEnd = symbols.addressOf("codeEnd"),
+             .dataBegin = symbols.addressOf("dataBegin"),
              .dataEnd = symbols.addressOf("bssEnd"),
              .stackEnd = symbols.addressOf("stackTop"),
              .flashEnd = static_cast<std::uint32_t>(image_.size()),

@@ -5,18 +5,12 @@
 
 #include "sim/emulator/Image.hpp"
 #include "sim/faults/FaultRun.hpp"
+#include "sim/programs/CampaignOptions.hpp"
 #include "sim/programs/Program.hpp"
 
 namespace wr::programs {
 
 namespace {
-
-struct Settings {
-  std::string image;
-  std::string elf;
-  std::uint64_t seed = 1;
-  int count = 1;
-};
 
 // One line of JSON; no text has a character that JSON would have to escape.
 void print(const faults::Result& result) {
@@ -31,7 +25,7 @@ void print(const faults::Result& result) {
   std::fflush(stdout);  // a copy of this process must not print it again
 }
 
-Exit run(const Settings& settings) {
+Exit run(const CampaignOptions& settings) {
   faults::FaultRun drive(emulator::readImage(settings.image), settings.elf, settings.seed);
   faults::Random random(settings.seed);
   drive.injectAll(settings.count, random, print);
@@ -43,25 +37,13 @@ Exit run(const Settings& settings) {
 }  // namespace wr::programs
 
 int main(int count, char** arguments) try {
-  wr::programs::Settings settings;
+  wr::programs::CampaignOptions settings;
   CLI::App app(
       "Runs a random drive of a raw image of a K64 on the virtual board, and copies of it with "
       "one\n"
       "injected fault each. Prints a line of JSON for each fault.",
       "weeding_robot_faults");
-  app.add_option("--image", settings.image, "content of the flash from address 0")
-      ->required()
-      ->type_name("PATH")
-      ->check(CLI::ExistingFile);
-  app.add_option("--elf", settings.elf, "file with the symbols of the image")
-      ->required()
-      ->type_name("PATH")
-      ->check(CLI::ExistingFile);
-  app.add_option("--seed", settings.seed, "chooses the drive and the faults [1]")
-      ->type_name("NUMBER");
-  app.add_option("--count", settings.count, "number of faults [1]")
-      ->type_name("NUMBER")
-      ->check(wr::programs::greaterThanZero());
+  settings.addTo(app);
   return wr::programs::runProgram(app, count, arguments,
                                   [&settings] { return wr::programs::run(settings); });
 } catch (const std::exception& error) {

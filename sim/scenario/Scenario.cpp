@@ -167,6 +167,9 @@ Scenario::Action readAction(const std::string& word, Words& words) {
   throw Scenario::Error("there is no action '" + word + "'");
 }
 
+// A line of an hour, every 100 ms, has fewer times.
+constexpr int kMostTimes = 100'000;
+
 // When a line acts: once, or again and again.
 struct Times {
   Time first;
@@ -190,6 +193,9 @@ Times readTimes(Words& words) {
   times.step = words.time();
   if (times.last < times.first || times.step == Time(0)) {
     throw Scenario::Error("these times never come");
+  }
+  if ((times.last - times.first) / times.step >= kMostTimes) {
+    throw Scenario::Error("these times come more than " + std::to_string(kMostTimes) + " times");
   }
   return times;
 }

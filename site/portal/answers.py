@@ -34,7 +34,7 @@ class Question:
 
     @property
     def steps(self) -> list[str]:
-        """The addresses to open, the last one with the part that has the answer."""
+        """The addresses to open, the last one with the anchor of the answer."""
         last = self.clicks[-1]
         return [*self.clicks[:-1], f"{last.partition('#')[0]}#{self.part}" if self.part else last]
 

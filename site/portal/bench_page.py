@@ -11,12 +11,13 @@ from portal.plots import HEIGHT, WIDTH, Axis, Drawing, Line, axis
 from portal.portal import Portal
 from traceability.reading import bench_record
 from traceability.reading.bench_record import MANUAL, SCENARIOS, SHARE, SLOW, TIMINGS, Paper
+from traceability.reading.fault_record import LOADS
 from traceability.schema import BenchRun
 
 Runs = Mapping[str, BenchRun]  # by the model of time
 
 BIN_US = 20
-GROUP = 4  # cycles that a band joins
+GROUP = 4  # number of cycles in a point of a band
 TOP = 12  # modules and functions shown of each scenario
 CLASSES = {MANUAL: "measured host", SLOW: "measured board", "board": "truth host"}
 WORDS = {**TIMINGS, "board": "a board"}
@@ -27,6 +28,7 @@ def bench(portal: Portal) -> dict[str, Any]:
     runs = {name: scenario.runs for name, scenario in measured.items()}
     return {
         "proof": portal.model.times,
+        "loads": portal.model.campaigns.get(LOADS),
         "record": bench_record,
         "runs": runs,
         "profiles": {name: scenario.profile for name, scenario in measured.items()},
@@ -42,14 +44,14 @@ def bench(portal: Portal) -> dict[str, Any]:
 
 
 def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
-    """The most that the pessimistic time may be, and how many times that it is."""
+    """The limit of the pessimistic time, and the ratio of the time to the limit."""
     most = (paper.average if kind == "average" else paper.maximum) / SHARE
     return round(most, 3), round(getattr(run[SLOW].report_ms, kind) / most, 2)
 
 
 @dataclass
 class Range:
-    """From the average to the maximum of a scenario, and both places on the axis [per cent]."""
+    """From the average to the maximum of a scenario, and both positions on the axis [per cent]."""
 
     words: str
     kind: str
@@ -87,7 +89,7 @@ def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
 
 
 def bands(run: Runs) -> Drawing:
-    """Cycle by cycle: the mean of a few cycles, between the least and the most of them."""
+    """Cycle by cycle: the mean of a few cycles, between their minimum and maximum."""
     times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
     count = max(len(values) for values in times.values())
     x = axis(0.0, float(count), rounded=False)
@@ -111,7 +113,7 @@ def point(across: float, time_us: float, y: Axis) -> str:
 
 
 def distribution(run: Runs) -> Drawing:
-    """How many cycles took how long, in steps of 20 us."""
+    """A histogram of the cycle times, in steps of 20 us."""
     times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
     bins = {kind: Counter(time // BIN_US for time in values) for kind, values in times.items()}
     most = max(max(found) for found in bins.values()) + 1

@@ -85,7 +85,7 @@ def _describe(
 
 
 def _choose_requirements(rows: list[Row]) -> None:
-    """Of the requirements of a step first those whose tree has the step before or after it too."""
+    """The requirements of a step; those whose tree also contains a neighbouring step come first."""
     for number, row in enumerate(rows):
         if row.links is None:
             continue

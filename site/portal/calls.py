@@ -14,7 +14,7 @@ GROUP_GAP = 12
 LEFT, RIGHT = 296, 560
 BOX_LEFT, BOX_RIGHT = 340, 516
 TOP = 74
-MOST = 12  # ends shown next to one method; the list form has all
+MOST = 12  # ends shown next to one method; the list shows all
 
 
 @dataclass

@@ -14,7 +14,7 @@ from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, value_name
 
 CHAIN: Keys = {"name": str, "title": str, "says": str, "recording": str, "steps": list}
 OPTIONAL: Keys = {"last": bool}
-WITHIN = "> "  # a step within the call of the last step without this mark, or below it
+WITHIN = "> "  # a marked step is within the call of the last step without a mark
 HEAD = 4  # bytes before the payload: of the byte stuffing, version, type, sequence number
 CHANNELS = 8  # of an FTM
 BYTES = ("byte_received", "byte_sent")
@@ -27,13 +27,13 @@ class Chain:
     says: str
     recording: str
     steps: Sequence[str]
-    last: bool  # begins with the last place that fits, not with the first one
+    last: bool  # begins at the last matching place, not at the first one
     place: Place
 
 
 @dataclass(frozen=True)
 class Step:
-    """A step that the recording has: a call, or an event with its text."""
+    """A step in the recording: a call, or an event with its text."""
 
     wanted: str
     at: int
@@ -44,7 +44,7 @@ class Step:
 
 @dataclass
 class FrameBytes:
-    """A frame on the line: its bytes with their instants, and its values."""
+    """A frame on the line: its bytes with their times, and its values."""
 
     kind: str
     events: list[BoardEvent] = field(default_factory=list)
@@ -79,7 +79,7 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
 
 
 def follow(chain: Chain, recording: Recording) -> list[Step] | None:
-    """The steps of a chain; None when the recording does not have them in this order."""
+    """The steps of a chain; None when the recording does not contain them in this order."""
     places = list(_places(chain.steps[0], recording, 0, None))
     for first in reversed(places) if chain.last else places:
         if steps := _from(first, chain, recording):
@@ -88,7 +88,7 @@ def follow(chain: Chain, recording: Recording) -> list[Step] | None:
 
 
 def first_missing(chain: Chain, recording: Recording) -> str:
-    """The first step after which a chain does not go on, from its first place."""
+    """The first step of a chain that is missing in the recording."""
     for number in range(1, len(chain.steps) + 1):
         part = Chain(chain.name, "", "", "", chain.steps[:number], chain.last, chain.place)
         if follow(part, recording) is None:

@@ -8,7 +8,7 @@ from portal.links import Links
 from traceability.model.design_model import Model
 from traceability.schema import Constant
 
-# The unit of the code: how much of the unit of a page it is.
+# Unit in the code -> its factor to the unit on a page.
 SHOWN = {
     "0.01 degree": (100, "degree"),
     "0.1 rpm": (10, "rpm"),
@@ -19,7 +19,7 @@ SHOWN = {
     "mOhm": (1000, "ohm"),
     "1/1000": (1000, ""),
 }
-# Units with a longer one, which is used for its multiples.
+# Units with a greater unit, which is used for large values.
 LONGER = {"us": (1000, "ms"), "ms": (1000, "s"), "Hz": (1_000_000, "MHz")}
 
 

@@ -28,13 +28,13 @@ RECORDING = "drive"
 WIDTH = 1000  # of the drawings, in units of the drawing
 LANE, ROW = 26, 12
 LEAST = 0.6  # width of the thinnest bar
-SHOWN = 2.0  # a call that is narrower has no bar of its own in the drawing of the main thread
+SHOWN = 2.0  # a narrower call has no bar in the drawing of the main thread
 MAIN_THREAD = "mainThreadInterrupt"
 
 
 @dataclass
 class Lane:
-    """A priority: the contexts that run with it, and the instants at which one of them does."""
+    """A priority: the contexts with this priority, and the times at which one of them runs."""
 
     priority: int | None
     names: list[str] = field(default_factory=list)
@@ -129,7 +129,7 @@ def lanes_of(portal: Portal, found: Cycle) -> list[Lane]:
 
 
 def busy_times(activations: Iterable[Activation], found: Cycle) -> dict[int | None, int]:
-    """The time of each priority without that of the interrupts of its activations."""
+    """The time of each priority, without the time of interrupts."""
     times: dict[int | None, int] = {}
     for one in activations:
         length = min(one.end, found.end) - max(one.begin, found.begin)

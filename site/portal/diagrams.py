@@ -1,7 +1,7 @@
-"""Class and state diagrams: PlantUML text from the model, and the SVG made fit for a page.
+"""Class and state diagrams: PlantUML text from the model, and the SVG, adapted to a page.
 
 PlantUML does not support CSS variables. The text therefore has marker colours, and each becomes
-a variable of the theme in the SVG. All diagrams whose text changed are drawn by one start of Java.
+a variable of the theme in the SVG. All diagrams whose text changed are drawn in one run of Java.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from traceability.schema import Module, PatternApplication, StateMachine, Transi
 DIAGRAMS = "diagrams"  # the folder of their sources in the site
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "8"  # part of the cache key: raise it when the finishing of the SVG changes
+FORMAT = "8"  # part of the cache key: increase it when the processing of the SVG changes
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -146,7 +146,7 @@ def preamble() -> list[str]:
 
 
 def between(model: Model, bound: set[str]) -> set[str]:
-    """Modules that lie in the hierarchy between two bound modules."""
+    """Modules in the hierarchy between two bound modules."""
 
     def leads_to_bound(name: str) -> bool:
         module = model.modules.get(name)
@@ -251,7 +251,9 @@ def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram
         arrow = "-[dashed]->" if unseen else "-->"
         lines.append(f"{source} {arrow} {target} : {text}")
     lines.append("@enduml")
-    label = f"State diagram: {machine.title}. The table next to it has the same transitions."
+    label = (
+        f"State diagram: {machine.title}. The table next to the diagram lists the same transitions."
+    )
     return Diagram(f"machine-{machine.id}", label, "\n".join(lines), edges)
 
 
@@ -272,7 +274,7 @@ def label_lines(step: Transition) -> list[str]:
 
 
 def located(svg: str, requirement: str) -> str:
-    """The diagram of a machine with the edges and labels marked that a requirement asks for."""
+    """The diagram of a machine with the edges and labels of a requirement marked."""
 
     def mark(match: re.Match[str]) -> str:
         lit = " lit" if requirement in match[2].split() else ""
@@ -395,7 +397,7 @@ def finish(svg: str, diagram: Diagram) -> str:
 
 
 def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> None:
-    """Puts line and tip of an edge into a group that names the requirements, and each label too.
+    """Groups the line, the tip and the label of an edge under its requirements.
 
     The labels come after all edges, so that no line is drawn over them.
     """
@@ -442,7 +444,7 @@ def restyle(element: ET.Element) -> None:
             style[name] = value
     for name, value in style.items():
         style[name] = f"var({COLOURS[value.upper()]})" if value.upper() in COLOURS else value
-    if style.get("stroke", "").upper() == UNSET:  # states take no colour for their edge
+    if style.get("stroke", "").upper() == UNSET:  # PlantUML cannot set the edge colour of states
         style["stroke"] = style.get("fill", "").replace("-fill)", ")")
     if element.tag == "ellipse":  # the initial state
         element.set("rx", "5")
@@ -458,7 +460,7 @@ def restyle(element: ET.Element) -> None:
 
 
 def plain_role(element: ET.Element) -> None:
-    """A role without its quotation marks, in the middle of the room that was made for both."""
+    """Centres a role in the space that includes its quotation marks, without the marks."""
     element.text = (element.text or "").strip("«»")
     middle = float(element.get("x", "0")) + float(element.attrib.pop("textLength", "0")) / 2
     element.attrib.pop("lengthAdjust", None)
@@ -469,7 +471,7 @@ def plain_role(element: ET.Element) -> None:
 def diagram_files(diagrams: list[Diagram]) -> dict[str, str]:
     """The source of each diagram in PlantUML's language, by the name of its file.
 
-    The addresses in it lead to the pages, from the folder of the diagrams.
+    The links in it lead to the pages, from the folder of the diagrams.
     """
     return {
         f"{DIAGRAMS}/{one.id}.puml": one.text.replace("[[@/", "[[../") + "\n" for one in diagrams

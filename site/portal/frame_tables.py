@@ -36,7 +36,7 @@ def frame_tables(root: Path) -> dict[str, str]:
 
 
 def expanded(source: str, root: Path) -> str:
-    """The text of a page with its tables of frames, as the search needs it."""
+    """The text of a page with its tables of frames, for the search."""
     tables = frame_tables(root) if INCLUDED.search(source) else {}
     return INCLUDED.sub(lambda found: tables.get(found[1], ""), source)
 

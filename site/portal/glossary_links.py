@@ -26,7 +26,7 @@ END = re.compile(r"s?(?![\w-])", re.IGNORECASE)
 
 
 class GlossaryLinks:
-    """The terms by their words in lower case; the plural of a term is the term too."""
+    """The terms by their words in lower case; the plural of a term belongs to the term."""
 
     def __init__(self, root: Path) -> None:
         path = root / f"{GLOSSARY.id}.rst"
@@ -59,14 +59,14 @@ class GlossaryLinks:
                 at = text.find(words, at + 1)
 
     def _stands_alone(self, text: str, at: int, words: str) -> bool:
-        """Whether the words begin here, and are no part of a longer term."""
+        """Whether the words begin here and are not part of a longer term."""
         if at and NO_START.match(text, at - 1):
             return False
         return not any(text.startswith(one, at - offset) for one, offset in self.longer[words])
 
 
 def is_text(html: str, at: int, apart: list[tuple[int, int]]) -> bool:
-    """Whether a place is neither in an element that stays as it is, nor in a tag."""
+    """Whether a place is outside of tags and of elements that are not changed."""
     _, end = apart[bisect_right(apart, (at, len(html))) - 1]
     return at >= end and html.rfind("<", 0, at) <= html.rfind(">", 0, at)
 

@@ -18,7 +18,7 @@ from pygments.util import ClassNotFound
 
 
 class Plain(Filter):
-    """Names, punctuation and space keep the colour of the text."""
+    """Names, punctuation and space have the colour of the text."""
 
     def filter(
         self,
@@ -68,7 +68,8 @@ class Highlighter:
             loaded: list[str] = json.loads(stored.read_text(encoding="utf-8"))
             return loaded
         lines = highlighted_lines(path, text)
-        written = stored.with_suffix(f".{os.getpid()}")  # another process may read it meanwhile
+        written = stored.with_suffix(f".{os.getpid()}")  # another process may read the file at the
+        # same time
         written.write_text(json.dumps(lines), encoding="utf-8")
         written.replace(stored)
         return lines

@@ -21,7 +21,7 @@ def slug(name: str) -> str:
 
 
 def paper_anchor(name: str) -> str:
-    """The place of a name on the page that goes through the paper."""
+    """The place of a name on the page Concordance."""
     return slug(name.replace(" ", "-"))
 
 
@@ -31,7 +31,7 @@ def depth_prefix(page: str) -> str:
 
 
 def address_in(known: Container[str], address: str, identifier: str) -> str | None:
-    """The address of an element that is known."""
+    """The address of a known element."""
     return ROOT + address.format(slug(identifier)) if identifier in known else None
 
 
@@ -88,7 +88,7 @@ class Links:
         return scope + slug(method.name)
 
     def safety(self, identifier: str) -> str | None:
-        """A safety goal has a page, a hazard and an assumption of use a place on one."""
+        """A safety goal has a page, a hazard and an assumption of use have a place on a page."""
         case = self.model.safety
         return (
             address_in(case.goals, "safety/{}.html", identifier)

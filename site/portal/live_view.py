@@ -25,7 +25,7 @@ FOLDER = "live"  # of the site
 DATA = "live.json"
 RECORDED = "stop"  # the scenario whose recorded curves the page shows before the robot runs
 SAFETY = Path("sim/scenario/safety")
-CALLS = "_calls"  # ends the name of an image that keeps each method as a function
+CALLS = "_calls"  # ending of the name of an image that keeps each method as a function
 SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
 
 
@@ -35,14 +35,14 @@ class Image:
 
     name: str
     product: str
-    flashed: bool  # else each method is a function of its own, so that its calls can be seen
+    flashed: bool  # else each method is a separate function, so that its calls are visible
     commands: str
     size: int
     sha256: str
 
 
 def images(root: Path) -> list[Image]:
-    """The images that were built, when the module was built that runs them."""
+    """The built images, if the module that runs them was built."""
     if not (root / MODULE).exists():
         return []
     found = []
@@ -86,7 +86,7 @@ def run(portal: Portal) -> dict[str, Any]:
 
 
 def write_live(portal: Portal, site: Path) -> None:
-    """Writes the files that the page loads when its reader starts the robot."""
+    """Writes the files that the page loads when the reader starts the robot."""
     root, folder = portal.root, site / FOLDER
     found = images(root)
     kept = [f"{one.name}.bin" for one in found]
@@ -152,7 +152,7 @@ def address(link: str | None) -> str:
 
 
 def entered_by_hardware(model: Model) -> set[str]:
-    """The functions that no code calls: the vectors of the image lead to them."""
+    """The functions that no code calls: the vectors of the image refer to them."""
     methods = [m for one in model.modules.values() for m in one.methods]
     called = {call.target for method in methods for call in method.calls}
     called |= {call.target for function in model.functions.values() for call in function.calls}
@@ -189,7 +189,7 @@ def overriders(model: Model) -> dict[str, list[str]]:
 def tree(
     node: TreeNode, over: dict[str, list[str]], portal: Portal, numbers: dict[str, int]
 ) -> dict[str, Any]:
-    """A declared tree: of each node the numbers of the methods whose call counts as it."""
+    """A declared tree: for each node the numbers of the methods whose call counts as this node."""
     method: Method | None = portal.links.find_method(node.resolved) if node.resolved else None
     wanted = [] if method is None else [method.id] if method.body else over.get(method.id, [])
     found: dict[str, Any] = {"n": node.label, "m": [numbers[n] for n in wanted if n in numbers]}

@@ -44,7 +44,7 @@ def driver_coverage(portal: Portal) -> list[DriverFile] | None:
 
 
 def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
-    """Runs of missed lines; lines without code do not separate two of them."""
+    """Ranges of missed lines; lines without code do not separate two ranges."""
     runs: list[Place] = []
     missed_before = False
     for line, hit in sorted(lines.items()):
@@ -59,7 +59,8 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
     scenarios = portal.model.closed_loop
 
     def within(binding: str) -> tuple[int | None, int]:
-        """How many values are within their limits, if any was measured, and how many there are."""
+        """How many values are within their limits, if any was measured, and the number of
+        values."""
         every = [figure for scenario in scenarios for figure in scenario.figures]
         ran = [figure for figure in every if binding in figure.values]
         return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)

@@ -12,7 +12,7 @@ from traceability.schema import Method, Module
 
 FIRST_TESTS = 12  # shown open on the page of a module
 XML = "build/model/xml"
-MEMBERS = "<!-- members -->"  # where Breathe's part of the page comes
+MEMBERS = "<!-- members -->"  # marks the place of Breathe's part of the page
 
 
 def module_page(portal: Portal, module: Module) -> Page:
@@ -46,7 +46,7 @@ def module_page(portal: Portal, module: Module) -> Page:
 
 
 def doxygen_file(portal: Portal, module: Module) -> Path | None:
-    """Doxygen's file on a class."""
+    """Doxygen's file about a class."""
     path = portal.root / XML / f"class{module.qualified.replace('::', '_1_1')}.xml"
     return path if path.is_file() else None
 

@@ -39,12 +39,12 @@ RESULTS = {
     None: ("none", "not run"),
 }
 
-# A name is the same link wherever it is: it is made once.
+# The link of a name is computed only once.
 KEPT = ("mod", "meth", "logic", "req", "safety", "pat", "change", "test", "check", "keys")
 
 
 def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str) -> Markup:
-    """A link, or plain text in the same dress when there is nowhere to go."""
+    """A link, or plain text in the same style when there is no target."""
     classes = f' class="{escape(kind)}"' if kind else ""
     if address is None:
         return Markup(f"<span{classes}>{escape(text)}</span>")
@@ -53,7 +53,7 @@ def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str)
 
 
 def breakable(name: str) -> Markup:
-    """A long name may break at its humps and joints."""
+    """A long name may break between its words."""
     joints = re.sub(r"(::|[._/]|(?<=[a-z0-9])(?=[A-Z]))", "\\1\0", name)
     return Markup("<wbr>").join(escape(part) for part in joints.split("\0"))
 
@@ -73,7 +73,7 @@ def views_of(module: Module, called: set[str]) -> set[str]:
 
 
 class Names:
-    """Makes names of elements into links. The templates call these."""
+    """Converts names of elements to links. The templates call these."""
 
     def __init__(self, model: Model, links: Links) -> None:
         self.model = model
@@ -98,7 +98,7 @@ class Names:
 
     def mod(self, name: str) -> Markup:
         module = self.model.modules.get(name)
-        if module is None:  # a member leads to its module
+        if module is None:  # a member links to its module
             return anchor(self.links.module(name.partition("::")[0]), name, "mod none")
         kind = "mod d" if module.datatype else f"mod {'a' if module.abstract else 'c'}"
         return anchor(self.links.module(name), name, kind, m=name)
@@ -151,7 +151,7 @@ class Names:
         )
 
     def keys(self, name: str) -> Markup:
-        """The seven view keys of a module; the place of a view without content stays empty."""
+        """The seven view keys of a module; a view without content is left blank."""
         module = self.model.modules.get(name)
         if module is None or module.datatype:
             return Markup("")
@@ -237,5 +237,5 @@ def file_name(path: str) -> str:
 
 @functools.cache
 def glyph(kind: str, word: str) -> Markup:
-    """A verdict is a mark and a word, never a colour alone."""
+    """A verdict is shown as a mark and a word, never only as a colour."""
     return Markup('<span class="v {}">{}</span>').format(kind, word)

@@ -79,7 +79,7 @@ def is_underline(line: str) -> bool:
 
 
 class Navigation:
-    """Three groups, as there are three reasons to come here, and the pages that explain."""
+    """Three groups, one for each aim of a reader, and the pages that explain."""
 
     def __init__(
         self, model: Model, docs: list[Entry], checks: int, faults: int, questions: int

@@ -1,4 +1,4 @@
-"""Which pages there are, and those that list one kind of thing."""
+"""The list of all pages, and the pages that list elements of one kind."""
 
 from __future__ import annotations
 
@@ -52,11 +52,11 @@ from traceability.schema import (
 HIGH_LEVEL = "High-level diagram"
 ANY = "*"  # in an allowed use: every logic module
 FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")  # of the roles
-EXAMPLE = "FR-15"  # the requirement that the first page follows
+EXAMPLE = "FR-15"  # the example of the first page
 
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
-    """All pages, or one part of them: each process makes its own."""
+    """All pages, or one part of them: each process builds its own part."""
     for make in islice(_makers(portal), part, None, parts):
         yield make()
 
@@ -94,7 +94,7 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
 
 @functools.cache
 def page_titles(portal: Portal) -> dict[str, str]:
-    """Address -> the title of the page or of the element that is there."""
+    """Address -> the title of the page or of the element at this address."""
     return {address: title for _, _, title, _, address, *_ in reversed(entries(portal))}
 
 
@@ -151,7 +151,7 @@ def products(portal: Portal) -> dict[str, Any]:
 
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
-    """Of the public methods and of the tests: how many there are, how many serve no requirement."""
+    """The number of public methods and tests, and of those that serve no requirement."""
     modules = portal.model.modules.values()
     methods = [m for item in modules if not item.datatype for m in item.methods]
     public = sum(method.access == "public" for method in methods)

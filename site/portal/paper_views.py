@@ -105,7 +105,7 @@ def families(portal: Portal) -> list[list[Heir]]:
 
 
 def heirs(portal: Portal, module: Module, depth: int, above: list[Method]) -> Iterator[Heir]:
-    """The module and all below it; ``above`` is the interface that it inherits."""
+    """The module and all its subclasses; ``above`` is the interface that it inherits."""
     methods = [m for m in unique(module.methods) if m.access == "public" or m.kind != "plain"]
     methods = [m for m in methods if m.kind != "constructor" and m.name[0] != "~"]
     inherited = {method.name for method in above}

@@ -20,7 +20,7 @@ ROLE = re.compile(r"^ *(\w+),? +///< (.+)$", re.MULTILINE)
 
 
 class PinMapError(ValueError):
-    """The header does not read as expected."""
+    """The header has an unexpected form."""
 
 
 def pin_map(root: Path) -> str:
@@ -39,7 +39,7 @@ def roles(text: str) -> dict[str, str]:
 
 
 def entries(text: str, uses: dict[str, str]) -> Iterator[tuple[str, ...]]:
-    """The lines of the table; a line that is no entry is an error, so none is lost."""
+    """The lines of the table; a line that is not an entry is an error, so no entry is lost."""
     inside = ended = False
     for number, line in enumerate(text.splitlines(), 1):
         content = line.strip()
@@ -50,7 +50,9 @@ def entries(text: str, uses: dict[str, str]) -> Iterator[tuple[str, ...]]:
         elif content and not content.startswith("//"):
             match = ENTRY.fullmatch(content)
             if match is None or match[4] not in uses:
-                raise PinMapError(f"{HEADER}:{number}: this is no entry of the table: {content}")
+                raise PinMapError(
+                    f"{HEADER}:{number}: this is not an entry of the table: {content}"
+                )
             port, pin, mux, role, *said = match.groups()
             yield f"PT{port}{pin}", mux.upper(), uses[role], *said
     if not ended:

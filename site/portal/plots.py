@@ -26,7 +26,7 @@ class Tick:
 
 @dataclass
 class Axis:
-    """The values at its two ends, and the round values between them."""
+    """An axis: the values at its two ends, and round values between them."""
 
     first: float
     last: float
@@ -93,7 +93,7 @@ def words_of(curve: Curve) -> str:
 
 
 def axis(low: float, high: float, *, rounded: bool) -> Axis:
-    """An axis with some round values; rounded, it begins and ends with one."""
+    """An axis with some round values; if rounded, its ends are also round values."""
     span = high - low or 1.0
     high = low + span
     rough = span / TICKS
@@ -113,7 +113,7 @@ def axis(low: float, high: float, *, rounded: bool) -> Axis:
 
 
 def path(curve: Curve, x: Axis, y: Axis) -> str:
-    """A set-point holds until the next one; between other values the line is straight."""
+    """A set-point applies until the next one; between other values the line is straight."""
     steps = curve.kind == "set_point"
     parts: list[str] = []
     for at, value in curve.points:

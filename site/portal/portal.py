@@ -83,7 +83,7 @@ def heading_anchor(title: str) -> str:
 
 
 class Portal:
-    """Everything that a template may ask for."""
+    """All values that a template may use."""
 
     def __init__(self, root: Path, model: Model, report: Report, checks: list[CheckText]) -> None:
         self.root = root
@@ -195,7 +195,7 @@ class Portal:
         return [(depth, node), *below]
 
     def element_targets(self) -> dict[str, str]:
-        """The module that each element of the architecture leads to; "" when it has none here."""
+        """The linked module of each element of the architecture; "" when there is none."""
         known = self.model.modules
         return {
             element.id: next(
@@ -286,7 +286,8 @@ class Portal:
 
     @functools.cached_property
     def hits(self) -> dict[str, dict[int, int]]:
-        """File -> line -> how often the tests executed it; on the virtual K64, whether."""
+        """File -> line -> how often the tests executed it; on the virtual K64, whether they
+        executed it."""
         found: dict[str, dict[int, int]] = {}
         for module in self.model.modules.values():
             for path, lines in module.line_hits.items():
@@ -351,7 +352,7 @@ class Portal:
         return f"{passed}/{len(runs)}"
 
     def passed_on(self, binding: str) -> tuple[int | None, int]:
-        """How many tests passed on a target, if that is known, and how many are built for it."""
+        """The number of passed tests on a target, if known, and the number of tests for it."""
         runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
         known = not self.model.stale_on(binding)
         return sum(run.result == "passed" for run in runs) if known else None, len(runs)
@@ -380,7 +381,7 @@ class Portal:
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
-        """The likely changes that a module absorbs: it hides them, or one way of them."""
+        """The likely changes that a module absorbs: it hides them, or one variant."""
         return [
             change.application
             for change in self.model.changes.values()
@@ -397,7 +398,7 @@ class Portal:
         ]
 
     def is_later(self, check: str) -> bool:
-        """Whether nothing is known of a check before the pages are written."""
+        """Whether a check can only be decided after the pages are written."""
         return check in LATER and not self.findings_of(check)
 
     def verdict_of(self, check: str) -> Markup:

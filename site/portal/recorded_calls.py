@@ -71,7 +71,8 @@ def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
 
 
 def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> MethodLinks:
-    """Returns the links of a recorded method; an inherited one has those of its body's method."""
+    """Returns the links of a recorded method; an inherited method has the links of the method with
+    the body."""
     method = portal.links.find_method(name)
     if method is None:
         known = portal.model.functions.get(name)

@@ -18,7 +18,8 @@ from weeding_robot_client.mcap_file import read_mcap
 
 SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
-ROBOT = "robot"  # the source of the values, as a target is in the plots of the simulator
+ROBOT = "robot"  # name of the source of the values, used like a target in the plots of the
+# simulator
 MS_OF_S = 1000
 VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # as the reports name them
 # Values whose changes are listed.
@@ -28,7 +29,7 @@ Values = Mapping[str, Any]
 
 
 class RecordingError(Exception):
-    """A file that is no recording of reports."""
+    """A file that is not a recording of reports."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ def read_recording(path: Path) -> list[Values]:
         return [report.decode(report.pack(**numbers(report, row))) for row in rows]
     if rows and set(report.value_names) <= rows[0].keys():
         return [{name: _value(cell) for name, cell in row.items()} for row in rows]
-    raise RecordingError(f"{path} is no recording of reports")
+    raise RecordingError(f"{path} is not a recording of reports")
 
 
 def raw_columns(report: Layout) -> set[str]:
@@ -111,7 +112,8 @@ def _plot(title: str, unit: str, ordered: Any, measured: Any) -> LoopPlot:
 
 
 def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
-    """Each report with its time since the first one [s], which goes on when the robot is reset."""
+    """Each report with its time since the first one [s], which continues when the robot is
+    reset."""
     start, offset, last = None, 0.0, 0.0
     for one in reports:
         at = float(one["time_ms"]) / MS_OF_S

@@ -99,7 +99,7 @@ def first_run(requirement: Requirement) -> TreeRun | None:
 
 
 def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
-    """State machines with a transition that the requirement asks for."""
+    """State machines with a transition of the requirement."""
     return [
         machine
         for machine in portal.model.machines.values()
@@ -139,7 +139,7 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
 
 
 def shortened(rows: list[Row]) -> list[Row]:
-    """The rows, with one row in place of many calls between two nodes."""
+    """The rows, with one row instead of many calls between two nodes."""
     found: list[Row] = []
     for is_call, group in groupby(rows, lambda row: row.node is None):
         between = list(group)
@@ -150,7 +150,7 @@ def shortened(rows: list[Row]) -> list[Row]:
 
 
 def add_trunks(rows: list[Row]) -> None:
-    """Which vertical lines of the tree pass each row: a parent's line ends at its last child."""
+    """The vertical lines of the tree in each row; the line of a parent ends at its last child."""
     placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
     for number, (index, depth) in enumerate(placed):
         if depth == 0:

@@ -62,7 +62,7 @@ def assigned(name: str, data: object) -> str:
 
 
 def synonyms() -> list[list[str]]:
-    """Words that mean the same, in small letters."""
+    """Words that mean the same, in lower case."""
     lines = (SITE / "synonyms.txt").read_text(encoding="utf-8").splitlines()
     return [
         [word.strip() for word in line.split(",")] for line in lines if line[:1] not in ("", "#")

@@ -51,6 +51,6 @@ def terms_of(doc: Entry, source: str) -> Iterator[Section]:
 
 
 def plain(source: str) -> str:
-    """The words of a text, without most of its marks."""
+    """The words of a text, with little of its markup."""
     text = NAMED.sub(r"\1", MARKS.sub(" ", source))
     return re.sub(r"\s+", " ", text).strip()

@@ -32,8 +32,8 @@ OPTIONAL: Keys = {"participants": str}
 LOGIC = "logic modules"
 SEQUENCE: Keys = {"name": str, "title": str, "says": str, "recordings": list, "requirements": list}
 PC, LINE = "PC", "serial line"
-LONGEST = 12  # messages of a group that may repeat
-CLASSES_ONLY = ("hide ", "set ")  # begins of lines that are for class diagrams
+LONGEST = 12  # greatest number of messages in a repeated group
+CLASSES_ONLY = ("hide ", "set ")  # beginnings of lines that only class diagrams need
 ROUND = 2  # digits of an instant [ms]
 
 
@@ -57,12 +57,12 @@ class Message:
     source: str
     target: str
     text: str
-    method: str = ""  # that is called; empty for a frame
+    method: str = ""  # called method; empty for a frame
 
 
 @dataclass(frozen=True)
 class Loop:
-    """Messages that repeat at once."""
+    """Messages that are repeated immediately."""
 
     times: int
     messages: tuple[Message, ...]
@@ -70,7 +70,7 @@ class Loop:
 
 @dataclass
 class CycleMessages:
-    """The messages from one clock pulse to the next; alike cycles are counted."""
+    """The messages from one clock pulse to the next; equal cycles are counted."""
 
     begin: int  # [ns]
     parts: tuple[Message | Loop, ...]
@@ -143,7 +143,7 @@ def _calls(
 
 
 def _frames(recording: Recording) -> Iterator[tuple[int, Message]]:
-    """A frame is a message when its last byte is through."""
+    """A frame is a message at the time of its last byte."""
     for frame in frames_in(recording, "byte_received"):
         yield frame.events[-1].at, Message(PC, LINE, frame.kind)
     for frame in frames_in(recording, "byte_sent"):
@@ -151,7 +151,7 @@ def _frames(recording: Recording) -> Iterator[tuple[int, Message]]:
 
 
 def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> list[CycleMessages]:
-    """The messages of each cycle, with repeated groups and alike cycles joined."""
+    """The messages of each cycle, with repeated groups and equal cycles combined."""
     pulses = [
         recording.activations[span.activation].raised
         for span in recording.spans
@@ -169,7 +169,8 @@ def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> 
 
 
 def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
-    """Groups of messages that repeat at once become loops, the longest repetition first."""
+    """Groups of messages that are repeated immediately become loops, the longest repetition
+    first."""
     found: list[Message | Loop] = []
     at = 0
     while at < len(messages):
@@ -185,7 +186,7 @@ def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
 
 
 def _repetition(messages: list[Message], at: int) -> tuple[int, int]:
-    """Returns the length of the group that repeats over most messages here, and its count."""
+    """Returns the length and the count of the repeated group that covers most messages here."""
     best, times = 1, 1
     for length in range(1, LONGEST + 1):
         group = messages[at : at + length]
@@ -284,7 +285,7 @@ def _arrow(message: Message, links: Links) -> str:
 
 
 def drawn_sequences(portal: Portal) -> list[Drawn]:
-    """The declared sequences whose recordings this build has."""
+    """The declared sequences whose recordings exist in this build."""
     recordings = recordings_of(portal)
     if recordings is None:
         return []

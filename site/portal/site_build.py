@@ -1,4 +1,5 @@
-"""Builds the site: each core makes a part of the bodies, while Sphinx reads; then Sphinx writes."""
+"""Builds the site: each core builds a part of the bodies while Sphinx reads the texts; then Sphinx
+writes the pages."""
 
 from __future__ import annotations
 
@@ -22,7 +23,7 @@ from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.schema import Finding, Place
 
-PARTS = 8  # of the pages: more than cores, so that none waits long for another
+PARTS = 8  # parts of the pages: more than cores, so that no core waits long
 
 
 @dataclass
@@ -88,7 +89,7 @@ def _write_exports() -> None:
 
 
 def write_exports(portal: Portal, site: Path) -> None:
-    """The files that the page of exports leads to."""
+    """The files that the page of exports links."""
     files = diagram_files(portal.diagrams)
     kept = [name.rpartition("/")[2] for name in files]
     remove_others(site / DIAGRAMS, "*.puml", kept)

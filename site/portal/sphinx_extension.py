@@ -55,25 +55,26 @@ class DesignDomain(Domain):
             yield name, name, kind, page.removesuffix(".html"), anchor, 1
 
     def merge_domaindata(self, docnames: Set[str], otherdata: dict[str, Any]) -> None:
-        """It has no data of its own."""
+        """The domain has no data."""
 
 
 def load(app: Sphinx) -> None:
     links = Path(app.srcdir) / "links.json"
     for kind, targets in json.loads(links.read_text(encoding="utf-8")).items():
         app.add_role(kind, NameRole(targets), override=True)
-    # Only builders of HTML have it, and no other one is used.
+    # Only builders of HTML have this attribute, and no other builder is used.
     app.builder.search = False  # type: ignore[attr-defined]
 
 
 def hand_written(app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> list[str]:
-    """All of these are read again where one changed or gave a warning: they name each other."""
+    """All these pages are read again when one of them changed or caused a warning, because they
+    refer to each other."""
     names = [name for name in env.found_docs if name.startswith("docs/")]
     return names if app.config.read_all_docs else []
 
 
 def mark(app: Sphinx, _doctree: nodes.document) -> None:
-    """Gives the layout of a page the entry of the navigation that it belongs to."""
+    """Passes the navigation entry of a page to its layout."""
     name = app.env.docname
     app.env.metadata[name].update(nav=name, prose=True, orphan="")
 

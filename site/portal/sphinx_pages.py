@@ -29,7 +29,8 @@ from traceability.schema import Finding, Module
 from traceability.sources import files_below, hash_of
 
 SCENARIO = Path("sim/scenario/examples/stop.scenario")
-# Includes of hand-written pages from other folders: the file, its name next to them, the text.
+# Includes of hand-written pages from other folders: the file, its name in the folder of the pages,
+# the text.
 INCLUDED = (
     (PINS, "pin_map.csv", pin_map),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
@@ -123,7 +124,7 @@ class GeneratedPages:
         write_changed(self.frame, frame)
 
     def changed(self, _app: Sphinx, env: BuildEnvironment) -> list[str]:
-        """The pages of Sphinx's own to write again, though their members are as before."""
+        """Pages that Sphinx must write again although their members did not change."""
         self.pages = {page.name: page for page in self.made()}
         return [name for name in self.pages if name in env.found_docs and self.is_old(name)]
 
@@ -158,7 +159,7 @@ def run_sphinx(
     portal: Portal, pages: Path, site: Path, made: Callable[[], list[Page]]
 ) -> list[Finding]:
     cache = portal.root / "build" / "pages-cache"
-    sound = cache / "sound-docs"  # names the pages that were read without a warning
+    sound = cache / "sound-docs"  # lists the pages that were read without a warning
     docs = hash_of(pages, files_below(pages, ("docs", "_generated", "links.json")))
     collector = WarningCollector(portal.root, pages)
     with patch_docutils(), docutils_namespace():

@@ -22,7 +22,7 @@ LINKS = (
 
 
 class WarningCollector(io.StringIO):
-    """The stream that Sphinx writes its warnings to."""
+    """The stream to which Sphinx writes its warnings."""
 
     def __init__(self, root: Path, pages: Path) -> None:
         super().__init__()

@@ -37,7 +37,7 @@ def product_table(root: Path) -> str:
 
 
 def list_table(widths: Iterable[int], heads: Iterable[str], rows: Iterable[tuple[str, ...]]) -> str:
-    """A table in the form of hand-written pages, whose cells may hold roles."""
+    """A table in the form of hand-written pages, whose cells may contain roles."""
     lines = [
         ".. list-table::",
         "   :header-rows: 1",

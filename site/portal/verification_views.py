@@ -14,7 +14,7 @@ from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Requirement
 
 @dataclass
 class Share:
-    """How many of something were executed."""
+    """A number of executed lines or branches, and their total."""
 
     part: int
     whole: int

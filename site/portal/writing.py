@@ -1,4 +1,4 @@
-"""Files of a folder that is brought up to date: unchanged ones stay, old ones go."""
+"""Updates the files of a folder: keeps unchanged ones and removes old ones."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def write_changed(path: Path, content: str | bytes) -> None:
-    """Writes a file unless it has this content: a newer file is read again."""
+    """Writes a file unless it has this content: because readers read a newer file again."""
     data = content.encode() if isinstance(content, str) else content
     if path.is_file() and path.read_bytes() == data:
         return
@@ -16,7 +16,8 @@ def write_changed(path: Path, content: str | bytes) -> None:
 
 
 def remove_others(folder: Path, names: str, kept: Iterable[str]) -> None:
-    """Removes the files of these names that are not kept; a kept one is named from the folder."""
+    """Removes the files that match these names and are not in the list of kept files, relative to
+    the folder."""
     known = set(kept)
     for path in folder.rglob(names):
         if path.is_file() and str(path.relative_to(folder)) not in known:

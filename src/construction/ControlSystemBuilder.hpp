@@ -20,52 +20,52 @@ class ControlSystemBuilder {
   ControlSystemBuilder& operator=(const ControlSystemBuilder&) = delete;
 
   /// @brief Builds the actuator, with the commands that move it.
-  /// @errors A part that is made twice ends the program with the assertion PartBuiltTwice.
+  /// @errors A part that is built twice ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildActuator() = 0;
 
   /// @brief Builds the sensors.
-  /// @pre The actuator is made.
-  /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
-  /// PartBuiltTwice.
+  /// @pre The actuator is built.
+  /// @errors A missing part ends the program with the assertion PartMissing, a part that is built
+  /// twice with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSensors() = 0;
 
   /// @brief Builds the controller.
-  /// @pre The actuator and the sensors are made.
-  /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
-  /// PartBuiltTwice.
+  /// @pre The actuator and the sensors are built.
+  /// @errors A missing part ends the program with the assertion PartMissing, a part that is built
+  /// twice with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildController() = 0;
 
   /// @brief Builds the system.
-  /// @pre All its parts are made.
-  /// @errors A missing part ends the program with the assertion PartMissing, one that is made twice with
-  /// PartBuiltTwice.
+  /// @pre All its parts are built.
+  /// @errors A missing part ends the program with the assertion PartMissing, a part that is built
+  /// twice with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSystem() = 0;
 
   /// @brief Starts the interrupts and the thread of the system.
-  /// @pre The system is made.
+  /// @pre The system is built.
   /// @errors A missing part ends the program with the assertion PartMissing.
   /// @isr{no}
   /// @satisfies FR-92
   virtual void start() = 0;
 
-  /// @brief The system that was made.
+  /// @brief Returns the system that was built.
   /// @return the system; it lives as long as the builder
   /// @pre buildSystem() was called.
   /// @errors Without a system the program ends with the assertion PartMissing.
   /// @isr{no}
   [[nodiscard]] virtual ControlSystem& system() = 0;
 
-  /// @brief Work of the system at each tick of the second timer.
+  /// @brief Returns the command that does the work of the system at each tick of the second timer.
   /// @return the command; it lives as long as the builder
-  /// @pre All parts are made.
+  /// @pre All parts are built.
   /// @errors A missing part ends the program with the assertion PartMissing.
   /// @isr{no}
   [[nodiscard]] virtual Command& tickCommand() = 0;

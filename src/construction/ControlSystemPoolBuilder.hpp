@@ -15,8 +15,8 @@ namespace wr {
 /// @function Builds each control system, puts all of them into the pool, and passes the command of each
 /// to the second timer.
 ///
-/// @secret In which sequence the control systems are made and put into the pool, and where the pool is
-/// stored.
+/// @secret The sequence in which the control systems are built and put into the pool, and where the
+/// pool is stored.
 ///
 /// @role{pool-construction, Builder}
 /// @role{pool-construction, Concrete Builder}
@@ -24,28 +24,28 @@ namespace wr {
 /// @role{steering-system-construction, Director}
 ///
 /// @patternapp{pool-construction, Builder, Building a control system pool}
-/// @why The pool that the main controller orders holds several control systems. Whoever uses the pool
-/// does not depend on how it gets them.
+/// @why The pool that gets the orders of the main controller contains several control systems.
+/// The user of the pool does not depend on how it is filled.
 /// @changes New control systems may have to be added to the pool, without change to the main controller.
 class ControlSystemPoolBuilder {
  public:
-  /// @brief Binds the builder to those of the control systems. It has built nothing.
-  /// @param tickTimer makes the ticks of the second timer
-  /// @param builders make the control systems, in the sequence of the pool; they live as long as this
-  /// builder
+  /// @brief Binds the builder to the builders of the control systems. Nothing is built yet.
+  /// @param tickTimer generates the ticks of the second timer
+  /// @param builders build the control systems, in the sequence of the pool; they live as long as
+  /// this builder
   ControlSystemPoolBuilder(PeriodicTimer& tickTimer,
                            std::span<ControlSystemBuilder* const> builders);
   ControlSystemPoolBuilder(const ControlSystemPoolBuilder&) = delete;
   ControlSystemPoolBuilder& operator=(const ControlSystemPoolBuilder&) = delete;
 
   /// @brief Builds each control system.
-  /// @errors A part that is made twice ends the program with the assertion PartBuiltTwice.
+  /// @errors A part that is built twice ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildSystems();
 
   /// @brief Builds the pool and puts all control systems into it.
-  /// @pre The control systems are made.
+  /// @pre The control systems are built.
   /// @post pool() can be called.
   /// @errors A missing system ends the program with the assertion PartMissing, a second pool with
   /// PartBuiltTwice.
@@ -54,7 +54,7 @@ class ControlSystemPoolBuilder {
   void buildPool();
 
   /// @brief Builds the second timer and passes it the command of each control system.
-  /// @pre The control systems are made.
+  /// @pre The control systems are built.
   /// @errors A missing system ends the program with the assertion PartMissing, a second timer with
   /// PartBuiltTwice.
   /// @satisfies FR-100
@@ -63,13 +63,13 @@ class ControlSystemPoolBuilder {
   void buildTimer();
 
   /// @brief Starts the control systems, then the second timer.
-  /// @pre The control systems and the timer are made.
+  /// @pre The control systems and the timer are built.
   /// @errors A missing part ends the program with the assertion PartMissing.
   /// @satisfies FR-100
   /// @isr{no}
   void start();
 
-  /// @brief The pool that was made.
+  /// @brief Returns the pool that was built.
   /// @return the pool; it lives as long as the builder.
   /// @pre buildPool() was called.
   /// @errors Without a pool the program ends with the assertion PartMissing.
@@ -77,7 +77,7 @@ class ControlSystemPoolBuilder {
   /// @satisfies FR-78
   [[nodiscard]] ControlSystemPool& pool();
 
-  /// @brief The second timer that was made.
+  /// @brief Returns the second timer that was built.
   /// @return the timer; it lives as long as the builder.
   /// @pre buildTimer() was called.
   /// @errors Without a timer the program ends with the assertion PartMissing.

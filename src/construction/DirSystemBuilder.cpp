@@ -5,7 +5,8 @@
 namespace wr {
 
 DirSystemBuilder::Actuator::Actuator(const Devices& devices)
-    : poweredOff(static_cast<SteeringPower&>(poweredOn)),  // the states succeed each other
+    : poweredOff(static_cast<SteeringPower&>(poweredOn)),  // each state is the successor of the
+                                                           // other
       poweredOn(poweredOff),
       device({.step = devices.step,
               .direction = devices.direction,

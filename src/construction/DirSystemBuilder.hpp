@@ -30,8 +30,9 @@ namespace wr {
 
 /// @brief Builds the control system of the steering.
 ///
-/// @function Builds the steering device with its power states and commands, the sensor of its position,
-/// the controller with its states and its algorithm, and the system, one step each.
+/// @function Builds the steering device with its power states and commands, the sensor of its
+/// position, the controller with its states and its algorithm, and the system, with one step for
+/// each.
 ///
 /// @secret Which parts the control system of the steering has, how they are bound to each other, and
 /// where they are stored.
@@ -41,8 +42,8 @@ namespace wr {
 /// @role{steering-timer-interrupt, Client}
 ///
 /// @patternapp{steering-system-construction, Builder, Building a steering device control system}
-/// @why The control system of the steering is made of many parts that refer to each other. Whoever
-/// gathers the control systems depends on none of them.
+/// @why The control system of the steering consists of many parts that refer to each other. The
+/// module that collects the control systems does not depend on these parts.
 /// @changes The parts of the system and the relations among them may change, such as one more state or
 /// another sensor.
 class DirSystemBuilder final : public ControlSystemBuilder {
@@ -50,8 +51,8 @@ class DirSystemBuilder final : public ControlSystemBuilder {
   /// @brief Devices that the platform provides for the steering. Each device lives as long as the builder.
   /// @datatype
   struct Devices {
-    DigitalOutput& step;        ///< each time it is switched on the motor makes one step
-    DigitalOutput& direction;   ///< on: steps go to the left
+    DigitalOutput& step;        ///< makes the motor step each time it is switched on
+    DigitalOutput& direction;   ///< on: steps turn the steering to the left
     DigitalOutput& enable;      ///< on: the motor has current
     const EdgeInput& leftEnd;   ///< high: the left end stop is reached
     const EdgeInput& rightEnd;  ///< high: the right end stop is reached

@@ -48,10 +48,10 @@ namespace wr {
 
 /// @brief Builds the main controller and all its parts.
 ///
-/// @function Builds the link to the PC, the remote control, the reading modes, the operation states, the
-/// controller and its clock, one step each, and binds them. The sequence of the steps is that of
-/// their declarations. A product without a part leaves out its step; modes and states can come from
-/// elsewhere.
+/// @function Builds the link to the PC, the remote control, the reading modes, the operation
+/// states, the controller and its clock, with one step for each, and binds them. The sequence of
+/// the steps is the sequence of their declarations. A product without a part omits its step; modes
+/// and states can be built by an extension.
 ///
 /// @secret Which parts the main controller has, how they are bound to each other, and where they are
 /// stored.
@@ -62,10 +62,10 @@ namespace wr {
 /// @role{rc-pin-interrupt, Client}
 ///
 /// @patternapp{main-controller-construction, Builder, Building a main controller}
-/// @why The main controller is made of many parts that refer to each other. Whoever starts the robot
-/// depends on none of them.
-/// @changes The set of parts or the relations among them may change: a new device brings new parts that
-/// the controller must get.
+/// @why The main controller consists of many parts that refer to each other. The module that starts
+/// the robot does not depend on these parts.
+/// @changes The set of parts or the relations among them may change: a new device adds new parts to
+/// the controller.
 class MainControllerBuilder {
  public:
   /// @brief Devices that the platform provides for the remote control. Each device lives as long as the builder.
@@ -73,22 +73,23 @@ class MainControllerBuilder {
   struct RemoteControlDevices {
     EdgeInput& velocityPin;    ///< pulses of the velocity lever
     EdgeInput& directionPin;   ///< pulses of the direction lever
-    Pipe<Velocity>& velocity;  ///< velocity that the pulses mean
-    Pipe<Angle>& direction;    ///< direction that the pulses mean
+    Pipe<Velocity>& velocity;  ///< velocity from the pulses
+    Pipe<Angle>& direction;    ///< direction from the pulses
     const Timebase* edgeTime =
-        nullptr;  ///< gives the time of an edge; none: the timebase of all devices
+        nullptr;  ///< returns the time of an edge; if it is null, the timebase of all devices does
   };
 
   /// @brief Devices that the platform provides for the main controller. Each device lives as long as the builder.
   /// @datatype
   struct Devices {
     ControlThread& thread;      ///< runs the control cycles
-    PeriodicTimer& cycleTimer;  ///< gives the clock pulses
+    PeriodicTimer& cycleTimer;  ///< generates the clock pulses
     const Timebase& timebase;   ///< gives the time
     SerialPort& pcPort;         ///< line to the PC
     Watchdog& watchdog;         ///< resets the system when cycles no longer complete
-    const StartRecord& start;   ///< why the firmware started
-    std::optional<RemoteControlDevices> remoteControl{};  ///< nothing in a product without one
+    const StartRecord& start;   ///< cause of the start of the firmware
+    std::optional<RemoteControlDevices> remoteControl{};  ///< nothing in a product without remote
+                                                          ///< control
   };
 
   /// @brief Binds the builder to the devices.
@@ -97,16 +98,16 @@ class MainControllerBuilder {
   MainControllerBuilder(const MainControllerBuilder&) = delete;
   MainControllerBuilder& operator=(const MainControllerBuilder&) = delete;
 
-  /// @brief Builds the reader of the PC's orders, and the link to the PC with its states; it begins
-  /// disconnected.
-  /// @errors A link that is made twice ends the program with the assertion PartBuiltTwice.
+  /// @brief Builds the reader of the PC's orders, and the link to the PC with its states; which
+  /// begins disconnected.
+  /// @errors A link that is built twice ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildConnection();
 
   /// @brief Builds the remote control: its pins, their interrupt handlers, and the reader of its orders.
-  /// The pins interrupt from now on.
-  /// @pre The platform gave the devices of the remote control.
+  /// The interrupts of the pins are enabled from now on.
+  /// @pre The platform provides the devices of the remote control.
   /// @errors Without devices the program ends with the assertion PartMissing, a second time with
   /// PartBuiltTwice.
   /// @satisfies FR-51
@@ -115,46 +116,46 @@ class MainControllerBuilder {
   void buildRemoteControl();
 
   /// @brief Builds the reading modes PC and RC; each is the successor of the other. RC is the first.
-  /// @pre The link and the remote control are made.
-  /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
-  /// PartBuiltTwice.
+  /// @pre The link and the remote control are built.
+  /// @errors A missing part ends the program with the assertion PartMissing, modes that are already
+  /// built with PartBuiltTwice.
   /// @satisfies FR-17
   /// @satisfies FR-78
   /// @isr{no}
   void buildModes();
 
-  /// @brief Builds the reading mode PC for a product without other modes: it succeeds itself.
-  /// @pre The link is made.
-  /// @errors A missing part ends the program with the assertion PartMissing, modes that are there with
-  /// PartBuiltTwice.
+  /// @brief Builds the reading mode PC for a product without other modes: it is its own successor.
+  /// @pre The link is built.
+  /// @errors A missing part ends the program with the assertion PartMissing, modes that are already
+  /// built with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildPcMode();
 
-  /// @brief Sets reading modes that were built elsewhere.
+  /// @brief Sets reading modes that an extension built.
   /// @param first mode at start
   /// @param all every mode; storage and modes live as long as the builder
-  /// @errors Modes that are there end the program with the assertion PartBuiltTwice.
+  /// @errors Modes that are already built end the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void useModes(Mode& first, std::span<Mode* const> all);
 
   /// @brief Builds the operation states and binds each to its successors. Working is the first.
-  /// @errors States that are there end the program with the assertion PartBuiltTwice.
+  /// @errors States that are already built end the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildStates();
 
-  /// @brief Sets operation states that were built elsewhere.
+  /// @brief Sets operation states that an extension built.
   /// @param first state at start; it lives as long as the builder
-  /// @errors States that are there end the program with the assertion PartBuiltTwice.
+  /// @errors States that are already built end the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void useStates(OperationState& first);
 
   /// @brief Builds the controller; it begins in the first state and the first mode.
   /// @param systems the control systems of the controller
-  /// @pre The link, the modes and the states are made.
+  /// @pre The link, the modes and the states are built.
   /// @errors A missing part ends the program with the assertion PartMissing, a second controller with
   /// PartBuiltTwice.
   /// @satisfies FR-10
@@ -163,7 +164,7 @@ class MainControllerBuilder {
   void buildController(ControlSystemPool& systems);
 
   /// @brief Builds the timer that begins the control cycles, and its command.
-  /// @pre The controller is made.
+  /// @pre The controller is built.
   /// @errors A missing part ends the program with the assertion PartMissing, a second timer with
   /// PartBuiltTwice.
   /// @satisfies FR-1
@@ -172,13 +173,13 @@ class MainControllerBuilder {
   void buildClock();
 
   /// @brief Starts the controller, then the timer that begins its cycles.
-  /// @pre The controller and its clock are made.
+  /// @pre The controller and its clock are built.
   /// @errors A missing part ends the program with the assertion PartMissing.
   /// @satisfies FR-1
   /// @isr{no}
   void start();
 
-  /// @brief The controller that was made.
+  /// @brief Returns the controller that was built.
   /// @return the controller; it lives as long as the builder.
   /// @pre buildController() was called.
   /// @errors Without a controller the program ends with the assertion PartMissing.
@@ -186,7 +187,7 @@ class MainControllerBuilder {
   /// @satisfies FR-78
   [[nodiscard]] MainController& controller();
 
-  /// @brief The timer that begins the control cycles.
+  /// @brief Returns the timer that begins the control cycles.
   /// @return the timer; it lives as long as the builder.
   /// @pre buildClock() was called.
   /// @errors Without a timer the program ends with the assertion PartMissing.
@@ -194,7 +195,7 @@ class MainControllerBuilder {
   /// @satisfies FR-78
   [[nodiscard]] FirstTimer& clock();
 
-  /// @brief The reader of the PC's orders.
+  /// @brief Returns the reader of the PC's orders.
   /// @return the reader; it lives as long as the builder.
   /// @pre buildConnection() was called.
   /// @errors Without a reader the program ends with the assertion PartMissing.
@@ -210,7 +211,7 @@ class MainControllerBuilder {
   /// @satisfies FR-78
   [[nodiscard]] Reader& rcReader();
 
-  /// @brief The link to the PC.
+  /// @brief Returns the link to the PC.
   /// @return the link; it lives as long as the builder.
   /// @pre buildConnection() was called.
   /// @errors Without a link the program ends with the assertion PartMissing.
@@ -218,7 +219,7 @@ class MainControllerBuilder {
   /// @satisfies FR-78
   [[nodiscard]] PcConnection& connection();
 
-  /// @brief Handler of the interrupts of the velocity pin.
+  /// @brief Returns the handler of the interrupts of the velocity pin.
   /// @return the pin; it lives as long as the builder.
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.
@@ -226,7 +227,7 @@ class MainControllerBuilder {
   /// @satisfies FR-78
   [[nodiscard]] RcPin& velocityPin();
 
-  /// @brief Handler of the interrupts of the direction pin.
+  /// @brief Returns the handler of the interrupts of the direction pin.
   /// @return the pin; it lives as long as the builder.
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.

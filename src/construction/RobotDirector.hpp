@@ -7,18 +7,18 @@ namespace wr {
 
 /// @brief Builds the whole robot, and starts it.
 ///
-/// @function Calls the steps of the builders in the right sequence, then starts the control systems, the
-/// controller and the clocks.
+/// @function Calls the steps of the builders in the required sequence, then starts the control
+/// systems, the controller and the clocks.
 ///
-/// @secret The sequence in which the parts of the robot are made and started.
+/// @secret The sequence in which the parts of the robot are built and started.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}
 class RobotDirector {
  public:
   /// @brief Binds the director to the builders.
-  /// @param poolBuilder makes the control systems
-  /// @param controllerBuilder makes the main controller
+  /// @param poolBuilder builds the control systems
+  /// @param controllerBuilder builds the main controller
   RobotDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder);
 
   /// @brief Builds all parts of a robot that the PC and the remote control command.
@@ -34,7 +34,7 @@ class RobotDirector {
 
   /// @brief Starts the control cycles.
   /// @pre construct() was called.
-  /// @errors A robot that is not made ends the program with the assertion PartMissing.
+  /// @errors A robot that was not built ends the program with the assertion PartMissing.
   /// @satisfies FR-1
   /// @satisfies FR-10
   /// @isr{no}

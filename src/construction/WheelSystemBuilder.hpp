@@ -50,7 +50,8 @@ namespace wr {
 /// @brief Builds the control system of one wheel.
 ///
 /// @function Builds the wheel with its commands, the sensors of its velocity and its current, the
-/// controller with its algorithms and behaviours, and the system with its orders, one step each.
+/// controller with its algorithms and behaviours, and the system with its orders, with one step for
+/// each.
 ///
 /// @secret Which parts the control system of a wheel has, how they are bound to each other, and where
 /// they are stored.
@@ -61,8 +62,8 @@ namespace wr {
 /// @role{wheel-timer-interrupt, Client}
 ///
 /// @patternapp{wheel-system-construction, Builder, Building a wheel control system}
-/// @why The control system of a wheel is made of many parts that refer to each other. Whoever gathers
-/// the control systems depends on none of them.
+/// @why The control system of a wheel consists of many parts that refer to each other. The module
+/// that collects the control systems does not depend on these parts.
 /// @changes The parts of the system and the relations among them may change, such as a filter around a
 /// sensor or one more algorithm.
 class WheelSystemBuilder final : public ControlSystemBuilder {
@@ -72,7 +73,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   struct Devices {
     PwmOutput& pwm;              ///< voltage of the wheel
     DigitalOutput& orientation;  ///< on: the wheel turns backwards
-    DigitalOutput& enable;       ///< on: the driver of the motor works
+    DigitalOutput& enable;       ///< on: the driver of the motor is enabled
     EdgeInput& hallA;            ///< first Hall sensor
     EdgeInput& hallB;            ///< second Hall sensor
     AnalogInput& current;        ///< current of the motor
@@ -93,15 +94,16 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   [[nodiscard]] ControlSystem& system() override;
   [[nodiscard]] Command& tickCommand() override;
 
-  /// @brief Sets the algorithms of the controller, in place of those of the builder.
-  /// @param algorithms one for each WheelQuantity, in its sequence; they live as long as the builder
+  /// @brief Sets the algorithms of the controller, instead of those of the builder.
+  /// @param algorithms one for each WheelQuantity, in the order of the enumeration; they live as
+  /// long as the builder
   /// @pre buildController() was not called.
   /// @errors With a controller the program ends with the assertion PartBuiltTwice.
   /// @isr{no}
   /// @satisfies FR-78
   void useAlgorithms(const std::array<WheelAlgorithm*, 3>& algorithms);
 
-  /// @brief Handler of the interrupts of the Hall sensors.
+  /// @brief Returns the handler of the interrupts of the Hall sensors.
   /// @return the sensor; it lives as long as the builder
   /// @pre buildSensors() was called.
   /// @errors Without a sensor the program ends with the assertion PartMissing.
@@ -158,7 +160,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   Devices devices_;
   Pipe<Velocity> velocities_;
   Pipe<Current> currents_;
-  std::optional<std::array<WheelAlgorithm*, 3>> algorithms_;  // in place of those of the builder
+  std::optional<std::array<WheelAlgorithm*, 3>> algorithms_;  // instead of those of the builder
   std::optional<Actuator> actuator_;
   std::optional<Sensors> sensors_;
   std::optional<Control> control_;

@@ -3,7 +3,7 @@
 namespace wr {
 
 /// @brief Output with two levels.
-/// @function Switches something outside the microcontroller on and off.
+/// @function Switches a device outside the microcontroller on and off.
 /// @secret Which pin is switched, and which of its levels means on.
 class DigitalOutput {
  public:

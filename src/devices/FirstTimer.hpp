@@ -12,7 +12,7 @@ namespace wr {
 class FirstTimer final {
  public:
   /// @brief Binds a timer to a command.
-  /// @param timer makes the ticks
+  /// @param timer generates the interrupts
   /// @param command is executed at each clock pulse
   FirstTimer(PeriodicTimer& timer, Command& command);
 

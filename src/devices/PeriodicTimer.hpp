@@ -4,9 +4,9 @@
 
 namespace wr {
 
-/// @brief Timer that interrupts again and again.
-/// @function Interrupts once in each period, without end.
-/// @secret The timer that interrupts, and the demands of its registers.
+/// @brief Timer that causes periodic interrupts.
+/// @function Causes one interrupt in each period, without end.
+/// @secret The timer that causes the interrupts, and the rules for its registers.
 class PeriodicTimer {
  public:
   PeriodicTimer(const PeriodicTimer&) = delete;

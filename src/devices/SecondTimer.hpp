@@ -9,18 +9,18 @@
 namespace wr {
 
 /// @brief The fast clock, for work that must run more often than a control cycle.
-/// @function Ticks 1000 times in a second, and executes the commands that it was given, in the
-/// sequence in which they were added.
-/// @secret How the commands of one tick are kept and put in sequence.
+/// @function Ticks 1000 times in a second, and executes its commands in the sequence in which they
+/// were added.
+/// @secret How the commands of one tick are stored, and their sequence.
 /// @role{wheel-timer-interrupt, Invoker}
 /// @role{steering-timer-interrupt, Invoker}
 class SecondTimer final {
  public:
-  /// @brief Largest number of commands: one for each control system that a pool can hold.
+  /// @brief Largest number of commands: one for each control system that a pool can contain.
   static constexpr std::size_t kCapacity = 8;
 
-  /// @brief Binds a timer. It has no command yet.
-  /// @param timer makes the ticks
+  /// @brief Binds a timer. The timer has no command yet.
+  /// @param timer generates the interrupts
   explicit SecondTimer(PeriodicTimer& timer);
 
   SecondTimer(const SecondTimer&) = delete;
@@ -29,7 +29,7 @@ class SecondTimer final {
   /// @brief Adds a command.
   /// @param command is executed at each tick; it lives as long as the timer
   /// @pre The timer does not run.
-  /// @errors One command too many ends the program with the assertion TimerFull.
+  /// @errors A command beyond the capacity ends the program with the assertion TimerFull.
   /// @isr{no}
   /// @satisfies FR-100
   /// @satisfies FR-176

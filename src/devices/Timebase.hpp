@@ -7,16 +7,17 @@
 namespace wr {
 
 /// @brief Clock that runs from the start of the system.
-/// @function Returns the time for stamps of values and for time-outs, and how long the processor
+/// @function Returns the time for time stamps and time-outs, and the time in which the processor
 /// was awake, for the cost of a cycle.
-/// @secret Which counters measure the time and the work, and how the time is kept from wrapping.
+/// @secret Which counters measure the time and the work, and how an overflow of the time is
+/// prevented.
 class Timebase {
  public:
   Timebase(const Timebase&) = delete;
   Timebase& operator=(const Timebase&) = delete;
 
   /// @brief Returns the time.
-  /// @return time since start [us]; never less than at the call before
+  /// @return time since start [us]; never less than at the previous call
   /// @isr{yes}
   /// @satisfies FR-127
   [[nodiscard]] virtual Instant now() const = 0;

@@ -2,10 +2,10 @@
 
 namespace wr {
 
-/// @brief Guard that resets the system unless it is refreshed in time.
-/// @function Ends a system that has stopped working: without a refresh within the watchdog time-out the
-/// microcontroller is reset.
-/// @secret The counter that guards the time, and the demands of a refresh.
+/// @brief Timer that resets the system unless it is refreshed in time.
+/// @function Resets the microcontroller when the system has stopped working: when there is no
+/// refresh within the watchdog time-out.
+/// @secret The counter of the time, and the rules for a refresh.
 class Watchdog {
  public:
   Watchdog(const Watchdog&) = delete;

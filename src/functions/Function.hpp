@@ -9,13 +9,13 @@ namespace wr {
 
 /// @brief A calculation.
 /// @function Calculates one value from its arguments, in integers: the host and the microcontroller
-/// give equal numbers.
-/// @secret Which formula is calculated.
+/// calculate equal numbers.
+/// @secret Which formula is used.
 /// @role{functions, Strategy}
 ///
 /// @patternapp{functions, Strategy, Functions}
 /// @why The values of sensors and of the remote control must be converted into physical values,
-/// each by its own formula. A sensor gets a function, and does not depend on which.
+/// each by its own formula. A sensor gets a function, and does not depend on its formula.
 /// @changes A formula may change with the sensor. A new calculation is a new subclass of this class.
 class Function {
  public:
@@ -24,8 +24,8 @@ class Function {
 
   /// @brief Calculates the value.
   /// @param arguments inputs of the calculation
-  /// @return the value, in the unit of the function; nothing when an argument is missing,
-  /// out of its range, or when the value would be
+  /// @return the value, in the unit of the function; nothing when an argument is missing, out of
+  /// its range, or when the value would be out of range
   /// @isr{yes}
   [[nodiscard]] virtual std::optional<std::int32_t> calculate(const Arguments& arguments) const = 0;
 

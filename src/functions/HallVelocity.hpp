@@ -10,7 +10,7 @@ namespace wr {
 /// @brief Velocity of a wheel from its Hall edges.
 /// @function Calculates the velocity of a number of edges in a time: Raw * Scale / (Divisor *
 /// Elapsed).
-/// @secret The formula that leads from edges and time to a velocity.
+/// @secret The formula for a velocity from edges and time.
 /// @role{functions, Concrete Strategy}
 class HallVelocity final : public Function {
  public:

@@ -7,9 +7,10 @@
 
 namespace wr {
 
-/// @brief The steering angle that a pulse of the remote control means.
+/// @brief The steering angle from a pulse of the remote control.
 /// @function Calculates the steering angle from the width of a pulse. Around the middle it is 0.
-/// @secret Which width of a pulse means which steering angle, and how wide the middle is.
+/// @secret The relation between the width of a pulse and the steering angle, and the width of the
+/// middle.
 /// @role{functions, Concrete Strategy}
 class RcDirection final : public Function {
  public:
@@ -17,11 +18,11 @@ class RcDirection final : public Function {
   RcDirection() = default;
 
   /// @brief Calculates the steering angle, rounded to the nearest number. Up to 20 us from the
-  /// middle it is 0: the robot shall go straight when its lever is let go.
+  /// middle it is 0: the robot shall go straight when its lever is released.
   /// @param arguments Raw [width, us], Offset [middle, us], Divisor [full deflection, us] and Scale
   /// [steering angle at full deflection, 0.01 degree]; Lowest and Highest bound the width [us]
-  /// @return steering angle [0.01 degree], positive to the left; beyond full deflection that of
-  /// full deflection; nothing when an argument is missing or the width is out of bounds
+  /// @return steering angle [0.01 degree], positive to the left; beyond full deflection the angle
+  /// of full deflection; nothing when an argument is missing or the width is out of bounds
   /// @isr{yes}
   /// @satisfies FR-52
   /// @satisfies FR-53

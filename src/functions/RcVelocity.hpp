@@ -7,9 +7,9 @@
 
 namespace wr {
 
-/// @brief The velocity that a pulse of the remote control means.
+/// @brief The velocity from a pulse of the remote control.
 /// @function Calculates the velocity from the width of a pulse. Around the middle it is 0.
-/// @secret Which width of a pulse means which velocity, and how wide the middle is.
+/// @secret The relation between the width of a pulse and the velocity, and the width of the middle.
 /// @role{functions, Concrete Strategy}
 class RcVelocity final : public Function {
  public:
@@ -20,8 +20,8 @@ class RcVelocity final : public Function {
   /// is 0: the robot shall be at rest when its lever is released.
   /// @param arguments Raw [width, us], Offset [middle, us], Divisor [full deflection, us] and Scale
   /// [velocity at full deflection, 0.1 rpm]; Lowest and Highest bound the width [us]
-  /// @return velocity [0.1 rpm], positive forwards; beyond full deflection that of full deflection;
-  /// nothing when an argument is missing or the width is out of bounds
+  /// @return velocity [0.1 rpm], positive forwards; beyond full deflection the velocity of full
+  /// deflection; nothing when an argument is missing or the width is out of bounds
   /// @isr{yes}
   /// @satisfies FR-52
   /// @satisfies FR-53

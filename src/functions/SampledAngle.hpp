@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief Angle of the steering device from samples of its sensor.
 /// @function Calculates the mean angle of samples: (Raw - Offset) * Scale / Divisor.
-/// @secret The formula that leads from samples to an angle.
+/// @secret The formula for an angle from samples.
 /// @role{functions, Concrete Strategy}
 class SampledAngle final : public Function {
  public:
@@ -17,7 +17,8 @@ class SampledAngle final : public Function {
   SampledAngle() = default;
 
   /// @brief Calculates the angle, rounded to the nearest number.
-  /// @param arguments Raw [sum of samples], Scale of the sensor, Divisor and Offset of so many samples
+  /// @param arguments Raw [sum of samples], Scale of the sensor, and Divisor and Offset for this
+  /// number of samples
   /// @return angle [0.01 degree]; nothing when an argument is missing
   /// @isr{yes}
   /// @satisfies FR-129

@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief Current of a wheel motor from samples of its sensor.
 /// @function Calculates the current of a sum of samples: (Raw - Offset) * Scale / Divisor.
-/// @secret The formula that leads from samples to a current.
+/// @secret The formula for a current from samples.
 /// @role{functions, Concrete Strategy}
 class SampledCurrent final : public Function {
  public:

@@ -8,26 +8,27 @@
 namespace wr {
 
 /// @brief Divides, and rounds to the nearest number; a half is rounded away from zero.
-/// @param dividend number to divide; with a divisor of 32 bits, a product of 33 and 32 bits has room
+/// @param dividend number to divide; with a divisor of 32 bits it may be a product of 33 and 32
+/// bits
 /// @param divisor the divisor
 /// @return the quotient; nothing unless the divisor is greater than 0 and the quotient has 32 bits
 [[nodiscard]] std::optional<std::int32_t> quotient(std::int64_t dividend, std::int64_t divisor);
 
-/// @brief Returns whether a value is in the range that the arguments give. A bound that is not given
-/// bounds nothing.
-/// @param arguments give Lowest and Highest
+/// @brief Returns whether a value is in the range that the arguments define. A missing bound does
+/// not limit the value.
+/// @param arguments contain Lowest and Highest
 /// @param value the value
 /// @return true when it is in the range
 [[nodiscard]] bool accepted(const Arguments& arguments, std::int32_t value);
 
 /// @brief Calculates (Raw - Offset) * Scale / Divisor.
-/// @param arguments give the four values
+/// @param arguments contain the four values
 /// @return the result, rounded to the nearest number; nothing when a value is missing
 [[nodiscard]] std::optional<std::int32_t> scaled(const Arguments& arguments);
 
 /// @brief Calculates the value of a lever of the remote control: (Raw - Offset) * Scale / Divisor,
-/// where Raw - Offset goes no further than Divisor to either side.
-/// @param arguments give the four values, and the range of Raw
+/// where Raw - Offset is limited to Divisor on either side.
+/// @param arguments contain the four values, and the range of Raw
 /// @param middle up to this distance of Raw from Offset the result is 0
 /// @return the result, rounded to the nearest number; nothing when a value is missing or Raw is out
 /// of its range

@@ -23,15 +23,16 @@ static_assert(kSlowestClock >= kMinClock && kFastest <= kMaxCalibrationClock,
               "limits of the calibration");
 static_assert(kClock >= kMinClock && kClock <= kMaxClock, "limits of a conversion with 12 bits");
 
-// A sample takes 20 clocks, and 20 more so that the voltage of the pin is reached. With four
-// samples for a mean, and some bus clocks, one conversion takes 22 us: three of them in a tick are
-// easy.
+// A sample needs 20 clocks, and 20 more until it has reached the voltage of the pin. With four
+// samples for a mean, and some bus clocks, one conversion takes 22 us, so three of them need little
+// of a tick.
 constexpr auto kConfiguration =
     adc::CFG1_ADICLK_BUS | adc::CFG1_MODE_12_BITS | adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;
 
-// Looks at the register before a calibration is given up. A look takes at least 6 and less than 30
-// clocks of the core, which runs from the same clock: the shortest wait is long enough for a
-// calibration of 14000 clocks of the converter, the longest one takes less than 45 ms.
+// Greatest number of reads of the register before the calibration counts as failed. A read takes at
+// least 6 and less than 30 clocks of the core, which has the same clock source. The shortest wait
+// is long enough for a calibration of 14000 clocks of the converter, and the longest wait takes
+// less than 45 ms.
 constexpr std::uint32_t kMaxPolls = 30'000;
 static_assert(kMaxPolls * 6 > 14'000 * kDivider, "the calibration can end in the shortest wait");
 

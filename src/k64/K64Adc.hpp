@@ -12,8 +12,8 @@
 namespace wr {
 
 /// @brief An input of the two converters of the K64.
-/// @function Converts the voltage of one pin to 12 bits, each time as the mean of four samples.
-/// @secret How a converter is calibrated and started, and how the inputs that share it take turns.
+/// @function Converts the voltage of one pin to 12 bits, as the mean of four samples.
+/// @secret How a converter is calibrated and started, and the sequence of the inputs that share it.
 class K64Adc final : public AnalogInput {
  public:
   /// @brief Number of converters.
@@ -26,8 +26,8 @@ class K64Adc final : public AnalogInput {
     std::uint8_t number;     ///< of the input
   };
 
-  /// @brief Finds the channel of a signal; a signal that no pin has does not compile.
-  /// @param signal name that the part gives it, such as ADC0_SE12
+  /// @brief Returns the channel of a signal; a signal that is on no pin does not compile.
+  /// @param signal its name in the manual, such as ADC0_SE12
   /// @return its channel
   /// @satisfies FR-142
   /// @isr{yes}
@@ -42,7 +42,7 @@ class K64Adc final : public AnalogInput {
     return {static_cast<std::uint8_t>(signal[kConverterAt] - '0'), number};
   }
 
-  /// @brief One converter: it converts for one input at a time.
+  /// @brief One converter: it converts one input at a time.
   class Converter {
    public:
     /// @brief Constructs a converter that is off.
@@ -57,7 +57,8 @@ class K64Adc final : public AnalogInput {
 
     void beginCalibration();
     void endCalibration();
-    // Always inlined: these run several times in a millisecond, and a call costs as much.
+    // Always inlined: these methods run several times in a millisecond, and a call would cost as
+    // much as the work.
     [[gnu::always_inline]] inline void ask(K64Adc& input);
     [[gnu::always_inline]] inline void begin() const;
     [[gnu::always_inline]] inline void finish();
@@ -65,7 +66,7 @@ class K64Adc final : public AnalogInput {
 
     std::uint8_t number_;
     bool calibrated_ = false;
-    K64Adc* first_ = nullptr;  // it is being converted; the inputs that wait follow
+    K64Adc* first_ = nullptr;  // input that is being converted; the waiting inputs follow
     K64Adc* last_ = nullptr;
   };
 
@@ -81,14 +82,14 @@ class K64Adc final : public AnalogInput {
   /// @brief Sets the converters up and calibrates them, all at the same time. The wait is bounded: less
   /// than 45 ms for each.
   /// @param converters the converters
-  /// @pre The gates of the converters are open, the core still runs from the clock after reset, and the
-  /// interrupts of the converters are not enabled yet.
+  /// @pre The clock gates of the converters are open, the core still uses the clock after reset,
+  /// and the interrupts of the converters are not enabled yet.
   /// @post A converter whose calibration failed or did not end never converts.
   /// @isr{no}
   /// @satisfies FR-143
   static void calibrate(Converters& converters);
 
-  /// @brief Stores a result and begins the next conversion that was asked for. The vector of the
+  /// @brief Stores a result and begins the next requested conversion. The vector of the
   /// converter's interrupt calls it.
   /// @param converter the converter
   /// @isr{yes}

@@ -11,7 +11,7 @@ namespace wr {
 
 namespace {
 
-// Clocks of the board and of the part, each with its limits.
+// Clocks of the board and of the microcontroller, each with its limits.
 constexpr std::uint32_t kExternalClock = 50'000'000;  // [Hz]
 constexpr std::uint32_t kPllDivider = 20;             // 1 to 25
 constexpr std::uint32_t kPllFactor = 48;              // 24 to 55
@@ -23,7 +23,7 @@ static_assert(kPllReference * kPllFactor == K64Board::kCoreClock, "the PLL gives
 static_assert(K64Board::kCoreClock / K64Board::kBusClock == 2 && K64Board::kBusClock <= 60'000'000);
 static_assert(kFlexBusClock <= 50'000'000 && kFlashClock <= 25'000'000);
 
-// A field of the dividers holds one less than it divides by.
+// A field of the dividers contains the divisor minus 1.
 constexpr auto divideBy(std::uint32_t divider, unsigned lowest) {
   return sim::CLKDIV1.field(divider - 1, lowest);
 }
@@ -31,9 +31,9 @@ constexpr auto divideBy(std::uint32_t divider, unsigned lowest) {
 // The dividers after reset are 1, so they are set before the clock rises.
 constexpr auto kDividers = divideBy(1, 28) | divideBy(2, 24) | divideBy(3, 20) | divideBy(5, 16);
 
-// Looks at a status register before a step of the clock is given up. A look takes less than 20
-// clocks of the slowest clock, 20.9 MHz: the four steps together stay far below the watchdog
-// time-out.
+// Greatest number of reads of a status register before a step of the clock counts as failed. A read
+// takes less than 20 clocks of the slowest clock, 20.9 MHz: the four steps together stay far below
+// the watchdog time-out.
 constexpr std::uint32_t kMaxClockPolls = 20'000;
 
 using Status = decltype(mcg::S)::Bits;
@@ -49,7 +49,7 @@ bool comes(Status mask, Status wanted) {
 
 constexpr std::uint32_t kRetainedMark = 0x57656564;
 
-// Outside the memory that a start initialises. At power-on its content is undefined.
+// In memory that a start does not initialise. At power-on its content is undefined.
 struct FaultRecord {
   std::uint32_t mark;
   std::uint32_t kind;
@@ -76,7 +76,8 @@ void recordFault(FaultKind kind, std::uint16_t number, std::uint32_t address) {
   finishStores();
 }
 
-// Where the firmware ends until a reset comes: from the core, or from the watchdog at the latest.
+// The firmware stays here until the reset, which comes from the core, or at the latest from the
+// watchdog.
 [[noreturn]] void awaitReset() {
   for (;;) {
     asm volatile("nop");
@@ -123,8 +124,8 @@ void connect(const Pin& pin, Mux to) {
   }
 }
 
-// The digital filters of the port of the Hall sensors, the only port that has them, take 31 bus
-// clocks of the full clock: they pass no pulse that is shorter than 0.5 us.
+// The digital filters of the port of the Hall sensors need 31 bus clocks of the full clock: they
+// suppress pulses shorter than 0.5 us. No other port has filters.
 void filterHallSensors() {
   constexpr std::uint32_t kWidth = 31;
   constexpr auto kPort = static_cast<std::uint32_t>(Port::D) * port::kPortDistance;
@@ -134,7 +135,7 @@ void filterHallSensors() {
       pins |= std::uint32_t{1} << pin.number;
     }
   }
-  port::DFER.at(kPort).write({0});  // clock and width change only while no filter is on
+  port::DFER.at(kPort).write({0});  // clock and width may change only while no filter is on
   port::DFCR.at(kPort).write({0});  // bus clock
   port::DFWR.at(kPort).write({kWidth});
   port::DFER.at(kPort).write({pins});
@@ -188,9 +189,10 @@ void K64Board::moveVectors(const std::uint32_t* table) {
 
 std::uint16_t K64Board::startClock() {
   sim::CLKDIV1.write(kDividers);
-  // The core stays on the internal FLL until the external clock is known to run. The clock of the
-  // FLL may jump when its reference changes (erratum 7993). That does no harm here: the dividers
-  // are set, the clock is used for some microseconds only, and no device works with it.
+  // The core stays on the internal FLL until the external clock is verified to run. The clock of
+  // the
+  // FLL may jump when its reference changes (erratum 7993). This has no effect here: the dividers
+  // are set, the clock is used only for some microseconds, and no device uses it.
   mcg::C2.write(mcg::C2_LOCRE0 | mcg::C2_RANGE_VERY_HIGH);
   mcg::C1.write(mcg::C1_CLKS_PLL_FLL | mcg::C1_FRDIV_1536);
   if (!comes(mcg::S_IREFST, {})) {
@@ -209,7 +211,7 @@ std::uint16_t K64Board::startClock() {
   if (!comes(mcg::S_CLKST, mcg::S_CLKST_PLL)) {
     return 4;
   }
-  // From now on the loss of the external clock, or of the lock of the PLL, resets.
+  // From now on the loss of the external clock, or of the lock of the PLL, causes a reset.
   mcg::C8.set(mcg::C8_LOLRE);
   mcg::C6.set(mcg::C6_CME0);
   return 0;
@@ -259,7 +261,7 @@ FaultKind K64Board::faultOf(std::uint16_t exception) {
   if (exception > kHardFault) {
     return kFaults[exception - kHardFault];
   }
-  // The handlers of the other faults are not enabled: their faults come as this one.
+  // The handlers of the other faults are not enabled: their faults are handled here.
   const auto status = scb::CFSR.read();
   if ((status & scb::CFSR_MEMORY).any()) {
     return FaultKind::MemoryFault;
@@ -270,7 +272,7 @@ FaultKind K64Board::faultOf(std::uint16_t exception) {
   return (status & scb::CFSR_USAGE).any() ? FaultKind::UsageFault : FaultKind::HardFault;
 }
 
-// A word takes 256 clocks of the bus, and a look more than 4.
+// A word takes 256 clocks of the bus, and a read needs more than 4.
 std::optional<std::uint32_t> K64Board::randomWord() {
   constexpr std::uint32_t kMostLooks = 2'000;
   rng::CR.write(rng::CR_GO | rng::CR_HA | rng::CR_INTM);

@@ -10,7 +10,7 @@ namespace wr {
 /// @brief The K64 as a whole, and the board FRDM-K64F around it.
 /// @function Brings the microcontroller from reset to full clock with safe outputs, and ends it safely
 /// after a fault. Keeps the fault over the reset.
-/// @secret How clocks, pins and resets of the K64 are controlled, and how a fault is remembered.
+/// @secret How clocks, pins and resets of the K64 are controlled, and how a fault is stored.
 class K64Board {
  public:
   K64Board() = delete;
@@ -20,7 +20,7 @@ class K64Board {
   /// @brief Clock of the timers and of the bus to the other blocks [Hz].
   static constexpr std::uint32_t kBusClock = 60'000'000;
   /// @brief Slowest clock of core and bus between the reset and startClock(), from the internal
-  /// oscillator as the factory trimmed it [Hz].
+  /// oscillator as trimmed in production [Hz].
   static constexpr std::uint32_t kSlowestClockAfterReset = 20'000'000;
   /// @brief Fastest clock of core and bus between the reset and startClock() [Hz].
   static constexpr std::uint32_t kFastestClockAfterReset = 25'000'000;
@@ -33,12 +33,12 @@ class K64Board {
   static void makeOutputsSafe();
 
   /// @brief Connects the outputs of peripherals, which were low until now, to their peripherals.
-  /// @pre Each of the peripherals runs and holds its outputs low.
+  /// @pre Each of the peripherals runs and keeps its outputs low.
   /// @isr{no}
   /// @satisfies FR-141
   static void connectLateOutputs();
 
-  /// @brief Connects all pins that are no outputs. Touches no memory.
+  /// @brief Connects all pins that are not outputs. Touches no memory.
   /// @pre makeOutputsSafe() was called.
   /// @isr{no}
   /// @satisfies FR-144
@@ -49,13 +49,13 @@ class K64Board {
   /// @isr{no}
   static void enableFloatingPoint();
 
-  /// @brief Sets division by zero to fault, and a supply below 2.56 V to reset.
+  /// @brief Makes a division by zero a fault, and makes a supply below 2.56 V a cause of a reset.
   /// @isr{no}
   /// @satisfies FR-204
   /// @satisfies FR-206
   static void enableGuards();
 
-  /// @brief Takes another table of vectors in place of the one in flash.
+  /// @brief Replaces the vector table in flash by another one.
   /// @param table its first word, at a multiple of 512 bytes
   /// @isr{no}
   static void moveVectors(const std::uint32_t* table);
@@ -64,8 +64,8 @@ class K64Board {
   /// @return 0 when the clock runs, else the number of the step that failed: 1 the external clock does
   /// not come, 2 the core does not change to it, 3 the PLL does not lock, 4 the core does not
   /// change to the PLL
-  /// @post After a failure the core runs from a clock that works, if there is one. After a success the
-  /// loss of the external clock or of the lock of the PLL resets.
+  /// @post After a failure the core runs from a working clock, if there is one. After a success the
+  /// loss of the external clock or of the lock of the PLL causes a reset.
   /// @isr{no}
   /// @satisfies FR-72
   /// @satisfies FR-203
@@ -76,24 +76,25 @@ class K64Board {
   /// @satisfies FR-140
   static void openGates();
 
-  /// @brief Draws a word from the random number generator. Waits for at most 2,000 looks at it.
-  /// @return a word of 32 random bits; without meaning as a number; nothing when the generator gives none in time
+  /// @brief Reads a word from the random number generator. Reads its status at most 2,000 times.
+  /// @return a word of 32 random bits, without meaning as a number; nothing when the generator delivers
+  /// none in time
   /// @pre The clocks of the peripherals run.
   /// @isr{no}
   /// @satisfies FR-264
   [[nodiscard]] static std::optional<std::uint32_t> randomWord();
 
   /// @brief Returns the cause of this start and the record of the fault before it. The record is
-  /// reported once.
+  /// returned only once.
   /// @return cause of the reset, and the fault before it
   /// @isr{no}
   /// @satisfies FR-77
   [[nodiscard]] static StartRecord takeStartRecord();
 
   /// @brief Ends the firmware: outputs safe, fault recorded, reset. Never returns.
-  /// @param kind what happened
-  /// @param number number that belongs to the kind, 0 without one
-  /// @param address number of the byte of the instruction at which it happened, 0 when it is not known
+  /// @param kind kind of the fault
+  /// @param number number with a meaning that depends on the kind, 0 if it has none
+  /// @param address number of the byte of the instruction at which it happened, 0 when it is unknown
   /// @isr{yes}
   /// @satisfies FR-75
   [[noreturn]] static void endWithFault(FaultKind kind, std::uint16_t number,
@@ -108,7 +109,7 @@ class K64Board {
 
   /// @brief Returns the kind of fault of an exception.
   /// @param exception number of the exception
-  /// @return the fault; UnexpectedInterrupt for an exception that is no fault
+  /// @return the fault; UnexpectedInterrupt for an exception that is not a fault
   /// @isr{yes}
   /// @satisfies FR-75
   [[nodiscard]] static FaultKind faultOf(std::uint16_t exception);

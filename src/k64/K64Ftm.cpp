@@ -26,7 +26,7 @@ static_assert(widthOf(DutyCycle(0)) == 0 && widthOf(kWholePeriod) == kPeriod);
 }  // namespace
 
 void K64Ftm::start() {
-  // The registers are written while the timer is stopped: then each value acts at once.
+  // The registers are written while the timer is stopped: so each value takes effect at once.
   ftm0::MODE.write(ftm0::MODE_WPDIS);
   ftm0::SC.write({0});
   ftm0::CONF.write(ftm0::CONF_BDMMODE_SAFE);
@@ -43,7 +43,7 @@ void K64Ftm::start() {
 }
 
 void K64Ftm::set(DutyCycle dutyCycle) {
-  // With the timer running the register takes a value over when the counter goes from MOD to 0.
+  // While the timer runs, a new value takes effect when the counter goes from MOD to 0.
   const std::uint32_t offset = static_cast<std::uint32_t>(channel_) * ftm0::kChannelDistance;
   ftm0::CnV.at(offset).write({widthOf(dutyCycle)});
 }

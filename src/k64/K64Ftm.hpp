@@ -7,8 +7,9 @@
 namespace wr {
 
 /// @brief A channel of flexible timer 0.
-/// @function Generates a pulse of 50 us period on the pin of the channel, high for a share of it.
-/// @secret How the timer makes pulses, and how their width changes without a false pulse.
+/// @function Generates a pulse of 50 us period on the pin of the channel, high for a part of the
+/// period.
+/// @secret How the timer generates pulses, and how their width changes without a false pulse.
 /// @hides{K64Ftm::kFrequency}
 class K64Ftm final : public PwmOutput {
  public:
@@ -23,15 +24,15 @@ class K64Ftm final : public PwmOutput {
   explicit constexpr K64Ftm(Channel channel) : channel_(channel) {}
 
   /// @brief Starts the timer. All its channels are low until they are set. While a debugger halts
-  /// the core they are low too.
+  /// the core they are also low.
   /// @pre The clock of the timer runs. The pins are not connected to the timer yet.
   /// @isr{no}
   /// @satisfies FR-140
   static void start();
 
-  /// @param dutyCycle share [0.01 %], 0 to 10000; a greater one counts as the limit. It becomes a
+  /// @param dutyCycle share [0.01 %], 0 to 10000; a greater value counts as the limit. It becomes a
   /// width of 0 to 3000 bus clocks, rounded to the nearest.
-  /// @post The width holds from the next period on.
+  /// @post The new width takes effect at the next period.
   /// @isr{yes}
   /// @satisfies FR-140
   /// @satisfies FR-141

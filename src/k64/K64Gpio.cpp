@@ -12,7 +12,7 @@ std::uint32_t offset(Port port) {
 
 }  // namespace
 
-// The start calls it before the program is in RAM: see the linker script.
+// The start calls this code before the program is in RAM: see the linker script.
 [[gnu::section(".start_up"), gnu::flatten]] void K64Gpio::makeSafe(const Pin& pin) {
   drive(pin.port, pin.number, pin.role == Role::HighOutput ? Level::High : Level::Low);
   const auto direction = gpio::PDDR.at(offset(pin.port));

@@ -7,9 +7,9 @@
 
 namespace wr {
 
-/// @brief A pin of the K64 that switches something.
+/// @brief A pin of the K64 that is an output.
 /// @function Drives one pin, high or low.
-/// @secret How the levels of the pins are set without touching those of other pins.
+/// @secret How the levels of the pins are set without changing those of other pins.
 class K64Gpio final : public DigitalOutput {
  public:
   /// @brief Level of a pin.

@@ -6,7 +6,7 @@
 namespace wr {
 
 void K64Pit::switchOn() {
-  // Erratum: an access right after the clock came is lost, so the register is read first.
+  // Erratum: the first access after the clock was enabled is lost, so the register is read first.
   static_cast<void>(pit::MCR.read());
   pit::MCR.write({0});
 }

@@ -7,8 +7,9 @@
 namespace wr {
 
 /// @brief A channel of the periodic interrupt timer.
-/// @function Interrupts again and again, with a period given in microseconds.
-/// @secret How a period becomes a count of bus clocks, and how the channel is made to interrupt.
+/// @function Causes periodic interrupts, with a period in microseconds.
+/// @secret How a period is converted to a count of bus clocks, and how the interrupt of the channel
+/// is set up.
 class K64Pit final : public PeriodicTimer {
  public:
   /// @brief A channel of the timer. Channel 2 is the time base.
@@ -18,7 +19,7 @@ class K64Pit final : public PeriodicTimer {
   /// @param channel the channel; nothing else uses it
   explicit constexpr K64Pit(Channel channel) : channel_(channel) {}
 
-  /// @brief Switches the timer on, with all its channels. Running channels go on.
+  /// @brief Switches the timer on, with all its channels. Running channels continue.
   /// @pre The clocks of the timers run.
   /// @isr{no}
   /// @satisfies FR-1

@@ -29,7 +29,7 @@ bool K64Port::acknowledge() {
   const bool edge = (flags.read().value >> number_ & 1U) != 0;
   if (edge) {
     flags.write(port::ISFR.bit(number_));
-    const InterruptLock lock;  // the tick writes the same
+    const InterruptLock lock;  // the tick writes the same register
     ++edges_;
     if (edges_ == kMaxEdges) {
       const auto control = controlOf(port_, number_);
@@ -48,7 +48,7 @@ void K64Port::allowEdges() {
   if (edges_ == 0) {
     return;
   }
-  const InterruptLock lock;  // the interrupts of the edges write the same
+  const InterruptLock lock;  // the interrupts of the edges write the same register
   if (edges_ >= kMaxEdges) {
     const auto control = controlOf(port_, number_);
     control.write(control.read() | port::PCR_IRQC_BOTH_EDGES);

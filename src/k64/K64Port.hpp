@@ -8,14 +8,16 @@
 namespace wr {
 
 /// @brief A pin of the K64 that is read.
-/// @function Reads the level of one pin, and interrupts at both its edges, up to a bound.
-/// @secret How the ports find edges, how one flag is cleared and the others are left, and how an input
-/// with too many edges is kept from interrupting.
+/// @function Reads the level of one pin, and causes interrupts at both its edges, up to a bound.
+/// @secret How the ports detect edges, how one flag is cleared without the others, and how the
+/// interrupts of an input with too many edges are stopped.
 class K64Port final : public EdgeInput {
  public:
-  /// @brief Edges of one input that interrupt in one tick. A wheel at 600 rpm and a pulse of the
-  /// remote control have at most one edge in a tick at each input: this leaves room for a glitch.
-  /// With noise at all inputs the handlers of the edges take about a quarter of the core.
+  /// @brief Greatest number of interrupts of one input in one tick. A wheel at 600 rpm and a pulse
+  /// of the remote control have at most one edge in a tick at each input: the bound allows for a
+  /// glitch.
+  /// With noise at all inputs the handlers of the edges use about a quarter of the time of the
+  /// core.
   static constexpr std::uint8_t kMaxEdges = 4;
 
   /// @brief Binds an input to a pin.
@@ -35,13 +37,14 @@ class K64Port final : public EdgeInput {
   /// @isr{yes}
   [[nodiscard]] bool acknowledge() override;
 
-  /// @brief Checks whether an edge waits to be acknowledged.
+  /// @brief Checks whether an edge is not acknowledged yet.
   /// @return true when acknowledge() would return true
   /// @satisfies FR-200
   /// @isr{yes}
   [[nodiscard]] bool hasEdge() const;
 
-  /// @brief Starts the count of edges again, and the interrupts of an input that reached its bound.
+  /// @brief Clears the count of edges, and enables the interrupts again if the input reached its
+  /// bound.
   /// @pre It is called once in each tick.
   /// @satisfies FR-201
   /// @isr{yes}

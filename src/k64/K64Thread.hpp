@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief A control thread on an interrupt line that no device uses.
 /// @function Lets the interrupt controller run the body at the priority of the thread.
-/// @secret How the interrupt controller is made to run a body, and when it may interrupt others.
+/// @secret How the interrupt controller runs a body, and when it may preempt others.
 class K64Thread final : public ControlThread {
  public:
   /// @brief Binds a thread to an interrupt line.

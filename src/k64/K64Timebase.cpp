@@ -41,7 +41,8 @@ std::uint32_t K64Timebase::awakeCycles() const {
   return dwt::CYCCNT.read().value - sleptCycles_;
 }
 
-// The interrupts are closed so that the one that ends the sleep does not count as sleep.
+// The interrupts are blocked, so that the time of the interrupt that ends the sleep does not count
+// as sleep.
 void K64Timebase::sleep() {
   closeInterrupts();
   const std::uint32_t before = dwt::CYCCNT.read().value;
@@ -55,7 +56,8 @@ Instant K64Timebase::now() const {
   std::uint32_t count = pit::CVAL.at(kChannel).read().value;
   if ((pit::TFLG.at(kChannel).read() & pit::TFLG_TIF).any()) {
     pit::TFLG.at(kChannel).write(pit::TFLG_TIF);
-    count = pit::CVAL.at(kChannel).read().value;  // the one before may be older than the wrap
+    count = pit::CVAL.at(kChannel).read().value;  // the previous value may be from before the
+                                                  // overflow
     begin_ = begin_.afterPeriod();
   }
   return Instant(begin_.after(kFirst - count).microseconds);

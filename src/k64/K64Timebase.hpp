@@ -9,18 +9,18 @@ namespace wr {
 
 /// @brief The time since start, from channel 2 of the periodic interrupt timer, and the cycles of the
 /// core, from its own counter.
-/// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and gives how
-/// many cycles it was awake.
-/// @secret How a counter of 32 bits that runs down gives a time that never wraps, without a division of
-/// 64 bits; how the cycles are counted whether or not the counter of the core stops while the core
-/// sleeps.
+/// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and
+/// returns the number of cycles in which it was awake.
+/// @secret How a 32-bit down counter becomes a time without overflow and without a 64-bit division,
+/// and how the cycles are counted independent of whether the counter of the core stops during
+/// sleep.
 class K64Timebase final : public Timebase {
  public:
-  /// @brief One time for all signals that an interrupt serves. Its handler records the time at its entry,
-  /// so that its work for one signal does not make the time of the next one late.
+  /// @brief One time for all signals that an interrupt serves. Its handler records the time at its
+  /// entry, so that its work for one signal does not delay the time of the next one.
   class EntryTime final : public Timebase {
    public:
-    /// @brief Binds the time to the clock that gives it.
+    /// @brief Binds the time to its clock.
     /// @param clock the clock; it lives as long as this
     explicit constexpr EntryTime(const K64Timebase& clock) : clock_(clock) {}
 
@@ -61,15 +61,16 @@ class K64Timebase final : public Timebase {
   /// @isr{yes}
   [[nodiscard]] std::uint32_t awakeCycles() const override;
 
-  /// @brief Sleeps until an interrupt comes; it is served when this returns.
-  /// @pre No interrupt is being served, and none is kept away.
+  /// @brief Sleeps until an interrupt comes; the interrupt has been served when this method
+  /// returns.
+  /// @pre No interrupt is being served, and none is blocked.
   /// @satisfies FR-160
   /// @satisfies FR-302
   /// @isr{no}
   void sleep();
 
  private:
-  /// @brief A time since start, to the tick.
+  /// @brief A time since start, in ticks of the counter.
   /// @datatype
   struct Time {
     std::uint64_t microseconds = 0;
@@ -83,14 +84,14 @@ class K64Timebase final : public Timebase {
               left % K64Board::kTicksPerMicrosecond};
     }
 
-    /// @brief Returns the time one period of the counter later.
+    /// @brief Returns the time after one more period of the counter.
     [[nodiscard]] constexpr Time afterPeriod() const { return after(kFirst).after(1); }
   };
 
-  static constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from here down to 0
+  static constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from this value down to 0
 
   mutable Time begin_;             // of the period of the counter
-  std::uint32_t sleptCycles_ = 0;  // written while interrupts are closed
+  std::uint32_t sleptCycles_ = 0;  // written while interrupts are blocked
 };
 
 }  // namespace wr

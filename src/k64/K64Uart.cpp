@@ -28,7 +28,7 @@ consteval bool isExact(std::uint32_t clock, const Divisor& divisor) {
   return error * kBaudErrorDivisor < K64Uart::kBaud;
 }
 
-// Port 0 has the clock of the core, port 4 that of the bus.
+// Port 0 uses the core clock, port 4 the bus clock.
 constexpr Divisor kByCore = divisorOf(K64Board::kCoreClock);
 constexpr Divisor kByBus = divisorOf(K64Board::kBusClock);
 static_assert(isExact(K64Board::kCoreClock, kByCore) && isExact(K64Board::kBusClock, kByBus));
@@ -36,12 +36,13 @@ static_assert(isExact(K64Board::kCoreClock, kByCore) && isExact(K64Board::kBusCl
 constexpr auto kReceiving = uart::C2_TE | uart::C2_RE | uart::C2_RIE;
 constexpr auto kSending = kReceiving | uart::C2_TIE;
 
-// Only port 0 has FIFOs. With its FIFO off, or without one, a port has room for 1 byte.
+// Only port 0 has FIFOs. With its FIFO off, or without one, a port stores 1 byte.
 constexpr std::size_t kFifo = 8;
 
 }  // namespace
 
-// Not in the header: an object that the compiler initialises would put its empty storage in flash.
+// Not in the header: with an object that the compiler initialises, its empty buffers would be in
+// flash.
 K64Uart::K64Uart(Port port, const Timebase& clock) : port_(port), clock_(clock) {}
 
 void K64Uart::start() {
@@ -51,8 +52,8 @@ void K64Uart::start() {
   uart::BDL.at(offset()).write({static_cast<std::uint8_t>(divisor.divider)});
   uart::C4.at(offset()).write({static_cast<std::uint8_t>(divisor.fine)});
   if (port_ == Port::Uart0) {
-    // Written while receiver and transmitter are off. The marks keep their values after a reset:
-    // each received byte asks for the interrupt, and so does an empty FIFO for bytes to send.
+    // Written while receiver and transmitter are off. The watermarks keep their values after reset:
+    // each received byte requests the interrupt, and so does an empty transmit FIFO.
     uart::PFIFO.at(offset()).write(uart::PFIFO_RXFE | uart::PFIFO_TXFE);
     uart::CFIFO.at(offset()).write(uart::CFIFO_RXFLUSH | uart::CFIFO_TXFLUSH);
   }
@@ -75,10 +76,10 @@ void K64Uart::receive() {
     if (!(status & (uart::S1_RDRF | uart::S1_OR)).any()) {
       break;
     }
-    // Reading the byte after the status clears the errors. After an overrun nothing is received
-    // until that is done, even when the byte itself was read before.
+    // Reading the byte after the status clears the errors. After an overrun no byte is received
+    // until the errors are cleared, even when the byte was read before.
     if ((status & uart::S1_FE).any()) {
-      // The receiver waits after a wrong stop bit, so that byte is the last one in the FIFO.
+      // The receiver waits after a wrong stop bit, so this byte is the last one in the FIFO.
       untilBroken = uart::RCFIFO.at(offset()).read().value;
     }
     const bool noisy = (uart::ED.at(offset()).read() & uart::ED_NOISY).any();
@@ -87,7 +88,7 @@ void K64Uart::receive() {
     if ((status & uart::S1_RDRF).any()) {
       lost += noisy || untilBroken == 1 || !store(byte) ? 1U : 0U;
     } else {
-      // The read found no byte, which moves the places of the FIFO apart.
+      // The read of an empty FIFO makes its positions inconsistent.
       uart::CFIFO.at(offset()).write(uart::CFIFO_RXFLUSH);
     }
     untilBroken -= untilBroken != 0 ? 1U : 0U;

@@ -15,20 +15,20 @@ namespace wr {
 
 /// @brief A serial port of the K64. Port 0 is the USB debug port of the board.
 /// @function Receives and sends bytes in the background: 115200 baud, 8 bits, no parity, 1 stop bit.
-/// @secret How bytes move between the registers of the port and the storage, how the time of a zero byte
-/// is kept until it is read, and how errors of the line are handled.
+/// @secret How bytes are transferred between the registers of the port and the buffers, how the
+/// time of a zero byte is stored until it is read, and how errors of the line are handled.
 /// @hides{K64Uart::kBaud}
 class K64Uart final : public SerialPort {
  public:
   /// @brief Speed of the line [baud].
   static constexpr std::uint32_t kBaud = 115'200;
 
-  /// @brief A port of the part that is in use.
+  /// @brief A serial port that the firmware uses.
   enum class Port : std::uint8_t { Uart0 = 0, Uart4 = 1 };
 
   /// @brief Constructs a port that is switched off.
-  /// @param port which one it is; nothing else uses it
-  /// @param clock gives the time at which a zero byte is received
+  /// @param port the port; nothing else uses it
+  /// @param clock returns the time at which a zero byte is received
   K64Uart(Port port, const Timebase& clock);
 
   /// @brief Switches the port on, port 0 with its FIFOs.
@@ -49,11 +49,11 @@ class K64Uart final : public SerialPort {
   [[nodiscard]] std::uint16_t lostBytes() const override;
 
  private:
-  // Elements from one writer to one reader; each may interrupt the other.
+  // A ring buffer from one writer to one reader; each may preempt the other.
   template <class Element, std::size_t kSize>
   class Ring {
    public:
-    // Always inlined, as are load and store: these few instructions run for each element.
+    // Always inlined, like load and store, because these few instructions run for each element.
     [[nodiscard, gnu::always_inline]] std::size_t count() const {
       return load(written_) - load(read_);
     }
@@ -109,9 +109,10 @@ class K64Uart final : public SerialPort {
 
   Port port_;
   const Timebase& clock_;
-  // 115200 baud bring 1152 bytes in one cycle.
+  // 115200 baud transfer 1152 bytes in one cycle.
   Ring<std::uint8_t, 2048> received_;
-  // Times of the zero bytes that follow another byte: at most every second byte is one.
+  // Times of the zero bytes that follow another byte; at most every second byte is such a zero
+  // byte.
   Ring<Instant, 1024> endings_;
   Ring<std::uint8_t, 512> toSend_;
   std::atomic<std::uint32_t> lost_{0};

@@ -15,8 +15,8 @@ static_assert(kTicks > 4 && kTicks <= 0xFFFF, "the low half of the time-out is e
 }  // namespace
 
 void K64Watchdog::configure() {
-  // The second key must follow within 20 bus clocks. One bus clock later the registers are open,
-  // for 256 bus clocks and for one write each.
+  // The second key must follow within 20 bus clocks. One bus clock later the registers are
+  // unlocked, for 256 bus clocks and for one write each.
   wdog::UNLOCK.write({0xC520});
   wdog::UNLOCK.write({0xD928});
   asm volatile("nop\n\tnop\n\tnop\n\tnop" ::: "memory");

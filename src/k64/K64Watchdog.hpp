@@ -8,19 +8,20 @@ namespace wr {
 
 /// @brief The watchdog of the K64.
 /// @function Resets the microcontroller when no control cycle completes in time. Its clock is the
-/// low-power oscillator, which runs whatever happens to the other clocks.
-/// @secret The demands of the watchdog when it is configured and refreshed.
+/// low-power oscillator, which is independent of the other clocks.
+/// @secret The rules of the watchdog for its configuration and its refresh.
 /// @hides{K64Watchdog::kTimeOut}
 class K64Watchdog final : public Watchdog {
  public:
-  /// @brief How long the watchdog waits for a refresh.
+  /// @brief The time for which the watchdog waits for a refresh.
   static constexpr Microseconds kTimeOut = SystemConstants::instance().watchdogTimeout();
 
   /// @brief Returns the watchdog, for the module that refreshes it.
   constexpr K64Watchdog() = default;
 
   /// @brief Configures the watchdog and locks it until the next reset. Touches no memory.
-  /// @pre It is called once, within 256 bus clocks of the reset, and nothing interrupts it.
+  /// @pre The call is the only one, comes within 256 bus clocks after the reset, and is not
+  /// interrupted.
   /// @isr{no}
   /// @satisfies FR-70
   static void configure();

@@ -9,25 +9,25 @@ namespace wr {
 enum class Access : std::uint8_t {
   Read,       ///< read only
   Write,      ///< write only
-  ReadWrite,  ///< a read gives the bits that were written: bits can be changed one by one
-  Flags       ///< read and write differ: it is written as a whole only
+  ReadWrite,  ///< a read returns the written bits, so single bits can be changed
+  Flags       ///< read and write differ: it is only written as a whole
 };
 
 /// @brief Register of the microcontroller.
 /// @tparam Value type of the number in the register
-/// @tparam kAddress address of the register, or of the first one of a row of equal registers
+/// @tparam kAddress address of the register, or of the first register of an array
 /// @tparam kAccess permitted access
 /// @datatype
 template <class Value, std::uint32_t kAddress, Access kAccess = Access::ReadWrite>
 class Register {
  public:
-  /// @brief Bits for this register; those of another register do not mix with them.
+  /// @brief Bits of this register; they cannot be combined with bits of another register.
   /// @datatype
   struct Bits {
-    Value value = 0;  ///< the number that they form
+    Value value = 0;  ///< the bits as a number
 
     /// @brief Returns whether any bit is set.
-    /// @return true when at least one is
+    /// @return true when at least one bit is set
     [[nodiscard]] constexpr bool any() const { return value != 0; }
 
     /// @brief Joins bits.
@@ -40,7 +40,7 @@ class Register {
       return {static_cast<Value>(a.value & b.value)};
     }
 
-    /// @brief Returns whether the bits are the same.
+    /// @brief Returns whether the bits are equal.
     friend constexpr bool operator==(Bits, Bits) = default;
   };
 
@@ -58,7 +58,7 @@ class Register {
   [[nodiscard]] static constexpr Bits bit(unsigned number) { return field(1, number); }
 
   /// @brief Returns an element of the register array.
-  /// @param offset distance from the first one [byte]
+  /// @param offset distance from the first register [byte]
   /// @return the register
   [[nodiscard]] constexpr Register at(std::uint32_t offset) const {
     Register other;
@@ -71,7 +71,8 @@ class Register {
   [[nodiscard]] Bits read() const
     requires(kAccess != Access::Write)
   {
-    return {*place()};  // NOLINT(clang-analyzer-core.FixedAddressDereference): that is a register
+    return {*place()};  // NOLINT(clang-analyzer-core.FixedAddressDereference): the address is a
+                        // register
   }
 
   /// @brief Writes the register.
@@ -82,7 +83,7 @@ class Register {
     *place() = bits.value;  // NOLINT(clang-analyzer-core.FixedAddressDereference): as above
   }
 
-  /// @brief Sets bits, and leaves the others.
+  /// @brief Sets bits, and does not change the others.
   /// @param bits bits to set
   void set(Bits bits) const
     requires(kAccess == Access::ReadWrite)
@@ -90,7 +91,7 @@ class Register {
     write(read() | bits);
   }
 
-  /// @brief Clears bits, and leaves the others.
+  /// @brief Clears bits, and does not change the others.
   /// @param bits bits to clear
   void clear(Bits bits) const
     requires(kAccess == Access::ReadWrite)
@@ -99,7 +100,7 @@ class Register {
   }
 
  private:
-  // The one place where a number becomes an address: registers are at fixed ones.
+  // The only place where a number is converted to an address: registers have fixed addresses.
   [[nodiscard]] volatile Value* place() const {
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     return reinterpret_cast<volatile Value*>(kAddress + offset_);

@@ -7,13 +7,12 @@ namespace wr {
 /// @brief Priority of an interrupt or a thread, 0 to 15; 0 is the highest.
 using Priority = std::uint8_t;
 
-/// @brief Priority of the interrupt that takes the time of an edge of the remote control. A microsecond
-/// of its pulse is 0.06 degrees: no other interrupt makes it late, and none of the firmware is
-/// higher.
+/// @brief Priority of the interrupt that records the time of an edge of the remote control. A
+/// microsecond of a pulse is 0.06 degrees, so no other interrupt of the firmware may delay it.
 inline constexpr Priority kPulsePriority = 1;
 
-/// @brief Priority of the interrupt that takes the time of a Hall edge: short as well, so that the
-/// other devices do not make the time late.
+/// @brief Priority of the interrupt that records the time of a Hall edge: above the other devices,
+/// so that they do not delay the time.
 inline constexpr Priority kEdgePriority = 2;
 
 /// @brief Priority of the other interrupts of the devices.
@@ -35,12 +34,12 @@ inline void finishInstructions() {
   asm volatile("dsb\n\tisb" ::: "memory");
 }
 
-/// @brief Sleeps until an interrupt comes, also one that is kept away by closeInterrupts().
+/// @brief Sleeps until an interrupt comes, also an interrupt that closeInterrupts() blocks.
 inline void sleepUntilInterrupt() {
   asm volatile("dsb\n\twfi" ::: "memory");
 }
 
-/// @brief Keeps all interrupts and faults away that can be kept away.
+/// @brief Blocks all interrupts and faults that can be blocked.
 inline void closeInterrupts() {
   asm volatile("cpsid i" ::: "memory");
 }
@@ -58,11 +57,11 @@ inline std::uint16_t activeException() {
   return static_cast<std::uint16_t>(number);
 }
 
-/// @brief Keeps the interrupts of the firmware away as long as it lives. One inside another is right.
+/// @brief Blocks the interrupts of the firmware as long as it lives. Such locks may be nested.
 /// @datatype
 class InterruptLock {
  public:
-  /// @brief Raises the priority below which nothing interrupts; it never lowers it.
+  /// @brief Raises the priority up to which interrupts are blocked; it never lowers it.
   InterruptLock() {
     asm volatile("mrs %0, basepri" : "=r"(before_));
     constexpr std::uint32_t kMask = kPulsePriority << 4U;
@@ -71,7 +70,7 @@ class InterruptLock {
   InterruptLock(const InterruptLock&) = delete;
   InterruptLock& operator=(const InterruptLock&) = delete;
 
-  /// @brief Restores the priority that was there before.
+  /// @brief Restores the previous priority.
   ~InterruptLock() { asm volatile("msr basepri, %0" ::"r"(before_) : "memory"); }
 
  private:

@@ -16,9 +16,9 @@ enum class Port : std::uint8_t { A = 0, B = 1, C = 2, D = 3, E = 4 };
 enum class Role : std::uint8_t {
   LowOutput,   ///< output, safe when low
   HighOutput,  ///< output, safe when high
-  LateOutput,  ///< output, safe when low; belongs to a peripheral once that runs
+  LateOutput,  ///< output, safe when low; belongs to a peripheral as soon as the peripheral runs
   Input,       ///< input, pulled up
-  PulledUp,    ///< belongs to a peripheral, pulled up: a line that may be open
+  PulledUp,    ///< belongs to a peripheral, pulled up: the line may be unconnected
   Peripheral   ///< belongs to a peripheral
 };
 
@@ -41,22 +41,22 @@ struct Pin {
   }
 };
 
-/// @brief A line of the pin table.
+/// @brief A row of the pin table.
 /// @datatype
 struct PinRow {
   Pin pin;                  ///< the pin
   std::string_view signal;  ///< name of the signal on it
-  std::string_view header;  ///< where it is on the FRDM-K64F
+  std::string_view header;  ///< its connector on the FRDM-K64F
   std::string_view text;    ///< its task
 };
 
-// The pins that the firmware uses, one on a line. A signal of a peripheral has the name that the
-// part gives it. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the
+// The pins that the firmware uses, one per line. A signal of a peripheral has its name in the
+// manual. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the
 // data line of the accelerometer, which is not used. Left alone: J2-2, which is PTC12 from revision
 // E of the board on only; before, it is PTA0, a pin of the debugger.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
-    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset it is the NMI; as an input it is none."},
+    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset the pin is the NMI; an input pin is not."},
     {{Port::A, 18, Mux::Alt0, Role::Peripheral}, "EXTAL0", "50 MHz of the Ethernet chip", "Clock of the microcontroller."},
     {{Port::B, 16, Mux::Alt3, Role::PulledUp}, "UART0_RX", "USB debug port", "Bytes from the PC."},
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},
@@ -101,14 +101,14 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
 });
 // clang-format on
 
-/// @brief The pins of the table without its texts, so that the texts take no flash.
+/// @brief The pins of the table without its texts, so that the texts are not in flash.
 inline constexpr auto kPins = [] {
   std::array<Pin, kPinTable.size()> pins{};
   std::ranges::transform(kPinTable, pins.begin(), [](const PinRow& row) { return row.pin; });
   return pins;
 }();
 
-/// @brief Finds the pin of a signal; a signal that no pin has does not compile.
+/// @brief Returns the pin of a signal; a signal that is on no pin does not compile.
 /// @param signal name of the signal
 /// @return its pin
 consteval Pin pinOf(std::string_view signal) {
@@ -117,7 +117,7 @@ consteval Pin pinOf(std::string_view signal) {
 
 namespace pin_rules {
 
-/// @brief Returns whether the part, in its package with 100 pins, has all pins.
+/// @brief Returns whether all pins exist on the microcontroller, in its package with 100 pins.
 consteval bool allExist() {
   constexpr std::array<std::uint32_t, 5> kExistingPins = {0x000FF03F, 0x00FF0E0F, 0x0007FFFF,
                                                           0x000000FF, 0x0700007F};
@@ -140,7 +140,7 @@ consteval bool noneTwice() {
   return true;
 }
 
-/// @brief Returns whether each signal of a peripheral is on a pin that can have it.
+/// @brief Returns whether each signal of a peripheral is on a pin that supports it.
 consteval bool allMuxed() {
   struct Function {
     Port port;
@@ -177,16 +177,16 @@ consteval bool allMuxed() {
   });
 }
 
-/// @brief Returns whether the pins of the debugger, PTA0 and PTA3, are left alone.
+/// @brief Returns whether the pins of the debugger, PTA0 and PTA3, are not used.
 consteval bool debuggerIsFree() {
   return std::ranges::none_of(kPins, [](const Pin& pin) {
     return pin.port == Port::A && (pin.number == 0 || pin.number == 3);
   });
 }
 
-static_assert(allExist(), "a pin is used that the part does not have");
+static_assert(allExist(), "a pin is used that the microcontroller does not have");
 static_assert(noneTwice(), "a pin or a signal is used twice");
-static_assert(allMuxed(), "a pin is connected to something that it cannot have");
+static_assert(allMuxed(), "a pin has a connection that it does not support");
 static_assert(debuggerIsFree(), "a pin of the debugger is used");
 
 }  // namespace pin_rules

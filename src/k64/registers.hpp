@@ -2,7 +2,7 @@
 
 // The registers of the MK64FN1M0VLL12 that the firmware uses: one namespace for each block, names
 // as in the reference manual of the part (K64P144M120SF5RM), those of the core as in the ARMv7-M
-// architecture manual. Bits are named as far as they are used.
+// architecture manual. Only the used bits have names.
 
 #include <cstdint>
 
@@ -16,7 +16,7 @@ inline constexpr Register<std::uint16_t, 0x40052000> STCTRLH;
 inline constexpr auto STCTRLH_WDOGEN = STCTRLH.bit(0);
 inline constexpr auto STCTRLH_STOPEN = STCTRLH.bit(6);
 inline constexpr auto STCTRLH_WAITEN = STCTRLH.bit(7);
-inline constexpr auto STCTRLH_RESERVED = STCTRLH.bit(8);  // 1 after reset, and kept
+inline constexpr auto STCTRLH_RESERVED = STCTRLH.bit(8);  // 1 after reset, and not changed
 inline constexpr Register<std::uint16_t, 0x40052004> TOVALH;
 inline constexpr Register<std::uint16_t, 0x40052006> TOVALL;
 inline constexpr Register<std::uint16_t, 0x4005200C, Access::Write> REFRESH;
@@ -104,7 +104,7 @@ inline constexpr auto SRS1_SW = SRS1.bit(2);
 inline constexpr auto SRS1_MDM_AP = SRS1.bit(3);
 }  // namespace rcm
 
-/// @brief Port control: the connection of each pin, and the edges that interrupt.
+/// @brief Port control: the connection of each pin, and the edges that cause interrupts.
 namespace port {
 inline constexpr std::uint32_t kPortDistance = 0x1000;  // from one port to the next [byte]
 inline constexpr std::uint32_t kPinDistance = 4;        // from one pin to the next [byte]
@@ -184,9 +184,9 @@ inline constexpr auto SC3_CALF = SC3.bit(6);
 inline constexpr auto SC3_CAL = SC3.bit(7);
 inline constexpr Register<std::uint32_t, 0x4003B02C> PG;
 inline constexpr Register<std::uint32_t, 0x4003B030> MG;
-inline constexpr std::uint32_t kCalibrationResults =
-    6;                                               // of a calibration, in a row, for each side
-inline constexpr std::uint32_t kResultDistance = 4;  // from one result to the next [byte]
+inline constexpr std::uint32_t kCalibrationResults = 6;  // results of a calibration, in sequence,
+                                                         // for each side
+inline constexpr std::uint32_t kResultDistance = 4;      // from one result to the next [byte]
 inline constexpr Register<std::uint32_t, 0x4003B038, Access::Read> CLPS;  // then CLP4 to CLP0
 inline constexpr Register<std::uint32_t, 0x4003B058, Access::Read> CLMS;  // then CLM4 to CLM0
 }  // namespace adc
@@ -227,7 +227,7 @@ namespace nvic {
 inline constexpr Register<std::uint32_t, 0xE000E100, Access::Flags> ISER;
 inline constexpr Register<std::uint32_t, 0xE000E200, Access::Flags> ISPR;
 inline constexpr Register<std::uint8_t, 0xE000E400> IPR;
-inline constexpr unsigned kPriorityLowest = 4;  // the part has the upper 4 of 8 bits
+inline constexpr unsigned kPriorityLowest = 4;  // the microcontroller has the upper 4 of 8 bits
 }  // namespace nvic
 
 /// @brief System control block of the core.

@@ -14,10 +14,10 @@ namespace wr {
 
 /// @brief Data of a control cycle: orders, measurements, outputs.
 ///
-/// @function Keeps the set-points that are in force with their source, and what happened in the present
-/// cycle, and gives the content of the report from it.
+/// @function Stores the set-points in force with their source, and the results of the present
+/// cycle, and returns the content of the report.
 ///
-/// @secret The values that are kept from one cycle to the next, and those that end with a cycle.
+/// @secret The values that are stored from one cycle to the next, and the values that are cleared.
 class ControlData {
  public:
   /// @brief Constructs data without set-points, before the first cycle.
@@ -25,22 +25,22 @@ class ControlData {
   ControlData(const ControlData&) = delete;
   ControlData& operator=(const ControlData&) = delete;
 
-  /// @brief Begins the next cycle; clears the records and values of the cycle before.
+  /// @brief Begins the next cycle; clears the records and values of the previous cycle.
   /// @param clockPulse time of the clock pulse
   /// @isr{no}
   /// @satisfies FR-174
   void beginCycle(Instant clockPulse);
 
-  /// @brief Records the costs of the start of this cycle and of the cycle before.
+  /// @brief Records the costs of the start of this cycle and of the previous cycle.
   /// @param pulse count of processor cycles at the clock pulse of this cycle
-  /// @param start the same count when this cycle began
+  /// @param start the count when this cycle began
   /// @satisfies FR-302
   /// @satisfies FR-303
   /// @isr{no}
   void saveStart(std::uint32_t pulse, std::uint32_t start);
 
   /// @brief Records that the report of this cycle was sent.
-  /// @param end count of processor cycles then
+  /// @param end count of processor cycles at this time
   /// @satisfies FR-160
   /// @isr{no}
   void saveReported(std::uint32_t end);
@@ -51,7 +51,7 @@ class ControlData {
   /// @isr{no}
   void saveModeId(ModeId source);
 
-  /// @brief Sets the set-points, and their source to the one recorded last.
+  /// @brief Sets the set-points, and sets their source to the last recorded one.
   /// @param setPoints targets of the control systems
   /// @satisfies FR-19
   /// @satisfies FR-305
@@ -76,7 +76,7 @@ class ControlData {
   /// @isr{no}
   void saveOverrun();
 
-  /// @brief The set-points in force.
+  /// @brief Returns the set-points in force.
   /// @return set-points that were read last; nothing before the first read.
   /// @isr{no}
   /// @satisfies FR-14
@@ -88,25 +88,25 @@ class ControlData {
   /// @satisfies FR-21
   [[nodiscard]] bool stopped() const;
 
-  /// @brief The number of the present cycle.
+  /// @brief Returns the number of the present cycle.
   /// @return number from 1; 0 before the first cycle.
   /// @isr{no}
   /// @satisfies FR-174
   [[nodiscard]] std::uint32_t cycle() const;
 
-  /// @brief The measured values of this cycle, to be filled in.
+  /// @brief Returns the measured values of this cycle, to be filled in.
   /// @return values, all missing when a cycle begins.
   /// @isr{no}
   /// @satisfies FR-93
   [[nodiscard]] Measurements& measurements();
 
-  /// @brief The applied values of this cycle, to be filled in.
+  /// @brief Returns the applied values of this cycle, to be filled in.
   /// @return values, all missing when a cycle begins.
   /// @isr{no}
   /// @satisfies FR-94
   [[nodiscard]] Outputs& outputs();
 
-  /// @brief The content of the report of this cycle.
+  /// @brief Returns the content of the report of this cycle.
   /// @param state operation state to report
   /// @param mode reading mode to report
   /// @param counts counts of the link
@@ -122,7 +122,7 @@ class ControlData {
                                   const LinkCounts& counts) const;
 
  private:
-  /// @brief Returns why the set-points are not followed in this cycle.
+  /// @brief Returns the reason why the set-points are not followed in this cycle.
   /// @satisfies FR-242
   [[nodiscard]] Inhibit inhibit(OperationStateId state) const;
 

@@ -8,10 +8,10 @@ class MainController;
 
 /// @brief Command of the clock pulse: begins a control cycle.
 ///
-/// @function Passes the interrupt of the cycle timer on to the main controller, so that the timer
+/// @function Forwards the interrupt of the cycle timer to the main controller, so that the timer
 /// names no module of Main Control.
 ///
-/// @secret Which module acts on the clock pulse, and by which operation.
+/// @secret The module that acts on the clock pulse, and its operation.
 ///
 /// @role{cycle-timer-interrupt, Concrete Command}
 ///

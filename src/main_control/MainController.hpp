@@ -19,12 +19,12 @@ namespace wr {
 
 /// @brief Runs the control cycle: read, control, write.
 ///
-/// @function Runs one cycle for each clock pulse. In each cycle it serves every source of orders, lets the present
-/// operation state read one order, control and report, and reports to the watchdog that it
-/// completed. It keeps the present state and the present reading mode, and executes the orders of
-/// the states: apply control, hold, send a report.
+/// @function Runs one cycle for each clock pulse. In each cycle it serves every source of orders,
+/// lets the present operation state read one order, control and report, and reports to the watchdog
+/// that the cycle completed. It stores the present state and the present reading mode, and executes
+/// the orders of the states: apply control, hold, send a report.
 ///
-/// @secret The sequence of steps in a control cycle, and that a stop goes before every state.
+/// @secret The sequence of steps in a control cycle, and that a stop has priority over every state.
 ///
 /// @role{operation-states, Context}
 /// @role{reading-modes, Context}
@@ -35,15 +35,17 @@ class MainController {
   /// @brief Parts of the controller. Each part lives as long as the controller.
   /// @datatype
   struct Parts {
-    ControlThread& thread;     ///< runs the cycles
-    const Timebase& timebase;  ///< gives the time of a clock pulse, and counts the cost of a cycle
-    ControlData& data;         ///< data of the cycle
+    ControlThread& thread;         ///< runs the cycles
+    const Timebase& timebase;      ///< returns the time of a clock pulse, and counts the cost of a
+                                   ///< cycle
+    ControlData& data;             ///< data of the cycle
     ControlSystemPool& systems;    ///< the control systems
     PcConnection& connection;      ///< link to the PC
-    Watchdog& watchdog;            ///< gets a report of each cycle that completed
+    Watchdog& watchdog;            ///< is refreshed after each cycle that completed
     OperationState& initialState;  ///< operation state at start
     Mode& initialMode;             ///< reading mode at start
-    std::span<Mode* const> modes;  ///< every mode: it is served, and can order a stop
+    std::span<Mode* const> modes;  ///< every mode: each is served in every cycle, and can order a
+                                   ///< stop
   };
 
   /// @brief Binds the controller to its parts.
@@ -60,57 +62,57 @@ class MainController {
   void start();
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
-  /// @errors Before start() the pulse has no effect. A pulse that comes before the last cycle has ended
-  /// is counted as an overrun; one cycle more is run at most.
+  /// @errors Before start() the pulse has no effect. A pulse that comes before the last cycle has
+  /// ended is counted as an overrun; at most one more cycle is run.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}
   void clockPulse();
 
-  /// @brief Reads one order, or finds that there is none, as the present state does it.
-  /// @post The state that follows from the read is current.
+  /// @brief Reads one order if there is one, as the present state defines it.
+  /// @post The current state is the result of the read.
   /// @satisfies FR-2
   /// @isr{no}
   void read();
 
-  /// @brief Orders the control systems, as the present state does it.
+  /// @brief Orders the control systems, as the present state defines it.
   /// @satisfies FR-2
   /// @satisfies FR-3
   /// @isr{no}
   void control();
 
-  /// @brief Reports, as the present state does it.
+  /// @brief Reports, as the present state defines it.
   /// @satisfies FR-2
   /// @satisfies FR-3
   /// @isr{no}
   void write();
 
   /// @brief Sets the operation state.
-  /// @param state state of the steps that follow
+  /// @param state state for the next steps
   /// @isr{no}
   void changeOpState(OperationState& state);
 
   /// @brief Sets the reading mode.
-  /// @param mode mode of the reads that follow
+  /// @param mode mode for the next reads
   /// @satisfies FR-11
   /// @satisfies FR-12
   /// @isr{no}
   void changeMode(Mode& mode);
 
-  /// @brief The present reading mode.
-  /// @return mode that orders are read from.
+  /// @brief Returns the present reading mode.
+  /// @return mode from which orders are read.
   /// @isr{no}
   /// @satisfies FR-13
   [[nodiscard]] Mode& getMode();
 
-  /// @brief The data of the present cycle.
-  /// @return data that modes and states save to.
+  /// @brief Returns the data of the present cycle.
+  /// @return data in which modes and states store values.
   /// @isr{no}
   /// @satisfies FR-61
   [[nodiscard]] ControlData& getData();
 
   /// @brief Orders the control systems to follow the set-points that were read last.
-  /// An order to acknowledge moves nothing; it counts only if it is neutral.
+  /// An order to acknowledge moves nothing; it is valid only if it is neutral.
   /// @post Without set-points, and while a stop is in force, the control systems are held.
   /// @satisfies FR-14
   /// @satisfies FR-21
@@ -127,7 +129,7 @@ class MainController {
 
   /// @brief Sends the report of this cycle to the PC.
   /// @param state operation state to report
-  /// @errors A report that the link does not take is dropped; the link counts it.
+  /// @errors A report that the link cannot send is dropped; the link counts it.
   /// @satisfies FR-4
   /// @satisfies FR-5
   /// @satisfies FR-60
@@ -146,8 +148,8 @@ class MainController {
     MainController& mCtrl_;
   };
 
-  /// @brief Runs one control cycle: serve the sources of orders, note stops, read, control, write. At its end the
-  /// watchdog is refreshed, if the cycle completed.
+  /// @brief Runs one control cycle: serve the sources of orders, record stops, read, control,
+  /// write. If the cycle completed, it refreshes the watchdog at the end.
   /// @satisfies FR-2
   /// @satisfies FR-35
   /// @satisfies FR-37

@@ -12,13 +12,13 @@ namespace wr {
 class DirectionBuffer final : public RcBuffer {
  public:
   /// @brief Binds the buffer.
-  /// @param instants gives period and width of the pulses
+  /// @param instants measures period and width of the pulses
   /// @param function calculates the angle of a pulse
-  /// @param direction takes the angle of each pulse, with the time at which it ended
+  /// @param direction receives the angle of each pulse, with the time at which it ended
   DirectionBuffer(InstantCollector& instants, const Function& function, Pipe<Angle>& direction);
 
  private:
-  /// @brief The greatest angle that can be ordered.
+  /// @brief Returns the greatest angle that can be ordered.
   /// @return angle [0.01 degree]
   /// @satisfies FR-52
   [[nodiscard]] std::int32_t fullDeflection() const override;

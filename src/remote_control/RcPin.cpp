@@ -10,7 +10,7 @@ void RcPin::start() {
 
 void RcPin::serve() {
   if (input_.acknowledge()) {
-    // passes: 1; further edges that one interrupt serves count as interrupts of their own
+    // passes: 1; further edges that one interrupt serves count as separate interrupts
     command_.execute();
   }
 }

@@ -5,10 +5,10 @@
 
 namespace wr {
 
-/// @brief A pin at which pulses of the remote control come.
-/// @function Interrupts at each edge of the pin, executes the command that it was given, and gives
-/// the present level.
-/// @secret The hardware at which a signal of the remote control comes in.
+/// @brief A pin with pulses of the remote control.
+/// @function Causes an interrupt at each edge of the pin, executes its command, and returns the
+/// present level.
+/// @secret The hardware that receives a signal of the remote control.
 /// @role{rc-pin-interrupt, Invoker}
 class RcPin final {
  public:

@@ -7,22 +7,23 @@
 
 namespace wr {
 
-/// @brief Command of an edge on a pin of the remote control: passes it to the buffer.
-/// @function Passes the level after an edge, with its time, on to the buffer.
+/// @brief Command of an edge on a pin of the remote control: passes the edge to the buffer.
+/// @function Passes the level after an edge, with its time, to the buffer.
 /// @secret Which module acts on an edge of the remote control, and the values that it gets.
 /// @role{rc-pin-interrupt, Concrete Command}
 ///
 /// @patternapp{rc-pin-interrupt, Command, Process the RC pin interruptions}
-/// @why An edge on a pin of the remote control interrupts. The pin executes a command object, so it
+/// @why An edge on a pin of the remote control causes an interrupt. The pin executes a command
+/// object, so it
 /// names no module that acts on the edge.
 /// @changes The actions at an edge, or the modules that they affect, may change without change to
 /// the pin.
 class ReadRcPin final : public Command {
  public:
   /// @brief Binds the command to pin and buffer.
-  /// @param buffer takes the edges
-  /// @param pin gives the level
-  /// @param timebase gives the time of an edge
+  /// @param buffer receives the edges
+  /// @param pin returns the level
+  /// @param timebase returns the time of an edge
   ReadRcPin(RcBuffer& buffer, const RcPin& pin, const Timebase& timebase);
 
   /// @brief Passes the present level and the time to the buffer.

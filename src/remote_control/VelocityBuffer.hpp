@@ -12,13 +12,13 @@ namespace wr {
 class VelocityBuffer final : public RcBuffer {
  public:
   /// @brief Binds the buffer.
-  /// @param instants gives period and width of the pulses
+  /// @param instants measures period and width of the pulses
   /// @param function calculates the velocity of a pulse
-  /// @param velocity takes the velocity of each pulse, with the time at which it ended
+  /// @param velocity receives the velocity of each pulse, with the time at which it ended
   VelocityBuffer(InstantCollector& instants, const Function& function, Pipe<Velocity>& velocity);
 
  private:
-  /// @brief The greatest velocity that can be ordered.
+  /// @brief Returns the greatest velocity that can be ordered.
   /// @return velocity [0.1 rpm]
   /// @satisfies FR-52
   [[nodiscard]] std::int32_t fullDeflection() const override;

@@ -15,7 +15,7 @@ class Command {
   Command(const Command&) = delete;
   Command& operator=(const Command&) = delete;
 
-  /// @brief Does the action.
+  /// @brief Executes the action.
   /// @isr{depends on the command}
   virtual void execute() = 0;
 

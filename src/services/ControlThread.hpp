@@ -9,9 +9,9 @@ namespace wr {
 
 /// @brief A body that runs to its end each time the thread is posted.
 /// @function Moves work out of interrupts: an interrupt posts the thread, and the platform runs the
-/// body at the priority of the thread. Keeps count of activations that came too early.
-/// @secret How an activation is remembered until the body has run, and how activations that overlap
-/// are counted.
+/// body at the priority of the thread. Counts activations that came too early.
+/// @secret How an activation is stored until the body has run, and how activations that overlap are
+/// counted.
 class ControlThread {
  public:
   ControlThread(const ControlThread&) = delete;
@@ -26,15 +26,16 @@ class ControlThread {
   /// @satisfies FR-176
   void start(Command& body);
 
-  /// @brief Asks for one activation of the body. When the activation before has not ended, an
-  /// overrun is counted; the new activation follows, unless one is kept already.
+  /// @brief Requests one activation of the body. When the previous activation has not ended, an
+  /// overrun is counted; the new activation follows it, unless another one is already pending.
   /// @return false when the thread has no body: nothing happens
   /// @isr{yes}
   /// @satisfies FR-4
   /// @satisfies FR-172
   bool post();
 
-  /// @brief Returns how often the thread was posted before the last activation had ended.
+  /// @brief Returns the number of times that the thread was posted before the last activation had
+  /// ended.
   /// @return number of overruns since start, at most 65535
   /// @isr{yes}
   [[nodiscard]] std::uint16_t overruns() const;
@@ -43,9 +44,9 @@ class ControlThread {
   ControlThread() = default;
   ~ControlThread() = default;
 
-  /// @brief Runs one activation, and triggers the thread again when another one is kept. The
-  /// platform calls it at the priority of the thread, as its answer to pend(). Without an
-  /// activation that waits nothing happens.
+  /// @brief Runs one activation, and triggers the thread again when another one is pending. The
+  /// platform calls it at the priority of the thread, as its answer to pend(). Without a pending
+  /// activation it does nothing.
   void run();
 
  private:
@@ -54,8 +55,8 @@ class ControlThread {
   virtual void pend() = 0;
 
   std::atomic<Command*> body_{nullptr};
-  std::atomic<std::uint32_t> accepted_{0};  // activations; only posts count them
-  std::atomic<std::uint32_t> ended_{0};     // activations; only run counts them
+  std::atomic<std::uint32_t> accepted_{0};  // number of activations, incremented only by posts
+  std::atomic<std::uint32_t> ended_{0};     // number of activations, incremented only by run()
   std::atomic<std::uint32_t> overruns_{0};
 
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "an interrupt cannot wait");

@@ -9,19 +9,19 @@
 
 namespace wr {
 
-/// @brief A value, and when it was written.
+/// @brief A value and the time at which it was written.
 /// @datatype
 template <class T>
 struct Stamped {
   T value{};     ///< the value
-  Instant at{};  ///< when it was written
+  Instant at{};  ///< time at which it was written
 };
 
-/// @brief Carries the newest value from one writer to one reader.
+/// @brief Transfers the newest value from one writer to one reader.
 /// @function Connects a writer and a reader that run at different priorities and do not depend on
 /// each other. Neither ever waits. A value has the time of its writing, so that a reader detects a
 /// stale one.
-/// @secret That three slots change hands by one atomic exchange.
+/// @secret That writer and reader exchange three slots by one atomic operation.
 template <class T>
 class Pipe {
  public:
@@ -31,10 +31,10 @@ class Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  /// @brief Puts a value in the pipe, in place of the one before.
+  /// @brief Puts a value in the pipe, and replaces the previous one.
   /// @param value the value
-  /// @param at when the value was obtained
-  /// @pre No other write is under way.
+  /// @param at time of the value
+  /// @pre No other write is active.
   /// @isr{yes}
   /// @satisfies FR-173
   void write(const T& value, Instant at) {
@@ -46,7 +46,7 @@ class Pipe {
 
   /// @brief Returns the newest value. The value stays in the pipe.
   /// @return the newest value and its time; nothing before the first write
-  /// @pre No other read is under way.
+  /// @pre No other read is active.
   /// @isr{yes}
   /// @satisfies FR-173
   [[nodiscard]] std::optional<Stamped<T>> read() {
@@ -54,10 +54,10 @@ class Pipe {
     return value != nullptr ? std::optional(*value) : std::nullopt;
   }
 
-  /// @brief Returns the address of the newest value, for a reader that needs a part of it. It stays
-  /// there until the next call of this or of read().
+  /// @brief Returns the address of the newest value, for a reader that needs a part of it. The
+  /// address is valid until the next call of this method or of read().
   /// @return the newest value and its time; null before the first write
-  /// @pre No other read is under way.
+  /// @pre No other read is active.
   /// @isr{yes}
   /// @satisfies FR-173
   [[nodiscard]] const Stamped<T>* newest() {
@@ -69,12 +69,12 @@ class Pipe {
   }
 
  private:
-  static constexpr std::uint32_t kSlot = 3;  // the bits that number a slot
-  static constexpr std::uint32_t kNew = 4;   // the shared slot was written and not yet taken
+  static constexpr std::uint32_t kSlot = 3;  // the bits with the number of a slot
+  static constexpr std::uint32_t kNew = 4;   // the shared slot was written and not read yet
 
   std::array<Stamped<T>, 3> slots_{};
   std::uint32_t written_ = 0;             // slot of the writer
-  std::atomic<std::uint32_t> shared_{1};  // slot between the two
+  std::atomic<std::uint32_t> shared_{1};  // slot between writer and reader
   std::uint32_t read_ = 2;                // slot of the reader
   bool filled_ = false;
 

@@ -14,21 +14,21 @@ enum class ResetCause : std::uint8_t {
   Watchdog = 4,    ///< the watchdog was not refreshed in time
   ClockLost = 5,   ///< the clock or its lock was lost
   Lockup = 6,      ///< a fault inside the handler of a fault
-  Software = 7,    ///< the firmware asked for it; the fault record has the reason
-  Debugger = 8     ///< a debugger asked for it
+  Software = 7,    ///< the firmware requested the reset; the fault record has the reason
+  Debugger = 8     ///< a debugger requested the reset
 };
 
 /// @brief Fault that ended the firmware before this start.
 /// @datatype
 enum class FaultKind : std::uint8_t {
   None = 0,                 ///< nothing was recorded
-  Assertion = 1,            ///< a condition did not hold; the number is that of the condition
-  HardFault = 2,            ///< fault that no other handler takes
+  Assertion = 1,            ///< a condition was false; the number identifies the condition
+  HardFault = 2,            ///< fault without its own handler
   MemoryFault = 3,          ///< access that the memory protection forbids
-  BusFault = 4,             ///< access that the bus did not answer
+  BusFault = 4,             ///< access that failed on the bus
   UsageFault = 5,           ///< instruction that cannot be executed
-  UnexpectedInterrupt = 6,  ///< interrupt without a handler; the number is that of the exception
-  ClockFailed = 7  ///< the clock did not come up; the number is that of the step that failed
+  UnexpectedInterrupt = 6,  ///< interrupt without a handler; the number identifies the exception
+  ClockFailed = 7           ///< the clock did not start; the number identifies the failed step
 };
 
 /// @brief Cause of the start, and the fault before it.
@@ -36,10 +36,12 @@ enum class FaultKind : std::uint8_t {
 struct StartRecord {
   ResetCause cause = ResetCause::Unknown;  ///< cause of the last reset
   FaultKind fault = FaultKind::None;       ///< fault recorded before the reset
-  std::uint16_t number = 0;   ///< number that belongs to the kind of fault, 0 without one
-  std::uint32_t address = 0;  ///< instruction at which it ended, 0 when it is not known
+  std::uint16_t number = 0;   ///< number with a meaning that depends on the kind of fault, 0 if it
+                              ///< has none
+  std::uint32_t address = 0;  ///< address of the instruction at which it ended, 0 when it is
+                              ///< unknown
 
-  /// @brief Returns whether two records are the same.
+  /// @brief Returns whether two records are equal.
   friend constexpr bool operator==(const StartRecord&, const StartRecord&) = default;
 };
 

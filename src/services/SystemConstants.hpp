@@ -12,7 +12,7 @@ namespace wr {
 /// @role{constant-values, Singleton}
 ///
 /// @patternapp{constant-values, Singleton, Constant values}
-/// @why Some values are needed by more than one module. One instance holds them, so that no two
+/// @why Some values are needed by more than one module. One instance contains them, so that no two
 /// modules can work with different values.
 /// @changes The value of a constant. A new constant that several modules share.
 class SystemConstants {
@@ -57,9 +57,8 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds linkTimeout() const { return milliseconds(1000); }
 
-  /// @brief Returns the longest time without a cycle that completed. Three cycles: a cycle
-  /// that is late is no reason to reset, and one that is stuck ends before the robot has gone 0.3
-  /// m.
+  /// @brief Returns the longest time without a cycle that completed. Three cycles: a late cycle
+  /// does not cause a reset, and a stuck cycle ends before the robot has moved 0.3 m.
   /// @return time-out of the watchdog [us]
   /// @satisfies FR-70
   /// @isr{yes}
@@ -71,21 +70,22 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds tickPeriod() const { return milliseconds(1); }
 
-  /// @brief Returns the time for which a measured value can be used. One and a half cycles: a value of the cycle
-  /// before still counts, an older one is missing.
+  /// @brief Returns the time for which a measured value can be used. One and a half cycles: a value
+  /// of the previous cycle is still valid, an older value is missing.
   /// @return greatest age of a measurement [us]
   /// @satisfies FR-127
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds measurementLifetime() const { return milliseconds(150); }
 
-  /// @brief Returns the voltage of the battery, which a duty cycle of 100 % puts on a wheel. Assumption:
+  /// @brief Returns the voltage of the battery, which a wheel has at a duty cycle of 100 %.
+  /// Assumption:
   /// two lead batteries of 12 V.
   /// @return voltage [mV]
   /// @satisfies FR-80
   /// @isr{yes}
   [[nodiscard]] constexpr Tension supply() const { return Tension(24000); }
 
-  /// @brief Returns the voltage that a turning wheel motor makes itself. Assumption: 0.50 V s/rad.
+  /// @brief Returns the voltage that a turning wheel motor induces. Assumption: 0.50 V s/rad.
   /// @return voltage at 1000 times 0.1 rpm [mV]
   /// @satisfies FR-82
   /// @satisfies FR-85
@@ -100,7 +100,7 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t winding() const { return 1500; }
 
-  /// @brief Returns the velocity below which a wheel is slow: its motor makes 2.1 V itself, which drive
+  /// @brief Returns the velocity below which a wheel is slow: its motor induces 2.1 V, which drive
   /// 1.4 A. A short-circuited wheel is slow on slopes of up to 11 %.
   /// @return velocity at the motor shaft [0.1 rpm]
   /// @satisfies FR-87
@@ -129,8 +129,8 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr StepRate steeringRate() const { return StepRate(500); }
 
-  /// @brief Returns the greatest change of the steering motor's rate at which it loses no step.
-  /// One step/s in each tick.
+  /// @brief Returns the greatest acceleration at which the steering motor loses no step.
+  /// The rate changes by one step/s in each tick.
   /// @return greatest change of the rate [steps/s^2]
   /// @satisfies FR-103
   /// @isr{yes}

@@ -17,11 +17,11 @@ namespace wr {
 /// @brief An order to the steering.
 /// @datatype
 struct DirTarget {
-  Angle angle{};  ///< where it shall be [0.01 degree], -3200 to 3200; without meaning for a hold
-  bool follow = false;   ///< true to go there, false to hold
+  Angle angle{};         ///< target angle [0.01 degree], -3200 to 3200; not used for a hold
+  bool follow = false;   ///< true to turn to this angle, false to hold
   bool release = false;  ///< true to leave the fault state
 
-  /// @brief Returns whether two targets are the same.
+  /// @brief Returns whether two targets are equal.
   friend constexpr bool operator==(const DirTarget&, const DirTarget&) = default;
 };
 
@@ -45,13 +45,15 @@ struct TurnFeedback {
   bool rightEnd = false;   ///< the right end stop is reached
 };
 
-/// @brief Controls the steering: from target and position to the turn.
+/// @brief Controls the steering: computes the turn from target and position.
 ///
-/// @function Lets the state of the steering act each time a measurement of the position ends, on the newest
-/// target, the newest position and the state of the motor, and returns the result. It orders the
+/// @function Each time a measurement of the position ends, lets the state of the steering act on
+/// the newest target, the newest position and the state of the motor, and publishes the result. It
+/// orders the
 /// motor through commands, and names neither the sensor nor the device.
 ///
-/// @secret How old a target and a position may be, and how it is found that angle and motor do not agree.
+/// @secret The greatest age of a target and a position, and how a contradiction between angle and
+/// motor is detected.
 ///
 /// @role{steering-controller-states, Context}
 /// @role{steering-control-algorithm, Context}
@@ -63,7 +65,7 @@ class DirController final {
   /// @datatype
   struct Parts {
     Pipe<DirTarget>& target;       ///< the newest order; the main thread writes it
-    Pipe<Angle>& position;         ///< where the steering is; the same interrupt writes it
+    Pipe<Angle>& position;         ///< the position of the steering; the same interrupt writes it
     Pipe<DirStatus>& status;       ///< state of the steering; the main thread reads it
     const Timebase& timebase;      ///< for the age of a value
     SteeringAlgorithm& algorithm;  ///< computes the turn
@@ -89,7 +91,7 @@ class DirController final {
   void tick(const TurnFeedback& motor);
 
   /// @brief Returns whether there is an order to follow. States call it.
-  /// @return true when the newest target is one to follow, and not older than 300 ms
+  /// @return true when the newest target is not a hold and is not older than 300 ms
   /// @isr{yes}
   /// @satisfies FR-106
   [[nodiscard]] bool following() const;
@@ -101,7 +103,7 @@ class DirController final {
   [[nodiscard]] bool abandoned() const;
 
   /// @brief Checks whether a release was ordered after the last change of state. States call it.
-  /// @return true when the newest target is a release and is younger than the state
+  /// @return true when the newest target is a release and is newer than the state
   /// @isr{yes}
   /// @satisfies FR-112
   [[nodiscard]] bool released() const;
@@ -112,33 +114,35 @@ class DirController final {
   /// @satisfies FR-110
   [[nodiscard]] bool lost() const;
 
-  /// @brief Checks whether the inputs of the steering contradict each other: both end stops are reached, or
-  /// the position differs by more than 3 degrees from the one that the steps of the motor lead to
-  /// since it was switched on. The difference is forgotten with 0.05 degrees in a second. States
+  /// @brief Checks whether the inputs of the steering contradict each other: both end stops are
+  /// reached, or the position differs by more than 3 degrees from the position that results from
+  /// the steps of the motor since it was switched on. The difference is reduced by 0.05 degrees in
+  /// a second. States
   /// call it.
-  /// @return true when they do
+  /// @return true when they contradict each other
   /// @pre The position is not lost.
   /// @isr{yes}
   /// @satisfies FR-226
   /// @satisfies FR-227
   [[nodiscard]] bool inconsistent();
 
-  /// @brief Begins to watch whether the steering moves with the steps of the motor. States call it.
+  /// @brief Starts to monitor whether the steering follows the steps of the motor. States call it.
   /// @pre The position is not lost.
   /// @isr{yes}
   /// @satisfies FR-111
   void watch();
 
-  /// @brief Checks whether the steering does not move with the steps of the motor. It decides when 200 ms
-  /// have passed and the steps amount to 0.6 degrees, and then begins to watch again. States call
+  /// @brief Checks whether the steering fails to follow the steps of the motor. It decides when 200
+  /// ms have passed and the steps amount to 0.6 degrees, and then starts the next window. States
+  /// call
   /// it.
-  /// @return true when the steering moved less than half as far as the steps should have turned it
+  /// @return true when the steering moved less than half of the angle of the steps
   /// @pre watch() was called, and the position is not lost.
   /// @isr{yes}
   /// @satisfies FR-111
   [[nodiscard]] bool stalled();
 
-  /// @brief Returns the turn that leads to the target. States call it.
+  /// @brief Returns the turn towards the target. States call it.
   /// @return rate of the algorithm [steps/s], -500 to 500; 0 without an order to follow, while the motor is not
   /// ready, and towards an end stop that is reached
   /// @pre The position is not lost.
@@ -167,7 +171,7 @@ class DirController final {
   /// @satisfies FR-111
   void disable();
 
-  /// @brief Sets the speed that the motor shall take on. States call it.
+  /// @brief Sets the target speed of the motor. States call it.
   /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left
   /// @isr{yes}
   /// @satisfies FR-101
@@ -200,7 +204,7 @@ class DirController final {
   TurnFeedback motor_{};
   std::optional<Stamped<DirTarget>> target_{};
   std::optional<Stamped<Angle>> position_{};
-  // where the watch over the motion began
+  // position and steps at the start of the window
   Instant watchedSince_{};
   std::int32_t watchedSteps_ = 0;
   Angle watchedPosition_{};

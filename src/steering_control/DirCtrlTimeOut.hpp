@@ -10,17 +10,18 @@ class SteeringDevice;
 
 /// @brief Command of the second timer: measures, controls and moves the steering at each tick.
 ///
-/// @function Lets the sensor sample. When that ends a measurement, passes the state of the motor to
-/// the controller and lets it run. Then lets the motor run. Timer, controller and sensor do not
+/// @function Lets the sensor take a sample. When this sample ends a measurement, passes the state
+/// of the motor to the controller and lets the controller run. Then lets the motor run. Timer,
+/// controller and sensor do not
 /// depend on each other.
 ///
-/// @secret The sequence in which sensor, controller and motor tick, and that there is something to control
+/// @secret The sequence of sensor, controller and motor in a tick, and that the controller runs
 /// only when a measurement has ended.
 ///
 /// @role{steering-timer-interrupt, Concrete Command}
 ///
 /// @patternapp{steering-timer-interrupt, Command, Process timer interruptions for the steering system}
-/// @why A tick of the timer makes several elements of the steering act. The timer executes a command
+/// @why Several elements of the steering act at a tick of the timer. The timer executes a command
 /// object, so it names no element of the steering.
 /// @changes The actions at a tick, or the elements that they affect.
 class DirCtrlTimeOut final : public Command {

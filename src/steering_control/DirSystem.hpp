@@ -14,8 +14,8 @@ namespace wr {
 
 /// @brief The steering as a control system.
 ///
-/// @function Hands the angle that is ordered, or the order to hold, to the controller of the steering,
-/// which ticks on its own, and reports to Main Control the result of the controller.
+/// @function Passes the ordered angle, or the order to hold, to the controller of the steering,
+/// which has its own ticks, and reports the result of the controller to Main Control.
 ///
 /// @secret How the control cycle and the faster tick of the steering exchange orders and values.
 ///
@@ -27,7 +27,7 @@ class DirSystem final : public ControlSystem {
   /// @datatype
   struct Parts {
     Pipe<DirTarget>& target;   ///< takes the orders
-    Pipe<DirStatus>& status;   ///< brings the state of the steering
+    Pipe<DirStatus>& status;   ///< pipe of the state of the steering
     const Timebase& timebase;  ///< for the time of an order and the age of a value
   };
 
@@ -35,18 +35,19 @@ class DirSystem final : public ControlSystem {
   /// @param parts parts of the system
   explicit DirSystem(const Parts& parts);
 
-  /// @brief Returns whether the order of a cycle was given, to a steering that ticks.
+  /// @brief Returns whether the order of a cycle was passed to the steering, and the steering still
+  /// ticks.
   /// @param cycle number of the control cycle, from 1
-  /// @return true if the last order was given in that cycle, and the steering ticked within the 20 ms
-  /// before.
+  /// @return true if the last order was passed in that cycle, and the steering ticked within the
+  /// last 20 ms.
   /// @isr{no}
   /// @satisfies FR-117
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
 
   /// @brief Adds position, state and end stops of the steering, and its turn, as they were measured in this
   /// cycle.
-  /// @param measurements takes the measured values; a position older than 150 ms is missing
-  /// @param outputs takes the turn, which is missing when the steering does not tick
+  /// @param measurements receives the measured values; a position older than 150 ms is missing
+  /// @param outputs receives the turn, which is missing when the steering does not tick
   /// @isr{no}
   /// @satisfies FR-116
   void collect(Measurements& measurements, Outputs& outputs) const override;
@@ -66,7 +67,7 @@ class DirSystem final : public ControlSystem {
   /// @satisfies FR-115
   void halt() override;
 
-  /// @brief Requests that the next target releases a fault.
+  /// @brief Makes the next target release a fault.
   /// @satisfies FR-112
   void release() override;
 
@@ -80,7 +81,7 @@ class DirSystem final : public ControlSystem {
   const Timebase& timebase_;
   DirTarget target_{};
   DirStatus status_{};  // as it was measured in this cycle
-  bool ticks_ = false;  // the status was young when it was measured
+  bool ticks_ = false;  // the status was recent when it was read
   std::uint32_t cycle_ = 0;
 };
 

@@ -13,14 +13,15 @@ constexpr std::int32_t kFastest = SystemConstants::instance().steeringRate().cou
 constexpr std::int32_t kTicksPerSecond =
     static_cast<std::int32_t>(1000000 / SystemConstants::instance().tickPeriod().count());
 
-// A rate of 1 step/s adds 1 to the part of a step in each tick; a whole step is a second's ticks.
+// In each tick the rate in steps/s is added to the part of a step. A whole step is the number of
+// ticks in a second.
 constexpr std::int32_t kWholeStep = kTicksPerSecond;
 
 constexpr std::int32_t kRateChange =
     SystemConstants::instance().steeringAcceleration() / kTicksPerSecond;
 static_assert(kRateChange > 0, "the motor must reach its rate");
 
-// The driver needs up to 50 ms until its current is there.
+// The driver needs up to 50 ms until it has its current.
 constexpr std::int32_t kSettlingTicks = kTicksPerSecond / 20;
 
 }  // namespace

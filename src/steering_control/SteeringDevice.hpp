@@ -12,10 +12,11 @@ namespace wr {
 
 /// @brief The motor of the steering, with its driver and its end stops.
 ///
-/// @function Switches the motor on and off, and turns it step by step: with the rate that is demanded, as
-/// fast as the motor can follow, and never further towards an end stop that is reached.
+/// @function Switches the motor on and off, and turns it step by step: with the demanded rate,
+/// within the limits of the motor, and never further towards an end stop that is reached.
 ///
-/// @secret The pulses that make the motor step, the limits of the motor, and the levels of its end stops.
+/// @secret The pulses for a step of the motor, the limits of the motor, and the levels of its end
+/// stops.
 ///
 /// @role{steering-switch, Context}
 /// @role{steering-commands, Receiver}
@@ -24,9 +25,9 @@ class SteeringDevice final {
   /// @brief Parts of the device. Each part lives as long as the device.
   /// @datatype
   struct Parts {
-    DigitalOutput& step;        ///< each time it is switched on the motor makes one step
+    DigitalOutput& step;        ///< makes the motor step each time it is switched on
     DigitalOutput& direction;   ///< on for steps to the left
-    DigitalOutput& enable;      ///< on for a motor with current
+    DigitalOutput& enable;      ///< on when the motor has current
     const EdgeInput& leftEnd;   ///< high when the left end stop is reached, or its wire is broken
     const EdgeInput& rightEnd;  ///< high when the right end stop is reached, or its wire is broken
     SteeringPower& initial;     ///< power at start: off
@@ -39,12 +40,13 @@ class SteeringDevice final {
   SteeringDevice(const SteeringDevice&) = delete;
   SteeringDevice& operator=(const SteeringDevice&) = delete;
 
-  /// @brief Switches the motor on, unless it is on. It steps after it has settled.
+  /// @brief Switches the motor on, unless it is on. The motor makes steps only after it has
+  /// settled.
   /// @isr{yes}
   /// @satisfies FR-106
   void enable();
 
-  /// @brief Switches the motor off, unless it is off. It stops at once.
+  /// @brief Switches the motor off, unless it is off. The motor stops at once.
   /// @isr{yes}
   /// @satisfies FR-109
   /// @satisfies FR-113
@@ -56,14 +58,14 @@ class SteeringDevice final {
   /// @satisfies FR-107
   [[nodiscard]] bool ready() const;
 
-  /// @brief Sets the rate that the motor shall take on. A motor that is switched on later begins without
-  /// a rate.
-  /// @param demand rate [steps/s], positive to the left; a greater one counts as the limit
+  /// @brief Sets the target rate of the motor. A motor that is switched on later begins with a rate
+  /// of 0.
+  /// @param demand rate [steps/s], positive to the left; a greater rate counts as the limit
   /// @isr{yes}
   /// @satisfies FR-103
   void turn(StepRate demand);
 
-  /// @brief Ends the pulse of the tick before, and runs one tick of the motor. It is called
+  /// @brief Ends the pulse of the previous tick, and runs one tick of the motor. It is called
   /// once in each tick period.
   /// @isr{yes}
   /// @satisfies FR-103
@@ -76,21 +78,21 @@ class SteeringDevice final {
   /// @satisfies FR-103
   [[nodiscard]] StepRate rate() const;
 
-  /// @brief Checks whether the left end stop is reached. Its contact opens then.
-  /// @return true when it is, or when its wire is broken
+  /// @brief Checks whether the left end stop is reached. Its contact is then open.
+  /// @return true when it is reached, or when its wire is broken
   /// @isr{yes}
   /// @satisfies FR-105
   /// @satisfies FR-225
   [[nodiscard]] bool leftEnd() const;
 
-  /// @brief Checks whether the right end stop is reached. Its contact opens then.
-  /// @return true when it is, or when its wire is broken
+  /// @brief Checks whether the right end stop is reached. Its contact is then open.
+  /// @return true when it is reached, or when its wire is broken
   /// @isr{yes}
   /// @satisfies FR-105
   /// @satisfies FR-225
   [[nodiscard]] bool rightEnd() const;
 
-  /// @brief Returns the number of steps that the motor was made to do.
+  /// @brief Returns the number of steps of the motor.
   /// @return steps to the left less steps to the right, since start
   /// @isr{yes}
   /// @satisfies FR-111
@@ -113,13 +115,13 @@ class SteeringDevice final {
   void switchOff();
 
   /// @brief Returns whether the time in which the motor settles has passed. Power states call it.
-  /// @return true when it has
+  /// @return true when it has passed
   /// @isr{yes}
   /// @satisfies FR-107
   [[nodiscard]] bool settled() const;
 
-  /// @brief Moves the motor on by one tick: lets it settle, or brings its rate nearer to the demand and
-  /// steps when a step is due. Power states call it.
+  /// @brief Executes one tick of the motor: lets it settle, or changes its rate towards the demand
+  /// and makes a step when it is due. Power states call it.
   /// @isr{yes}
   /// @satisfies FR-103
   /// @satisfies FR-105
@@ -127,14 +129,14 @@ class SteeringDevice final {
   void advance();
 
  private:
-  /// @brief Brings the rate nearer to the demand; towards an end stop that is reached it is 0.
+  /// @brief Changes the rate towards the demand; towards an end stop that is reached the rate is 0.
   /// Sets the direction when a turn begins.
   /// @satisfies FR-103
   /// @satisfies FR-104
   /// @satisfies FR-105
   void changeRate();
 
-  /// @brief Adds the rate to the part of a step that was left, and makes the step that is due.
+  /// @brief Adds the rate to the remaining part of a step, and makes a step when it is due.
   /// @satisfies FR-104
   void stepWhenDue();
 
@@ -146,7 +148,7 @@ class SteeringDevice final {
   std::reference_wrapper<SteeringPower> power_;
   std::int32_t demand_ = 0;    // steps/s
   std::int32_t rate_ = 0;      // steps/s
-  std::int32_t part_ = 0;      // part of the next step that is done, in thousandths
+  std::int32_t part_ = 0;      // completed part of the next step, in thousandths
   std::int32_t steps_ = 0;     // steps to the left since start
   std::int32_t settling_ = 0;  // ticks until the motor has settled
   bool pulse_ = false;         // the step output is on

@@ -9,18 +9,19 @@
 
 namespace wr {
 
-/// @brief Measured values of one wheel. A value that is absent is missing or stale.
+/// @brief Measured values of one wheel. An empty value is missing or stale.
 /// @datatype
 struct WheelMeasurements {
   std::optional<Velocity> velocity;   ///< velocity at the motor shaft
   std::optional<Current> current;     ///< current of the motor
   std::optional<HallCount> position;  ///< position of the wheel
   bool cutOff = false;                ///< its overcurrent trip has acted
-  bool blind = false;                 ///< it has voltage, and its Hall sensors show no motion
-  bool reversalLate = false;          ///< it could not change its orientation in time
+  bool blind = false;                 ///< the wheel has voltage, and its Hall sensors show no
+                                      ///< motion
+  bool reversalLate = false;          ///< the wheel could not change its orientation in time
   std::uint16_t rejectedEdges = 0;    ///< implausible Hall edges since start, at most 65535
 
-  /// @brief Returns whether two measurements are the same.
+  /// @brief Returns whether two measurements are equal.
   friend constexpr bool operator==(const WheelMeasurements&, const WheelMeasurements&) = default;
 };
 
@@ -33,13 +34,13 @@ enum class SteeringState : std::uint8_t {
   Fault = 3     ///< it does not move as ordered, or its position is missing; its motor is off
 };
 
-/// @brief Why the robot does not follow its set-points.
+/// @brief Reason why the robot does not follow its set-points.
 /// @datatype
 enum class Inhibit : std::uint8_t {
   None = 0,           ///< it follows them
-  NoOrder = 1,        ///< no source gives orders
+  NoOrder = 1,        ///< no source sends orders
   Stop = 2,           ///< a source orders stop
-  NotArmed = 3,       ///< the source has not yet shown neutral set-points for long enough
+  NotArmed = 3,       ///< the source has not yet sent neutral set-points for long enough
   ProtectiveStop = 4  ///< a protective stop is latched
 };
 
@@ -52,7 +53,7 @@ enum class StopCause : std::uint8_t {
   Overcurrent = 3,         ///< the overcurrent trip of a wheel acted
   NoMotion = 4,            ///< a wheel has voltage and its Hall sensors show no motion
   WrongDirection = 5,      ///< a wheel turns against its voltage
-  Overspeed = 6,           ///< a wheel is faster than it may be
+  Overspeed = 6,           ///< a wheel is faster than allowed
   Tracking = 7,            ///< velocity and current of a wheel do not match its voltage
   MissingMeasurement = 8,  ///< a measured value is missing for too long
   HallSignals = 9,         ///< too many Hall edges of a wheel are implausible
@@ -63,10 +64,10 @@ enum class StopCause : std::uint8_t {
 /// @brief State of the safety functions in one control cycle.
 /// @datatype
 struct Protection {
-  /// @brief Part number of a cause that concerns no single wheel.
+  /// @brief Wheel number of a cause that concerns no single wheel.
   static constexpr std::uint8_t kNoWheel = 255;
 
-  Inhibit inhibit = Inhibit::None;    ///< why the set-points are not followed
+  Inhibit inhibit = Inhibit::None;    ///< reason why the set-points are not followed
   StopCause cause = StopCause::None;  ///< cause of the latched protective stop
   std::uint8_t wheel = kNoWheel;      ///< wheel that the cause concerns, 0 to 3
   bool armed = false;                 ///< orders of the present source may move the robot
@@ -75,7 +76,7 @@ struct Protection {
   friend constexpr bool operator==(const Protection&, const Protection&) = default;
 };
 
-/// @brief Measured values of one control cycle. A value that is absent is missing or stale.
+/// @brief Measured values of one control cycle. An empty value is missing or stale.
 /// @datatype
 struct Measurements {
   std::array<WheelMeasurements, kWheelCount> wheels{};  ///< measurements of each wheel
@@ -85,17 +86,17 @@ struct Measurements {
   bool rightEnd = false;                                ///< the right end stop is reached
   Protection protection{};                              ///< state of the safety functions
 
-  /// @brief Returns whether two measurements are the same.
+  /// @brief Returns whether two measurements are equal.
   friend constexpr bool operator==(const Measurements&, const Measurements&) = default;
 };
 
-/// @brief Applied values of one control cycle. A value that is absent was not applied.
+/// @brief Applied values of one control cycle. An empty value was not applied.
 /// @datatype
 struct Outputs {
   std::array<std::optional<Tension>, kWheelCount> tensions{};  ///< voltage of each wheel
   std::optional<std::int8_t> turn;  ///< turn of the steering: -1 right, 0 none, 1 left
 
-  /// @brief Returns whether two outputs are the same.
+  /// @brief Returns whether two outputs are equal.
   friend constexpr bool operator==(const Outputs&, const Outputs&) = default;
 };
 

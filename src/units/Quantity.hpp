@@ -28,7 +28,7 @@ class Quantity {
   /// @brief Compares two quantities of one unit.
   friend constexpr auto operator<=>(Quantity a, Quantity b) { return a.count_ <=> b.count_; }
 
-  /// @brief Returns whether two quantities of one unit are the same.
+  /// @brief Returns whether two quantities of one unit are equal.
   friend constexpr bool operator==(Quantity a, Quantity b) { return a.count_ == b.count_; }
 
   /// @brief Adds two quantities of one unit.

@@ -24,7 +24,7 @@ enum class WheelQuantity : std::uint8_t {
 /// @datatype
 struct WheelSetPoint {
   WheelQuantity quantity = WheelQuantity::Velocity;  ///< quantity of the value
-  std::int16_t value = 0;                            ///< how much, in the unit of the quantity
+  std::int16_t value = 0;                            ///< value in the unit of the quantity
 
   /// @brief Returns a set-point of a velocity.
   /// @param value velocity [0.1 rpm], -32768 to 32767
@@ -56,14 +56,14 @@ struct WheelSetPoint {
   /// @pre The quantity is Current.
   [[nodiscard]] constexpr Current current() const { return Current(value); }
 
-  /// @brief Returns whether two set-points are the same.
+  /// @brief Returns whether two set-points are equal.
   friend constexpr bool operator==(const WheelSetPoint&, const WheelSetPoint&) = default;
 };
 
 /// @brief Set-points of one order.
 /// @datatype
 struct SetPoints {
-  std::uint16_t orderId = 0;                        ///< number that the sender gave to the order
+  std::uint16_t orderId = 0;                        ///< number of the order from its sender
   Angle steering{};                                 ///< angle of the steering device
   std::array<WheelSetPoint, kWheelCount> wheels{};  ///< one set-point for each wheel
   bool acknowledge = false;  ///< releases latched faults, if neutral; such an order moves nothing
@@ -71,12 +71,12 @@ struct SetPoints {
   std::uint32_t sentAt = 0;  ///< time of the sender's clock when the order was sent [ms]
 
   /// @brief Checks whether the value of each wheel is 0, whatever its quantity.
-  /// @return true when no wheel is to move
+  /// @return true when no wheel shall move
   [[nodiscard]] constexpr bool neutral() const {
     return std::ranges::all_of(wheels, [](const WheelSetPoint& wheel) { return wheel.value == 0; });
   }
 
-  /// @brief Returns whether two orders set the same.
+  /// @brief Returns whether two orders are equal.
   friend constexpr bool operator==(const SetPoints&, const SetPoints&) = default;
 };
 

@@ -46,7 +46,7 @@ using Microseconds = Quantity<struct MicrosecondsTag, std::int64_t>;
   return Microseconds(count * 1000);
 }
 
-/// @brief Point in time [us since start]. It does not wrap in the life of a robot.
+/// @brief Point in time [us since start]. It does not overflow in the life of a robot.
 /// @datatype
 class Instant {
  public:
@@ -66,7 +66,7 @@ class Instant {
     return a.sinceStart_ <=> b.sinceStart_;
   }
 
-  /// @brief Returns whether two instants are the same.
+  /// @brief Returns whether two instants are equal.
   friend constexpr bool operator==(Instant a, Instant b) { return a.sinceStart_ == b.sinceStart_; }
 
   /// @brief Returns the duration from the second instant to the first.
@@ -74,7 +74,7 @@ class Instant {
     return Microseconds(static_cast<std::int64_t>(later.sinceStart_ - earlier.sinceStart_));
   }
 
-  /// @brief Returns the instant that is a duration away.
+  /// @brief Returns the instant that is later by a duration.
   friend constexpr Instant operator+(Instant instant, Microseconds duration) {
     return Instant(instant.sinceStart_ + static_cast<std::uint64_t>(duration.count()));
   }

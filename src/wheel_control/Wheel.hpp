@@ -13,12 +13,13 @@ namespace wr {
 /// @brief One wheel: its motor behind a driver.
 ///
 /// @function Sets voltage and orientation of the motor, stops it, and switches its driver off when the
-/// current is too high: the overcurrent trip. An enabled driver puts the duty cycle's share of the
-/// supply on the motor, in the present orientation: the motor can drive and brake in it. Without
+/// current is too high: the overcurrent trip. An enabled driver applies the supply voltage times
+/// the duty cycle to the motor, in the present orientation. The motor can drive and brake in this
+/// orientation. Without
 /// duty cycle the motor is short-circuited and brakes. A disabled driver leaves the motor open, and
 /// the wheel coasts.
 ///
-/// @secret How the driver of a motor is made to apply a voltage, how a tripped driver brakes, and how an
+/// @secret How the driver of a motor applies a voltage, how a tripped driver brakes, and how an
 /// interrupt and a thread share its state.
 ///
 /// @role{wheel-commands, Receiver}
@@ -26,17 +27,17 @@ class Wheel final {
  public:
   /// @brief Binds the wheel to its driver. The outputs are at their safe level: the driver is off, the
   /// orientation is forwards.
-  /// @param pwm sets the share of the supply
+  /// @param pwm sets the duty cycle
   /// @param orientation on means backwards
-  /// @param enable on means that the driver drives
+  /// @param enable on means that the driver is enabled
   Wheel(PwmOutput& pwm, DigitalOutput& orientation, DigitalOutput& enable);
 
   Wheel(const Wheel&) = delete;
   Wheel& operator=(const Wheel&) = delete;
 
-  /// @brief Removes all voltage from the motor: it is short-circuited and brakes. A wheel calls it once in
-  /// each control cycle of an overcurrent trip: the second call, when the current has decayed,
-  /// enables the driver for braking.
+  /// @brief Removes all voltage from the motor: it is short-circuited and brakes. During an
+  /// overcurrent trip it is called once in each control cycle: the second call, when the current
+  /// has decayed, enables the driver for braking.
   /// @post The driver is enabled, unless its overcurrent trip is younger than a cycle or has acted twice.
   /// @satisfies FR-88
   /// @satisfies FR-89
@@ -46,8 +47,9 @@ class Wheel final {
 
   /// @brief Sets the voltage, in the present orientation. The duty cycle is rounded to the nearest
   /// 0.01 %.
-  /// @param magnitude voltage [mV], 0 to 24000; a greater one counts as the limit
-  /// @post The driver is enabled; after an overcurrent trip neither voltage nor driver change.
+  /// @param magnitude voltage [mV], 0 to 24000; a greater value counts as the limit
+  /// @post The driver is enabled; after an overcurrent trip neither the voltage nor the driver
+  /// changes.
   /// @satisfies FR-80
   /// @satisfies FR-86
   /// @isr{no}
@@ -61,7 +63,7 @@ class Wheel final {
 
   /// @brief Returns the command of the overcurrent trip, for an interrupt to execute. It switches the
   /// driver off at once.
-  /// @return command of this wheel; after it the motor has no voltage until release()
+  /// @return command of this wheel; after its execution the motor has no voltage until release()
   /// @satisfies FR-89
   /// @isr{yes}
   [[nodiscard]] Command& cutOff();
@@ -82,9 +84,9 @@ class Wheel final {
   enum class Trip : std::uint8_t {
     None,      ///< nothing
     Tripped,   ///< the driver is off
-    Decaying,  ///< the driver is off, and a thread has seen it
+    Decaying,  ///< the driver is off, and the thread has detected this
     Braking,   ///< the driver is on, without voltage
-    Off        ///< it acted again while braking: the driver stays off
+    Off        ///< the trip acted again while braking: the driver stays off
   };
 
   /// Switches the driver off.

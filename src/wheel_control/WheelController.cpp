@@ -14,15 +14,15 @@ constexpr Tension kMinEffortTension(2000);  // a voltage beyond this is expected
 constexpr std::int32_t kMaxEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75 s
 constexpr Tension kMovingTension(3200);     // an order of this voltage moves the robot on the flat
 constexpr Tension kStartingTension(14000);  // a voltage that starts a wheel on any slope
-constexpr std::int32_t kWeakShare = 16;   // part that counts of a voltage that the current explains
-constexpr std::int32_t kStrongShare = 8;  // the same above kStartingTension
+constexpr std::int32_t kWeakShare = 16;     // counted part of a voltage that the current explains
+constexpr std::int32_t kStrongShare = 8;    // the same above kStartingTension
 constexpr std::int32_t kThousand = 1000;
-constexpr std::int32_t kJitter = 1;  // edges to and fro that one working sensor gives
-constexpr Tension kReversal(500);    // a demand below this needs no orientation of its own
+constexpr std::int32_t kJitter = 1;  // edges to and fro that one working sensor causes
+constexpr Tension kReversal(500);    // a demand below this does not change the orientation
 constexpr std::uint8_t kMaxReversalWait = 20;  // cycles that a reversal may wait for a slow wheel
 constexpr Microseconds kSameCycle = milliseconds(50);
 
-// The value of a measurement, unless it has grown old.
+// Returns the value of a measurement, unless it is too old.
 template <class T>
 std::optional<T> fresh(Pipe<T>& pipe, const Timebase& timebase) {
   const Stamped<T>* const newest = pipe.newest();
@@ -100,7 +100,7 @@ bool WheelController::reversalLate() const {
 }
 
 // A wheel that is ordered to stand still may keep its voltage without motion, on a slope. A motor
-// that turns without being seen draws less current than one that its load holds.
+// that turns undetected draws less current than a motor that its load keeps at rest.
 void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount position) {
   const std::int32_t tension = std::abs(applied_.value_or(Tension()).count());
   if (std::abs(position.count() - seen_.count()) > kJitter) {
@@ -115,7 +115,7 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount posit
   blind_ = blind_ || effort_ >= kMaxEffort;
 }
 
-// Part of a voltage that counts while the wheel does not move.
+// Returns the counted part of a voltage while the wheel does not move.
 std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension) const {
   const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kMovingTension;
   if (faint || !isHeld()) {
@@ -131,8 +131,8 @@ bool WheelController::isHeld() const {
   return applied > Tension() ? winding * 2 > applied : winding * 2 < applied;
 }
 
-// While a reversal waits for the wheel, its demand is not applied. A wheel that is only dragged
-// faster than its set-point waits for nothing.
+// While a reversal waits for the wheel, its demand is not applied. A wheel that is dragged faster
+// than its set-point does not wait for a reversal.
 void WheelController::watchReversal(const WheelSetPoint& setPoint, Tension demand) {
   const bool ordered =
       (setPoint.value > 0 && demand >= kReversal) || (setPoint.value < 0 && demand <= -kReversal);

@@ -16,11 +16,13 @@ namespace wr {
 
 /// @brief Controls one wheel.
 ///
-/// @function Reads the measured values of the wheel from their pipes, lets the algorithm of the ordered
-/// quantity calculate a voltage, and has a behaviour apply it. It stops a wheel that cannot be
+/// @function Reads the measured values of the wheel from their pipes, lets the algorithm of the
+/// ordered quantity calculate a voltage, and lets a behaviour apply it. It stops a wheel that
+/// cannot be
 /// controlled.
 ///
-/// @secret Which measured values control needs, and how it is found that a wheel cannot be controlled.
+/// @secret The measured values that control needs, and how a wheel that cannot be controlled is
+/// detected.
 ///
 /// @role{wheel-control-algorithms, Context}
 /// @role{wheel-behaviours, Context}
@@ -30,13 +32,14 @@ class WheelController final {
   /// @brief Parts of the controller. Each part lives as long as the controller.
   /// @datatype
   struct Parts {
-    Pipe<Velocity>& velocity;                   ///< brings the measured velocity
-    Pipe<Current>& current;                     ///< brings the measured current
+    Pipe<Velocity>& velocity;                   ///< pipe of the measured velocity
+    Pipe<Current>& current;                     ///< pipe of the measured current
     const Timebase& timebase;                   ///< for the age of a measured value
-    std::array<WheelAlgorithm*, 3> algorithms;  ///< one for each WheelQuantity, in its sequence
+    std::array<WheelAlgorithm*, 3> algorithms;  ///< one for each WheelQuantity, in the order of the
+                                                ///< enumeration
     WheelBehaviour& advance;                    ///< applies the demand of an algorithm
     WheelBehaviour& stop;                       ///< stops the wheel
-    WheelCommand& stopWheel;                    ///< takes all voltage from the wheel at once
+    WheelCommand& stopWheel;                    ///< removes all voltage from the wheel at once
   };
 
   /// @brief Constructs the controller of a wheel at rest.
@@ -46,7 +49,8 @@ class WheelController final {
   WheelController(const WheelController&) = delete;
   WheelController& operator=(const WheelController&) = delete;
 
-  /// @brief Brings the wheel towards its set-point for one cycle. A wheel whose velocity or current is
+  /// @brief Controls the wheel towards its set-point for one cycle. A wheel whose velocity or
+  /// current is
   /// missing, that shows no motion or whose reversal is late is stopped.
   /// @param setPoint target of the wheel
   /// @param position position of the wheel
@@ -65,8 +69,9 @@ class WheelController final {
   /// @isr{no}
   void halt();
 
-  /// @brief Stops a wheel whose overcurrent trip has acted: nothing is applied, and control starts from
-  /// nothing after the release. A wheel that is controlled and halted in one cycle counts it once.
+  /// @brief Stops a wheel whose overcurrent trip has acted: no voltage is applied, and control
+  /// starts without memory after the release. A wheel that is controlled and halted in one cycle
+  /// counts one cycle.
   /// @satisfies FR-89
   /// @satisfies FR-221
   /// @isr{no}
@@ -92,7 +97,7 @@ class WheelController final {
   /// @isr{no}
   [[nodiscard]] std::optional<Current> current() const;
 
-  /// @brief Returns the voltage that is at the wheel.
+  /// @brief Returns the voltage of the wheel.
   /// @return voltage [mV], positive forwards; nothing while none is applied
   /// @satisfies FR-94
   /// @isr{no}
@@ -128,9 +133,9 @@ class WheelController final {
   WheelCommand& stopWheel_;
   WheelQuantity quantity_ = WheelQuantity::Velocity;  // quantity of the last set-point
   std::optional<Tension> applied_;
-  HallCount seen_{};                  // position when the wheel was last seen to turn
+  HallCount seen_{};                  // position at the last detected motion of the wheel
   std::int32_t effort_ = 0;           // [mV cycles] voltage times the time without motion
-  std::optional<Instant> driverOff_;  // last stop of a wheel whose trip has acted
+  std::optional<Instant> driverOff_;  // time of the last stop of a wheel whose trip has acted
   std::uint8_t waitingCycles_ = 0;    // cycles in a row in which a reversal waits without voltage
   bool blind_ = false;
   bool reversalLate_ = false;

@@ -17,9 +17,10 @@ namespace wr {
 /// @function Records the orders of the main controller for its wheel, executes them in its own thread, and
 /// returns the measured and applied values.
 ///
-/// @secret How orders of the main controller become orders of a wheel, and that each wheel has a thread.
+/// @secret How orders of the main controller are converted to orders of a wheel, and that each
+/// wheel has a thread.
 /// The thread has a higher priority than the main thread, which therefore never runs while the
-/// wheel's thread is active: each finds the work of the other complete.
+/// wheel's thread is active: each thread finds the work of the other one complete.
 ///
 /// @role{control-system-orders, Concrete Class}
 /// @role{wheel-orders, Context}
@@ -34,11 +35,11 @@ class WheelSystem final : public ControlSystem {
     WheelOrder& readVelocity;      ///< the first order of a cycle
     WheelOrder& registerPosition;  ///< the second order
     WheelOrder& readCurrent;       ///< the third order
-    WheelOrder& applyControl;      ///< the last one when the wheel follows its set-point
-    WheelOrder& haltWheel;         ///< the last one when the wheel is to be at rest
+    WheelOrder& applyControl;      ///< the last order of a cycle with a set-point
+    WheelOrder& haltWheel;         ///< the last order of a cycle without motion
   };
 
-  /// @brief Constructs the system. It does no work before start().
+  /// @brief Constructs the system. The system does nothing before start().
   /// @param parts its parts
   explicit WheelSystem(const Parts& parts);
 
@@ -58,8 +59,8 @@ class WheelSystem final : public ControlSystem {
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
 
   /// @brief Adds the measured and applied values of this wheel.
-  /// @param measurements takes the measured values; values of other systems stay
-  /// @param outputs takes the applied voltage; values of other systems stay
+  /// @param measurements receives the measured values; values of other systems do not change
+  /// @param outputs receives the applied voltage; values of other systems do not change
   /// @satisfies FR-93
   /// @satisfies FR-94
   /// @isr{no}
@@ -86,10 +87,12 @@ class WheelSystem final : public ControlSystem {
 
   Body body_;
   Parts parts_;
-  std::array<WheelOrder*, 4> orders_{};  // the main thread notes them, the wheel's thread executes
+  std::array<WheelOrder*, 4> orders_{};  // the main thread writes the orders, the wheel's thread
+                                         // executes them
   std::size_t count_ = 0;                // orders noted
-  WheelWork work_;                       // the wheel's thread fills it, the main thread collects
-  std::uint32_t cycle_ = 0;              // cycle of the orders noted
+  WheelWork work_;                       // the wheel's thread writes the results, the main thread
+                                         // reads them
+  std::uint32_t cycle_ = 0;              // cycle of the written orders
   std::atomic<std::uint32_t> completed_{0};  // last cycle whose orders were executed
 };
 

@@ -61,7 +61,7 @@ class TypesWriter final : public Writer {
   std::vector<std::string> types;
 };
 
-/// @brief The types of a frame in the table. A turn direction is written as the byte that it is.
+/// @brief The types of a frame in the table. A turn direction is written as one byte.
 std::vector<std::string> typesOf(std::string_view frame) {
   std::vector<std::string> types;
   for (const scenario::FrameRow& row : scenario::kFrameRows) {
@@ -79,7 +79,7 @@ std::int32_t limitOf(std::string_view name) {
   return limit != scenario::kFrameLimits.end() ? limit->limit : 0;
 }
 
-/// @brief A number of the firmware, and the one that the table has for it.
+/// @brief A number of the firmware, and its value in the table.
 struct Number {
   const char* name;
   unsigned firmware;
@@ -90,7 +90,7 @@ constexpr auto kNumbers = std::to_array<Number>({
 #include "sim/scenario/FirmwareNumbers.inc"
 });
 
-/// @brief The check value of CRC-32, that of the nine digits.
+/// @brief The CRC-32 of the nine digits is its check value.
 /// @verifies FR-246
 TEST(Layout, CheckValueOfTheHash) {
   EXPECT_EQ(crc32("123456789"), 0xCBF43926U);

@@ -66,8 +66,8 @@ class BuilderTest : public testing::Test {
   MainControllerBuilder builder{devices};
   RobotDirector director{poolBuilder, builder};
 
-  // The whole robot, started, after the ticks of its second timer that the steering needs to
-  // measure.
+  // The whole started robot, after enough ticks of its second timer for a measurement of the
+  // steering.
   void startRobot() {
     director.construct();
     timer.connect([this] { builder.clock().expired(); });
@@ -126,8 +126,8 @@ TEST_F(BuilderTest, FR51_RcSignalsReachTheSetPoints) {
   }
 }
 
-/// @brief The watchdog of the platform is refreshed by the cycles of the controller that is built, and
-/// by no step of its construction or start.
+/// @brief The watchdog of the platform is refreshed by the cycles of the controller that is built,
+/// and not by its construction or start.
 /// @verifies FR-74
 TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
   startRobot();
@@ -152,7 +152,7 @@ TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   EXPECT_EQ(welcome->faultAddress, 0x1234U);
 }
 
-/// @brief Every part of the robot is made once, and the pool holds each control system.
+/// @brief Every part of the robot is built once, and the pool contains each control system.
 /// @verifies FR-78
 TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   startRobot();
@@ -161,8 +161,8 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   EXPECT_TRUE(poolBuilder.pool().completed(1));
 }
 
-/// @brief The second timer ticks from the start on, and executes the commands of wheels and steering at
-/// each tick: both ask for a sample.
+/// @brief The second timer ticks from the start on, and executes the commands of wheels and
+/// steering at each tick: both request a sample.
 /// @verifies FR-100
 TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.construct();
@@ -210,7 +210,7 @@ TEST_F(BuilderTest, FR10_RobotForThePcHasOneMode) {
 
 using BuilderDeathTest = BuilderTest;
 
-/// @brief A product that was not built cannot be had.
+/// @brief A product that was not built cannot be requested.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_ProductIsMissingBeforeItIsBuilt) {
   EXPECT_DEATH(static_cast<void>(poolBuilder.pool()), "assertion 1 failed");
@@ -231,7 +231,7 @@ TEST_F(BuilderDeathTest, FR78_ProductIsMissingBeforeItIsBuilt) {
   EXPECT_DEATH(director.start(), "assertion 1 failed");
 }
 
-/// @brief A step whose parts are missing cannot be done.
+/// @brief A step whose parts are missing cannot be executed.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_StepNeedsItsParts) {
   EXPECT_DEATH(poolBuilder.buildPool(), "assertion 1 failed");
@@ -250,7 +250,7 @@ TEST_F(BuilderDeathTest, FR78_StepNeedsItsParts) {
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
 }
 
-/// @brief A wheel and a steering lack no part.
+/// @brief Wheel and steering cannot be built without one of their parts.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_SystemNeedsItsParts) {
   EXPECT_DEATH(wheelBuilder.buildSensors(), "assertion 1 failed");
@@ -275,7 +275,7 @@ TEST_F(BuilderDeathTest, FR78_RemoteControlNeedsItsDevices) {
   EXPECT_DEATH(without.buildRemoteControl(), "assertion 1 failed");
 }
 
-/// @brief No part can be made twice.
+/// @brief No part can be built twice.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_NoPartTwice) {
   director.construct();

@@ -60,7 +60,7 @@ TEST(Function, FR120_HallVelocityNeedsTime) {
   EXPECT_FALSE(HallVelocity().calculate(Given(1, 0, 600'000'000, 60, 0)));
 }
 
-/// @brief A velocity at the bounds counts, one beyond does not.
+/// @brief A velocity at the bounds is valid, a velocity beyond them is not.
 /// @verifies FR-124
 TEST(Function, FR124_HallVelocityIsBounded) {
   const HallVelocity function;
@@ -72,7 +72,7 @@ TEST(Function, FR124_HallVelocityIsBounded) {
   }
 }
 
-/// @brief Current is (sum - offset) * scale / divisor, and refused beyond the bounds of the
+/// @brief Current is (sum - offset) * scale / divisor, and rejected beyond the bounds of the
 /// current.
 /// @verifies FR-125
 TEST(Function, FR125_SampledCurrent) {
@@ -147,7 +147,7 @@ TYPED_TEST(LeverFunction, FR54_EndsOfTheLever) {
   }
 }
 
-/// @brief No function gives a value when an argument that it needs is missing. Bounds may be
+/// @brief No function returns a value when an argument that it needs is missing. Bounds may be
 /// missing.
 /// @verifies FR-52
 /// @verifies FR-120

@@ -47,7 +47,8 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
     {'B', 22, false},
 }};
 
-/// The firmware on the virtual K64, where a test also reaches the board. Faults and resets are
+/// The firmware on the virtual K64, where a test also has access to the board. Faults and resets
+/// are
 /// tested here: they do not stop the board.
 class BoardRobot : public SteppedRobot {
  public:
@@ -63,10 +64,10 @@ class BoardRobot : public SteppedRobot {
     }
   }
 
-  /// Lets the firmware start: then it listens to its line.
+  /// Lets the firmware start until it reads its line.
   void startUp() { run(milliseconds(20)); }
 
-  /// Asks for a connection, and takes the answer.
+  /// Requests a connection, and reads the answer.
   scenario::PcWelcome askForWelcome() {
     welcome.reset();
     static_cast<void>(line.takeSent());
@@ -75,7 +76,7 @@ class BoardRobot : public SteppedRobot {
     return welcome.value();
   }
 
-  /// The outputs that are not at their safe level, or are no outputs.
+  /// The pins that are not at their safe level, or are not outputs.
   [[nodiscard]] std::string unsafePins() const {
     std::string names;
     for (const SafePin& pin : kSafePins) {

@@ -15,7 +15,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The same scenario gives the same events at the same times, always.
+/// @brief Each run of a scenario has the same events at the same times.
 /// @verifies NFR-6
 TEST(BoardRun, SameRunGivesSameTrace) {
   const auto hashOf = [](const char* scenario) {
@@ -36,7 +36,7 @@ TEST(BoardRun, SameRunGivesSameTrace) {
   EXPECT_NE(first, other);
 }
 
-/// @brief Without an image there is no test that passes.
+/// @brief Without an image no test passes.
 TEST(BoardRun, MissingImageIsAnError) {
   EXPECT_THROW(static_cast<void>(emulator::readImage("/nowhere/weeding_robot.bin")),
                std::runtime_error);

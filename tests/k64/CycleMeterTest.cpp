@@ -43,8 +43,8 @@ struct Drive {
   std::vector<scenario::PcReport> reports;  ///< the first is that of the third cycle
 };
 
-/// @brief The counts of the firmware agree with the measurements of the board. Its counts begin when the interrupt of the clock
-/// pulse is served; of each sleep it takes a few cycles too many.
+/// @brief The counts of the firmware agree with the measurements of the board. Its counts begin
+/// when the interrupt of the clock pulse is served; for each sleep it counts a few cycles too many.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303
@@ -70,7 +70,7 @@ TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   EXPECT_LE(ticks, drive.reports.size() / 20);
 }
 
-/// @brief The same run costs the same instructions and cycles, always.
+/// @brief Each repetition of a run needs the same instructions and cycles.
 TEST(CyclesOfTheImage, SameRunCostsTheSame) {
   std::string first;
   for (int run = 0; run < 2; ++run) {
@@ -95,7 +95,7 @@ TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
     toReport.instructions += cycle.toReport.instructions;
   }
   ASSERT_GT(whole.instructions, 0U);
-  // The last cycle has begun and is not whole: exceptions and instructions count it already.
+  // The last cycle is incomplete: exceptions and instructions count it already.
   board_robot::CycleMeter::Cost charged;
   for (const auto& [number, exception] : drive.meter->exceptions()) {
     charged.instructions += exception.whole.instructions;
@@ -126,8 +126,8 @@ TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
   }
 }
 
-/// @brief A PC that sends without a pause makes the cycle longer, and each cycle still reports. The result has
-/// the longest one: the bound of the time must be above it.
+/// @brief A PC that sends without a pause makes the cycle longer, and each cycle still reports. The
+/// result of the test contains the longest cycle, which the proven bound must exceed.
 /// @verifies FR-244
 TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
   constexpr std::uint8_t kUnknownType = 99;

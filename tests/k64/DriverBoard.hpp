@@ -34,7 +34,7 @@ class DriverBoard {
   /// Lets the program start.
   void startUp() { run(milliseconds(15)); }
 
-  /// Gives an order, and takes the numbers of the answer.
+  /// Sends an order, and reads the numbers of the answer.
   std::vector<std::uint16_t> ask(char order, std::uint8_t first = 0, std::int16_t second = 0) {
     const auto number = static_cast<std::uint16_t>(second);
     board.receive(std::array{static_cast<std::uint8_t>(order), first,

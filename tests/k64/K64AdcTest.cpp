@@ -32,7 +32,7 @@ void apply(DriverBoard& drivers, std::size_t input, double volts) {
   drivers.board.setAnalog(kInputs.at(input).converter, kInputs.at(input).channel, volts);
 }
 
-/// @brief Each input gives its own voltage in 4096 parts of 3.3 V, and the ends of the range.
+/// @brief Each input returns its own voltage in 4096 parts of 3.3 V, and the ends of the range.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
   DriverBoard drivers;
@@ -51,8 +51,8 @@ TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
   }
 }
 
-/// @brief All five inputs give one value in each millisecond, though they share two converters and each is
-/// asked for twice.
+/// @brief All five inputs give one value in each millisecond, though they share two converters and
+/// each is requested twice.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesAValueInEachMillisecond) {
   DriverBoard drivers;
@@ -66,7 +66,7 @@ TEST(K64AdcOnBoard, FR142_EachInputGivesAValueInEachMillisecond) {
   }
 }
 
-/// @brief Each input is converted once in each tick, neither twice nor not at all.
+/// @brief Each input is converted once in each tick, exactly once.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputIsConvertedOnceInEachTick) {
   constexpr std::uint32_t kTick = 16 + 49;
@@ -95,8 +95,8 @@ TEST(K64AdcOnBoard, FR142_EachInputIsConvertedOnceInEachTick) {
   }
 }
 
-/// @brief When one converter alone fails its calibration, its inputs give no value, and those of the other
-/// converter do.
+/// @brief When one converter alone fails its calibration, its inputs have no value, and those of
+/// the other converter have values.
 /// @verifies FR-143
 TEST(K64AdcOnBoard, FR143_OneConverterFailsAlone) {
   for (const int failed : {0, 1}) {
@@ -111,8 +111,8 @@ TEST(K64AdcOnBoard, FR143_OneConverterFailsAlone) {
   }
 }
 
-/// @brief An open input without its resistor to ground gives the value of the input before it; with the
-/// resistor it gives 0.
+/// @brief An open input without its resistor to ground has the value of the previous input; with
+/// the resistor it has 0.
 /// @verifies FR-205
 TEST(K64AdcOnBoard, FR205_OpenInputNeedsItsResistor) {
   DriverBoard drivers;
@@ -150,7 +150,7 @@ TEST(K64AdcOnBoard, FR143_ConvertersAreCalibratedBeforeTheyConvert) {
   EXPECT_TRUE(converted[0] && converted[1]);
 }
 
-/// @brief When the calibration fails the firmware starts all the same, and no input ever gives a value.
+/// @brief When the calibration fails the firmware starts anyway, and no input ever has a value.
 /// @verifies FR-143
 TEST(K64AdcOnBoard, FR143_AfterAFailedCalibrationThereAreNoValues) {
   DriverBoard drivers({.elf = {}, .calibrates = {false, false}});

@@ -84,7 +84,8 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
   EXPECT_NE(*atClock, before) << "the comparison would not see the initialisation";
 }
 
-/// @brief In a start no output leaves its safe level, but for the lights when the cycles run. The first
+/// @brief In a start no output leaves its safe level, except for the lights when the cycles run.
+/// The first
 /// cycle switches the drivers of the wheels on, without voltage: that brakes the wheels.
 /// @verifies FR-71
 /// @verifies FR-141
@@ -135,8 +136,8 @@ std::ostream& operator<<(std::ostream& out, const ClockFailure& failure) {
 
 class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
  protected:
-  // Runs to a time of an attempt. The outputs are safe at each microsecond but those between a
-  // reset and the first stores of the start.
+  // Runs to a time of a start attempt. The outputs are safe at each microsecond except those
+  // between a reset and the first stores of the start.
   static void runSafely(BoardRobot& robot, nanoseconds duration) {
     constexpr nanoseconds kFirstStores{100'000};
     const nanoseconds end = robot.board.now() + duration;
@@ -155,8 +156,8 @@ class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
   }
 };
 
-/// @brief Whichever step of the clock fails: no cycle runs, the outputs are safe throughout, and the watchdog
-/// begins the start again within 340 ms, again and again. When the clock comes the robot starts and
+/// @brief When any step of the clock fails, no cycle runs, the outputs are always safe, and the
+/// watchdog repeats the start every 340 ms or sooner. When the clock comes the robot starts and
 /// reports the step.
 /// @verifies FR-72
 /// @verifies FR-73
@@ -223,7 +224,7 @@ constexpr scenario::PcOrder kDriveOrder{.id = 1,
                                                     {.quantity = 1, .value = 6000},
                                                     {.quantity = 1, .value = 6000}}}};
 
-// Lets the robot drive by orders of the PC, with a voltage at each wheel.
+// Lets the robot follow orders of the PC, with a voltage at each wheel.
 void driveByPc(BoardRobot& robot) {
   robot.startUp();
   robot.commandByPc(kDriveOrder);
@@ -313,8 +314,8 @@ std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
 
 class K64BoardEnds : public testing::TestWithParam<Ending> {};
 
-/// @brief Whatever ends the firmware: the outputs become safe, then comes a reset, and the Welcome of the
-/// next start reports its kind and its place. It is reported for one start only.
+/// @brief At each fault the outputs become safe, then a reset follows, and the next Welcome reports
+/// the kind and the address of the fault. The fault is reported for one start only.
 /// @verifies FR-75
 /// @verifies FR-76
 /// @verifies FR-77
@@ -375,7 +376,7 @@ INSTANTIATE_TEST_SUITE_P(
                            kAssertion, 3, kHandlerAddress + 10}),
     nameOf);
 
-/// @brief Whatever ends the firmware while each wheel has a voltage: the outputs become safe before the reset.
+/// @brief At each fault while the wheels have a voltage, the outputs become safe before the reset.
 /// @verifies FR-75
 TEST_P(K64BoardEnds, FR75_WhileTheRobotDrives) {
   BoardRobot robot(GetParam().image());
@@ -385,7 +386,7 @@ TEST_P(K64BoardEnds, FR75_WhileTheRobotDrives) {
   EXPECT_EQ(robot.board.pwmDuty(0, 0), 0.0);
 }
 
-/// @brief A division by zero is a fault like others: the record is made, and the reset comes.
+/// @brief A division by zero is a fault like others: it is recorded, and a reset follows.
 /// @verifies FR-206
 TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
   BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::divideByZero()));
@@ -396,7 +397,7 @@ TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
   EXPECT_EQ(robot.askForWelcome().fault, kUsageFault);
 }
 
-/// @brief A stack that overflows is a fault like others: the record is made, and the reset comes.
+/// @brief A stack that overflows is a fault like others: it is recorded, and a reset follows.
 /// @verifies FR-75
 TEST(K64BoardOnBoard, FR75_EndsSafelyWhenTheStackOverflowed) {
   BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::overflowStack()));

@@ -16,15 +16,15 @@ constexpr int kChannels = 4;
 constexpr nanoseconds kPeriod{50'000};
 constexpr std::uint32_t kTimerBegin = 0x40038000;
 constexpr std::uint32_t kTimerEnd = 0x4003809C;
-constexpr double kCount = 1.0 / 3000;  // a bus clock, as a share of the period
+constexpr double kCount = 1.0 / 3000;  // a bus clock relative to the period
 
 struct Share {
   std::int16_t dutyCycle;  // [0.01 %]
   double share;
 };
 
-/// @brief The output is high for the share that was set, to the nearest bus clock; all channels can be
-/// all off and all on, and a value beyond counts as the limit.
+/// @brief The output is high for the set share of the period, to the nearest bus clock. All
+/// channels can be fully off and fully on, and a greater value counts as the limit.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
   constexpr std::array kShares{
@@ -42,7 +42,7 @@ TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
   }
 }
 
-/// @brief A channel that is set leaves the others as they are.
+/// @brief Setting a channel does not change the others.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_ChannelsAreIndependent) {
   DriverBoard drivers;
@@ -55,7 +55,8 @@ TEST(K64FtmOnBoard, FR140_ChannelsAreIndependent) {
   }
 }
 
-/// @brief Widths change only from one period of 50 us to the next, whenever they are set.
+/// @brief Widths change only from one period of 50 us to the next, independent of the time at which
+/// they are set.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
   DriverBoard drivers;
@@ -91,8 +92,8 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
   EXPECT_TRUE(halves[0] && halves[1]) << "the test would not see a width that changes at once";
 }
 
-/// @brief From the first instruction that makes an output safe until a width is set, no output for the
-/// voltage is ever high: neither as a plain output nor when the timer takes it over.
+/// @brief From the first instruction that makes an output safe until a width is set, no output for
+/// the voltage is ever high: neither as an ordinary output nor when the timer gets the pin.
 /// @verifies FR-141
 TEST(K64FtmOnBoard, FR141_OutputsStayLowUntilAWidthIsSet) {
   DriverBoard drivers;

@@ -65,8 +65,8 @@ class K64PortOnBoard : public testing::Test {
   std::vector<std::uint16_t> before;
 };
 
-/// @brief Each edge of an input interrupts, the rising one and the falling one, and no other input has
-/// an edge by it.
+/// @brief Each edge of an input interrupts, the rising one and the falling one, and causes no edge
+/// at another input.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_BothEdgesOfEachInputInterrupt) {
   std::vector<int> expected(kEdgeInputs.size(), 0);
@@ -80,7 +80,7 @@ TEST_F(K64PortOnBoard, FR144_BothEdgesOfEachInputInterrupt) {
   }
 }
 
-/// @brief Edges of several inputs of one port at the same time are each seen once.
+/// @brief Edges of several inputs of one port at the same time are each detected once.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_EdgesAtTheSameTimeAreAllSeen) {
   for (const Wire& wire : kEdgeInputs) {
@@ -89,7 +89,8 @@ TEST_F(K64PortOnBoard, FR144_EdgesAtTheSameTimeAreAllSeen) {
   EXPECT_EQ(edges(), std::vector<int>(kEdgeInputs.size(), 1));
 }
 
-/// @brief Four edges of one input within a tick are all seen: far more than a wheel at full speed has.
+/// @brief Four edges of one input within a tick are all detected, which is far more than a wheel at
+/// full speed has.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_FourEdgesInATickAreAllSeen) {
   constexpr int kTicks = 100;
@@ -104,8 +105,8 @@ TEST_F(K64PortOnBoard, FR144_FourEdgesInATickAreAllSeen) {
   EXPECT_EQ(edges().at(2), 4 * kTicks);
 }
 
-/// @brief Of the edges of one input within a tick at most four interrupt, those of the next tick again, and
-/// the other inputs are not concerned.
+/// @brief At most four edges of one input interrupt within a tick. In the next tick they interrupt
+/// again, and other inputs are not affected.
 /// @verifies FR-201
 TEST_F(K64PortOnBoard, FR201_MoreEdgesInATickDoNotInterrupt) {
   constexpr int kTicks = 100;
@@ -126,7 +127,7 @@ TEST_F(K64PortOnBoard, FR201_MoreEdgesInATickDoNotInterrupt) {
   EXPECT_EQ(seen.at(3), 1);
 }
 
-/// @brief A pulse of 0.5 us at a Hall sensor has no edge; one of 1 us has.
+/// @brief A pulse of 0.5 us at a Hall sensor causes no edge; a pulse of 1 us does.
 /// @verifies FR-202
 TEST_F(K64PortOnBoard, FR202_ShortPulsesAtHallSensorsHaveNoEdge) {
   const auto pulse = [this](nanoseconds width) {
@@ -149,8 +150,8 @@ std::vector<std::uint16_t> widths(DriverBoard& drivers) {
   return drivers.ask('W');
 }
 
-/// @brief A pulse of the remote control that begins at the very moment at which another one ends has its own
-/// width to 1 us, as have pulses that begin and end together.
+/// @brief A pulse of the remote control that begins at the same time as another one ends has its
+/// width measured to 1 us, and so have pulses that begin and end together.
 /// @verifies FR-200
 TEST_F(K64PortOnBoard, FR200_EdgesThatComeTogetherGetOneTime) {
   using std::chrono::microseconds;
@@ -203,8 +204,8 @@ TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
   }
 }
 
-/// @brief Noise of 200 kHz at all Hall sensors and all signals of the remote control leaves the cycles their
-/// time: in a second ten of them run, none is late, and the watchdog does not reset.
+/// @brief Noise of 200 kHz at all Hall sensors and all signals of the remote control does not delay
+/// the cycles: ten of them run in a second, none is late, and the watchdog does not reset.
 /// @verifies FR-201
 TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
   BoardRobot robot;
@@ -249,8 +250,8 @@ TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
   EXPECT_EQ(interrupts, 2);
 }
 
-/// @brief The width of the direction pulse does not depend on the velocity pulse that begins at the same moment, however
-/// slow the flash is.
+/// @brief The width of the direction pulse does not depend on the velocity pulse that begins at the
+/// same moment, even with a slow flash.
 /// @verifies FR-200
 TEST(K64PortInTheRobot, FR200_PulsesThatComeTogetherHaveTheirWidths) {
   // 1 us of the pulse is 6.4 hundredths of a degree, and each of its edges may be 1 us off.

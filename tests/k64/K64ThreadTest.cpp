@@ -37,7 +37,8 @@ TEST(K64ThreadOnBoard, FR1_CycleRunsAfterThePulseHasEnded) {
   EXPECT_EQ(events, two);
 }
 
-/// @brief Bytes that come while a cycle runs interrupt it: the serial port goes first.
+/// @brief Bytes that come while a cycle runs interrupt the cycle, because the serial port has the
+/// higher priority.
 /// @verifies FR-171
 TEST(K64ThreadOnBoard, FR171_SerialPortInterruptsTheCycle) {
   BoardRobot robot;

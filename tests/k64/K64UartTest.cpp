@@ -25,7 +25,7 @@ class K64UartOnBoard : public testing::Test {
   BoardRobot robot;
 };
 
-/// @brief As many bytes as the line brings between two pulses come in, and none is lost.
+/// @brief All bytes that the line can transfer between two clock pulses are received.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   constexpr int kFrames = 150;  // of 7 bytes: 91 ms on the line, the report before takes 9 ms
@@ -64,7 +64,7 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   constexpr int kCycles = 70;
-  // With an order of 28 bytes 1160 bytes, of which the line brings 1152 in a cycle.
+  // With an order of 28 bytes these are 1160 bytes; the line transfers 1152 of them in a cycle.
   constexpr int kLong = 11;  // frames of 102 bytes
   const scenario::Bytes kLongPayload(95, 3);
   const scenario::Bytes kShortPayload(3, 3);  // in one frame of 10 bytes
@@ -95,8 +95,8 @@ TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   EXPECT_GT(robot.report().velocity[0], 2300);
 }
 
-/// @brief While other interrupts keep the port waiting for 600 us, its FIFO takes the bytes that come: seven
-/// at 115200 baud.
+/// @brief While other interrupts keep the port waiting for 600 us, its FIFO stores the received
+/// bytes: seven at 115200 baud.
 /// @verifies FR-171
 TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
   constexpr std::uint32_t kRounds = 14'400;  // 600 us of the core, five cycles for each
@@ -119,8 +119,8 @@ TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief When bytes wait in the FIFO before the one with a wrong stop bit, that one is not taken, and the
-/// others are.
+/// @brief When bytes wait in the FIFO before the one with a wrong stop bit, the byte with the wrong
+/// stop bit is dropped, and the others are read.
 /// @verifies FR-49
 TEST(K64UartThatWaits, FR49_OnlyTheByteWithTheWrongStopBitIsLost) {
   constexpr std::uint32_t kRounds = 14'400;
@@ -141,7 +141,7 @@ TEST(K64UartThatWaits, FR49_OnlyTheByteWithTheWrongStopBitIsLost) {
   EXPECT_EQ(robot.report().lostBytes, 1);
 }
 
-/// @brief A byte with a wrong stop bit is not taken, and is counted.
+/// @brief A byte with a wrong stop bit is dropped and counted.
 /// @verifies FR-49
 TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {
   robot.connect();
@@ -154,8 +154,8 @@ TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {
   EXPECT_EQ(robot.report().damaged, 0);
 }
 
-/// @brief When the main controller is kept away for so long that the storage of 2048 bytes is full, the bytes
-/// after that are counted one by one.
+/// @brief When the main controller is blocked for so long that the buffer of 2048 bytes is full,
+/// the bytes after that are counted one by one.
 /// @verifies FR-49
 TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each

@@ -51,7 +51,7 @@ class K64WatchdogOnBoard : public testing::Test {
 };
 
 /// @brief The first writes of a start are the keys and the set-up of the watchdog; nothing else is
-/// written before it is set up, and no key but the refresh comes later.
+/// written before it is set up, and later only the keys of the refresh are written.
 /// @verifies FR-70
 TEST_F(K64WatchdogOnBoard, FR70_IsConfiguredBeforeAnythingElse) {
   robot.cycles(5);
@@ -68,7 +68,7 @@ TEST_F(K64WatchdogOnBoard, FR70_IsConfiguredBeforeAnythingElse) {
   }));
 }
 
-/// @brief The set-up allows no second one before the next reset, and lets the watchdog run while the
+/// @brief The set-up cannot be changed before the next reset, and lets the watchdog run while the
 /// processor sleeps.
 /// @verifies FR-70
 TEST_F(K64WatchdogOnBoard, FR70_StaysLocked) {
@@ -85,7 +85,7 @@ TEST_F(K64WatchdogOnBoard, FR70_StaysLocked) {
   EXPECT_EQ(setUps, 1);
 }
 
-/// @brief A firmware whose cycles do not run is reset 300 ms after its start, again and again.
+/// @brief A firmware whose cycles do not run is reset every 300 ms.
 /// @verifies FR-70
 /// @verifies FR-74
 TEST(K64WatchdogOnBoardThatHangs, FR70_ResetsAfter300Milliseconds) {
@@ -108,7 +108,7 @@ TEST(K64WatchdogOnBoardThatHangs, FR70_ResetsAfter300Milliseconds) {
   }
 }
 
-/// @brief Before the first cycle nothing refreshes the watchdog; then each cycle does so once.
+/// @brief Before the first cycle nothing refreshes the watchdog; then each cycle refreshes it once.
 /// @verifies FR-74
 TEST_F(K64WatchdogOnBoard, FR74_IsRefreshedOnceInEachCycle) {
   robot.run(milliseconds(90));

@@ -12,7 +12,7 @@ namespace {
 
 // Counts of the program for one pipe, see Handover in program/drivers.cpp.
 struct Counts {
-  std::uint16_t interruptions;  // one side was at work when the other one came
+  std::uint16_t interruptions;  // one side was active when the other one interrupted it
   std::uint16_t torn;
   std::uint16_t older;
   std::uint16_t newest;
@@ -20,8 +20,8 @@ struct Counts {
 };
 
 // The main thread reads a pipe that the interrupt of the Hall sensors writes, and writes one that
-// it reads. The edges come in pairs, at other instants of its loop each time: the second one of
-// some pairs finds the main thread at work on the same value as the first one.
+// it reads. The edges come in pairs, at different times of its loop: in some pairs both edges
+// interrupt the work on the same value.
 class PipeOnBoard : public testing::Test {
  protected:
   PipeOnBoard() {
@@ -67,8 +67,8 @@ class PipeOnBoard : public testing::Test {
   std::vector<std::uint16_t> after;
 };
 
-/// @brief An interrupt that writes while the main thread reads, at thousands of instants, leaves each value
-/// whole, with its time, and none is older than one before it.
+/// @brief An interrupt that writes while the main thread reads, at thousands of instants, never
+/// corrupts a value or its time, and no value is older than a previous one.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   const Counts counts = counted(0);
@@ -79,8 +79,8 @@ TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   EXPECT_EQ(counts.older, 0);
 }
 
-/// @brief An interrupt that reads while the main thread writes gets whole values too, and none is older than
-/// one before it.
+/// @brief An interrupt that reads while the main thread writes also gets complete values, and none
+/// is older than a previous one.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AWriterThatIsInterruptedLeavesWholeValuesInOrder) {
   const Counts counts = counted(5);

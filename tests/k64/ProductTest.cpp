@@ -25,13 +25,13 @@ constexpr std::size_t kKeyAddress = 0x410;  // behind the flash configuration fi
 constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
 
-// The image of a product on a board of its own. A finding ends the test. Its calls are not
+// The image of a product on a separate board. A finding ends the test. Its calls are not
 // recorded: the recordings are those of the image under test.
 class ProductRobot : public SteppedRobot {
  public:
   explicit ProductRobot(const std::string& product) : ProductRobot(switchedOn(product)) {}
 
-  // Cycles in which nobody orders, until the robot reads in a mode.
+  // Cycles without orders, until the robot reads in a mode.
   void waitForMode(int mode) {
     for (int cycles = 0; cycles < 2 * (kN + 2) && report().mode != mode; ++cycles) {
       silentCycle();
@@ -42,7 +42,7 @@ class ProductRobot : public SteppedRobot {
   // Share of the period in which a wheel has the voltage of the supply.
   [[nodiscard]] double duty(int wheel) const { return line_.board.pwmDuty(kWheelTimer, wheel); }
 
-  // The red light of the board shines while its pin is low.
+  // The red light of the board is on while its pin is low.
   [[nodiscard]] bool redLight() const { return !line_.board.pin('B', 22); }
 
  private:
@@ -91,7 +91,7 @@ class RobotWithDevice final : public ProductRobot {
     return device_.sign(frames_.order(order));
   }
 
-  // The same, signed with another key; the counter is newer than each one before.
+  // The bytes of an order that is signed with another key and has a new counter.
   scenario::Bytes orderWithKey(const SipHash::Key& key, const scenario::PcOrder& order) {
     constexpr std::uint32_t kNewer = 1000;
     return SigningDevice(key, start_).signWith(kNewer, frames_.order(order));
@@ -156,9 +156,9 @@ TEST_P(Product, RunsWithoutFinding) {
   }
 }
 
-/// @brief Each product follows the PC up to its outputs: 0.96 V of 24 V are 4 % of each period, in the cycle of the
-/// order; 6 V are a quarter, after the six cycles that safety functions may take; a stop ends the
-/// pulses.
+/// @brief Each product follows the PC up to its outputs: 0.96 V of 24 V are 4 % of each period, in
+/// the cycle of the order; 6 V are a quarter, after at most six cycles, which safety functions may
+/// need; a stop ends the pulses.
 /// @verifies NFR-2
 /// @verifies FR-80
 TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
@@ -194,7 +194,8 @@ INSTANTIATE_TEST_SUITE_P(Products, Product,
                                          "weeding_robot_pc_bluetooth", "weeding_robot_warning"),
                          [](const auto& product) { return std::string(product.param); });
 
-/// @brief A product that only the PC commands reads from nobody else, however long the PC is silent.
+/// @brief A product that only the PC commands never reads from another source, even when the PC is
+/// silent.
 /// @verifies NFR-2
 TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
   ProductRobot robot("weeding_robot_pc");
@@ -236,8 +237,8 @@ TEST(ProductWithBluetooth, FR262_UnsignedOrderIsNotRead) {
   }
 }
 
-/// @brief While the robot reads orders of the device, it does not read one that is repeated, altered or signed
-/// with another key; the next one with the right key it reads.
+/// @brief While the robot reads orders of the device, it does not read one that is repeated,
+/// altered or signed with another key; it reads the next order with the right key.
 /// @verifies FR-262
 TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
   RobotWithDevice robot;

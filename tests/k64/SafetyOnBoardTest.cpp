@@ -15,6 +15,7 @@
 #include "services/SystemConstants.hpp"
 #include "sim/emulator/EventTrace.hpp"
 #include "sim/emulator/Image.hpp"
+#include "sim/emulator/Symbols.hpp"
 #include "sim/scenario/Scenario.hpp"
 #include "sim/scenario/ScenarioPlayer.hpp"
 #include "support/image.hpp"
@@ -60,7 +61,7 @@ Played played(const scenario::Scenario& scenario) {
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
 /// @brief The image with safety functions meets each scenario that is not of the paper's design alone.
-/// When it runs again, it sends the same reports, and the same events come at the same times.
+/// In a second run it sends the same reports, and the same events come at the same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -135,7 +136,26 @@ class SafeBoard final : public SteppedRobot {
     silentCycles(20);
   }
 
-  // Lets time pass until no motor takes power.
+  [[nodiscard]] emulator::VirtualBoard& board() { return line_.board; }
+
+  // Lets time pass until the processor resets.
+  bool resetsWithin(milliseconds limit) {
+    const int before = board().resets();
+    for (milliseconds passed{0}; passed < limit && board().resets() == before; ++passed) {
+      wait(milliseconds(1));
+    }
+    return board().resets() != before;
+  }
+
+  // The number of the assertion that ended the program, as the next start tells the PC; 0 without
+  // one.
+  int failedAssertion() {
+    constexpr int kAssertion = 1;
+    connect();
+    return welcome.value().fault == kAssertion ? welcome.value().faultNumber : 0;
+  }
+
+  // Lets time pass until no motor consumes power.
   bool brakesWithin(milliseconds limit) {
     for (milliseconds passed{0}; passed < limit && !physics().braking(); ++passed) {
       wait(milliseconds(1));
@@ -151,7 +171,7 @@ class SafeBoard final : public SteppedRobot {
   board_robot::BoardSession& line_;
 };
 
-/// Something that the robot does before the switch stops it.
+/// An action of the robot before the switch stops it.
 struct Situation {
   const char* name;
   int mode;
@@ -187,8 +207,8 @@ const auto kSituations = std::to_array<Situation>({
 
 class SwitchOfTheRemoteControl : public testing::TestWithParam<Situation> {};
 
-/// @brief Wherever in the cycle the enable switch is released, all wheels brake within 200 ms, in each mode and
-/// state in which the robot drives, and orders of the PC do not end it.
+/// @brief When the enable switch is released at any time of the cycle, all wheels brake within 200
+/// ms, in each mode and state in which the robot drives, and orders of the PC do not end it.
 /// @verifies FR-285
 TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
   const Situation& situation = GetParam();
@@ -214,7 +234,8 @@ TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
 INSTANTIATE_TEST_SUITE_P(Situations, SwitchOfTheRemoteControl, testing::ValuesIn(kSituations),
                          [](const auto& situation) { return std::string(situation.param.name); });
 
-/// @brief While nobody commands, the switch orders the stop too, and an order of the PC moves nothing.
+/// @brief Without a source of orders the switch also orders the stop, and an order of the PC moves
+/// nothing.
 /// @verifies FR-285
 TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
   SafeBoard robot;
@@ -227,6 +248,67 @@ TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
   robot.driveByPc(1000, 2 * kN);
   EXPECT_TRUE(robot.report().stop());
   EXPECT_TRUE(robot.physics().braking());
+}
+
+// Lines of interrupts, as the reference manual assigns them.
+constexpr int kTickLine = 49;  // PIT channel 1
+constexpr int kHallLine = 62;  // port D
+
+struct HeldInterrupt {
+  const char* name;
+  int line;
+  milliseconds held;
+};
+
+void PrintTo(const HeldInterrupt& held, std::ostream* output) {
+  *output << held.name;
+}
+
+class InterruptsOfTheSafeRobot : public testing::TestWithParam<HeldInterrupt> {};
+
+/// @brief When an interrupt of a driving robot is not served for some time, the robot resets, and the wheels have
+/// no voltage until an operator arms it again.
+/// @verifies FR-308
+TEST_P(InterruptsOfTheSafeRobot, FR308_AnInterruptThatIsNotServedResetsTheRobot) {
+  constexpr int kInterruptLate = 7;
+  SafeBoard robot;
+  robot.letThePcDrive();
+  ASSERT_FALSE(robot.physics().braking());
+  robot.board().holdInterrupt(GetParam().line, true);
+  const bool whileHeld = robot.resetsWithin(GetParam().held);
+  robot.board().holdInterrupt(GetParam().line, false);
+  ASSERT_TRUE(whileHeld || robot.resetsWithin(milliseconds(2)));
+  robot.wait(milliseconds(50));
+  EXPECT_EQ(robot.failedAssertion(), kInterruptLate);
+  robot.driveByPc(1000, 5);
+  EXPECT_TRUE(robot.physics().braking());
+}
+
+INSTANTIATE_TEST_SUITE_P(Lines, InterruptsOfTheSafeRobot,
+                         testing::Values(HeldInterrupt{"Tick", kTickLine, milliseconds(25)},
+                                         HeldInterrupt{"HallSensors", kHallLine, milliseconds(40)}),
+                         [](const auto& held) { return std::string(held.param.name); });
+
+/// @brief A changed bit of the program in RAM resets the robot within 0.3 s, in a function that runs in each cycle
+/// and in one that does not run, in the vectors and in the constants. Then the program is as it
+/// was.
+/// @verifies FR-309
+TEST(ProgramOfTheSafeRobot, FR309_AChangedBitResetsTheRobot) {
+  constexpr int kProgramChanged = 8;
+  const emulator::Symbols symbols(imageOf(kProduct).replace_extension(".elf"));
+  const std::uint32_t vector = symbols.addressOf("ramVectors") + 4 * 20;
+  const std::uint32_t constants = symbols.addressOf("constantsEnd") - 20;
+  const std::uint32_t unused = symbols.addressOf("codeEnd") - 20;
+  SafeBoard robot;
+  for (const std::uint32_t address : {vector, constants, unused}) {
+    const std::uint32_t word = robot.board().word(address & ~3U);
+    robot.letThePcDrive();
+    robot.board().flipBit(address, 3);
+    EXPECT_TRUE(robot.resetsWithin(milliseconds(300))) << address;
+    robot.wait(milliseconds(50));
+    EXPECT_EQ(robot.failedAssertion(), kProgramChanged) << address;
+    EXPECT_EQ(robot.board().word(address & ~3U), word);
+  }
 }
 
 }  // namespace

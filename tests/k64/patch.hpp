@@ -7,7 +7,7 @@
 namespace wr::test {
 
 // Images with a handler that the firmware does not have. The handler's code is in erased flash
-// behind the image; nothing else is different.
+// after the image; all other bytes are unchanged.
 
 /// The exception of an interrupt.
 [[nodiscard]] constexpr std::uint32_t exceptionOf(std::uint32_t interrupt) {
@@ -38,7 +38,7 @@ namespace stubs {
 /// Never ends.
 [[nodiscard]] Code hang();
 
-/// Reads from an address where nothing is; the read is the instruction at kHandlerAddress + 4.
+/// Reads from an address without memory; the read is the instruction at kHandlerAddress + 4.
 [[nodiscard]] Code readFromNowhere();
 
 /// Calls assertionFailed with a number; the call is the instruction at kHandlerAddress + 10.
@@ -51,13 +51,13 @@ inline constexpr std::uint32_t kPeripheral = 0x40000000;
 /// Divides by zero: the instruction at kHandlerAddress + 4.
 [[nodiscard]] Code divideByZero();
 
-/// Executes an instruction that is none, at kHandlerAddress.
+/// Executes an undefined instruction, at kHandlerAddress.
 [[nodiscard]] Code undefined();
 
-/// Pushes onto the stack without end.
+/// Pushes onto the stack endlessly.
 [[nodiscard]] Code overflowStack();
 
-/// Takes time above the priority of all devices: two instructions for each round. For
+/// Uses time above the priority of all devices: two instructions for each round. For
 /// kUnusedException.
 [[nodiscard]] Code keepDevicesWaiting(std::uint32_t rounds);
 

@@ -14,7 +14,7 @@ class ControlDataTest : public testing::Test {
   ControlData data;
 };
 
-/// @brief Before the first cycle there is nothing but zeros, and no source.
+/// @brief Before the first cycle all values are zero, and there is no source.
 /// @verifies FR-19
 /// @verifies FR-174
 TEST_F(ControlDataTest, BeginsEmpty) {
@@ -24,7 +24,7 @@ TEST_F(ControlDataTest, BeginsEmpty) {
   EXPECT_FALSE(data.setPoints().has_value());
 }
 
-/// @brief The source that is read takes force with the set-points, not before.
+/// @brief The source that is read comes into force together with the set-points.
 /// @verifies FR-19
 TEST_F(ControlDataTest, FR19_SourceTakesForceWithTheSetPoints) {
   data.saveModeId(ModeId::RC);
@@ -37,7 +37,7 @@ TEST_F(ControlDataTest, FR19_SourceTakesForceWithTheSetPoints) {
   EXPECT_EQ(report().source, 1);
 }
 
-/// @brief The report holds everything that was saved in the cycle.
+/// @brief The report contains all values that were saved in the cycle.
 /// @verifies FR-61
 /// @verifies FR-174
 /// @verifies FR-175
@@ -64,8 +64,8 @@ TEST_F(ControlDataTest, FR61_ReportHoldsTheCycle) {
   EXPECT_EQ(report.link.damaged, 5);
 }
 
-/// @brief The next cycle keeps the set-points, their source and the count of overruns, and forgets the
-/// rest.
+/// @brief The next cycle keeps the set-points, their source and the count of overruns, and clears
+/// all other values.
 /// @verifies FR-14
 /// @verifies FR-62
 TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
@@ -89,8 +89,8 @@ TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
   EXPECT_EQ(report(), expected);
 }
 
-/// @brief While a source orders stop, the report gives this as the reason why the robot does not follow its
-/// set-points, whatever else keeps it.
+/// @brief While a source orders stop, the report gives this as the reason why the robot does not
+/// follow its set-points, also if there are other reasons.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {
@@ -101,7 +101,8 @@ TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {
   EXPECT_TRUE(report().held);
 }
 
-/// @brief Without set-points, and in the state Reconnecting, the reason is that nobody orders.
+/// @brief Without set-points, and in the state Reconnecting, the reason is that no source sends
+/// orders.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
@@ -155,7 +156,7 @@ TEST_F(ControlDataTest, FR160_CostsAreDifferences) {
   EXPECT_EQ(report().costs, (CycleCosts{.report = 1000, .awake = 5000, .start = 9}));
 }
 
-/// @brief Of a cycle that did not report there is no cost of the report.
+/// @brief A cycle without a report has no cost of the report.
 /// @verifies FR-160
 TEST_F(ControlDataTest, FR160_NoCostWithoutReport) {
   data.saveReported(50);

@@ -87,7 +87,7 @@ class ControllerFixture : public testing::Test {
     second.onServe = [this] { connection.service(); };
   }
 
-  // Connects the PC over the line. Nothing but the link is served.
+  // Connects the PC over the line. Only the link is served.
   void connect() {
     port.arrive(pc.hello());
     serveLink();

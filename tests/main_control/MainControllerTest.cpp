@@ -62,7 +62,7 @@ TEST_F(MainControllerTest, FR10_BeginsWithTheInitialMode) {
   EXPECT_EQ(&controller.getMode(), &first);
 }
 
-/// @brief Orders are asked of the mode that was set last.
+/// @brief Orders are read from the mode that was set last.
 /// @verifies FR-11
 /// @verifies FR-12
 TEST_F(MainControllerTest, FR12_ReadsFromThePresentModeOnly) {
@@ -104,7 +104,7 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief A stop of any mode holds the control systems. The state is asked as in every cycle.
+/// @brief A stop of any mode holds the control systems. The state is executed as in every cycle.
 /// @verifies FR-21
 TEST_F(MainControllerTest, FR21_StopOfAnyModeHolds) {
   data.saveSetPoints({});
@@ -178,7 +178,7 @@ TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
   EXPECT_TRUE(scenario::welcomeOf(scenario::bodies(port.takeSent()).at(0)).has_value());
 }
 
-/// @brief A line without a pause, 1152 bytes in each cycle at 115200 baud, costs no frame.
+/// @brief A line without a pause, 1152 bytes in each cycle at 115200 baud, does not lose a frame.
 /// @verifies FR-35
 /// @verifies FR-37
 TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
@@ -204,8 +204,8 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
             static_cast<std::uint16_t>(line.empty() ? sent - 1 : sent - 2));
 }
 
-/// @brief The bytes of a cycle that is late by one period exceed the storage of the port on a line
-/// without a pause: the loss is counted, and the connection goes on.
+/// @brief The bytes of a cycle that is late by one period exceed the buffer of the port on a line
+/// without a pause: the loss is counted, and the connection continues.
 /// @verifies FR-49
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
   connect();
@@ -246,7 +246,7 @@ TEST_F(MainControllerTest, FR4_PulseDuringACycleIsAnOverrun) {
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
-/// @brief Two clock pulses during a cycle are one cycle that overran.
+/// @brief Two clock pulses during a cycle make one cycle that overran.
 /// @verifies FR-4
 TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
   connect();
@@ -307,8 +307,8 @@ TEST_F(MainControllerTest, FR74_RefreshIsTheLastStep) {
   EXPECT_EQ(watchdog.refreshes(), 1U);
 }
 
-/// @brief A cycle in which a control system did not complete its work does not refresh the watchdog,
-/// and three such cycles in a row are its end.
+/// @brief A cycle in which a control system did not complete its work does not refresh the
+/// watchdog, and three such cycles in a row cause a reset.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_IncompleteCycleDoesNotRefresh) {
   controller.start();

@@ -20,7 +20,7 @@
 
 namespace wr::test {
 
-/// Gives a control system that notes its orders, and does nothing at a tick of the second timer.
+/// Gives a control system that records its orders, and does nothing at a tick of the second timer.
 class SpyBuilder final : public ControlSystemBuilder, public Command {
  public:
   SpySystem spy;
@@ -71,7 +71,7 @@ class ProductFixture : public testing::Test {
     return report;
   }
 
-  // The same while the PC keeps the connection.
+  // A cycle in which the PC keeps the connection.
   scenario::PcReport cycleWithPc() {
     port.arrive(pc.keepAlive());
     return cycle();

@@ -32,7 +32,7 @@ struct Signal {
     pin.serve();
   }
 
-  /// A pulse, and the pause that makes it the given period long.
+  /// A pulse, and the pause that completes the given period.
   void pulse(int width, int period = 20'000) {
     level(true);
     time.advance(Microseconds(width));
@@ -159,7 +159,7 @@ TEST_F(RcBufferTest, FR55_FirstPulse) {
   EXPECT_FALSE(velocity.value());
 }
 
-/// @brief A lost edge spoils no more than its own pulse.
+/// @brief A lost edge affects only its own pulse.
 /// @verifies FR-54
 /// @verifies FR-55
 TEST_F(RcBufferTest, FR55_LostEdges) {
@@ -215,7 +215,7 @@ TEST_F(RcPathTest, FR56_MessageWithPulses) {
   EXPECT_EQ(reader.readI16({.name = FieldName::Steering}), -1600);
 }
 
-/// @brief When the pulses stay away on both pins, the message ends 200 ms after the last pulse.
+/// @brief When the pulses end on both pins, the message ends 200 ms after the last pulse.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_NoMessageWithoutPulses) {
   bothPulse(3);
@@ -225,7 +225,7 @@ TEST_F(RcPathTest, FR56_NoMessageWithoutPulses) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief Pulses on one pin alone are no message.
+/// @brief Pulses on one pin alone are not a message.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_OnePinIsNoMessage) {
   bothPulse(3);

@@ -8,7 +8,7 @@
 namespace wr {
 namespace {
 
-/// @brief Thread whose platform is the test: it runs when the test dispatches it.
+/// @brief Thread with the test as its platform: it runs when the test dispatches it.
 class TestThread final : public ControlThread {
  public:
   void dispatch() { run(); }
@@ -46,7 +46,7 @@ class Body final : public Command {
   int posts_;
 };
 
-/// @brief A thread without a body refuses to be posted, and a spurious dispatch does nothing.
+/// @brief A thread without a body rejects posts, and a spurious dispatch does nothing.
 /// @verifies FR-172
 TEST(ControlThread, IsNotPostedBeforeItHasABody) {
   TestThread thread;
@@ -56,7 +56,7 @@ TEST(ControlThread, IsNotPostedBeforeItHasABody) {
   EXPECT_EQ(thread.overruns(), 0);
 }
 
-/// @brief Each post that meets an idle thread runs the body once.
+/// @brief Each post to an idle thread runs the body once.
 /// @verifies FR-1
 /// @verifies FR-172
 TEST(ControlThread, RunsItsBodyOncePerPost) {
@@ -84,7 +84,7 @@ TEST(ControlThread, FR4_PostWhileRunningIsCountedAndKept) {
   EXPECT_EQ(thread.overruns(), 1);
 }
 
-/// @brief Of several posts while the body runs each is an overrun, and one is kept.
+/// @brief Several posts while the body runs are each an overrun, and one activation is kept.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_OnlyOnePostIsKept) {
@@ -124,7 +124,7 @@ TEST(ControlThread, FR4_OverrunsSaturate) {
   EXPECT_EQ(body.runs, 2);
 }
 
-/// @brief A thread has one body for its life.
+/// @brief The body of a thread can be set only once.
 /// @verifies FR-176
 TEST(ControlThreadDeathTest, HasOneBody) {
   TestThread thread;
@@ -133,8 +133,8 @@ TEST(ControlThreadDeathTest, HasOneBody) {
   EXPECT_DEATH(thread.start(body), "assertion 3 failed");
 }
 
-/// @brief Posts that come at any moment of an activation neither lose the last one nor leave the
-/// thread triggered for ever.
+/// @brief Posts at any time of an activation are never lost, and the thread does not stay triggered
+/// for ever.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostsAtAnyMomentAreNeverLost) {

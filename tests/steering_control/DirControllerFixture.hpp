@@ -45,8 +45,8 @@ struct DirControl {
                             .initial = states.off}};
 };
 
-/// @brief A controller whose ticks, orders, positions and motor the test makes. A tick comes every
-/// 10 ms, so that little happens between two of them.
+/// @brief A controller with ticks, orders, positions and a motor from the test. A tick comes every
+/// 10 ms, so that the motor moves little between two ticks.
 class DirControllerFixture : public testing::Test {
  protected:
   void follow(std::int32_t angle) {
@@ -57,7 +57,7 @@ class DirControllerFixture : public testing::Test {
 
   void measure(std::int32_t angle) { control.position.write(Angle(angle), control.clock.now()); }
 
-  /// @brief Lets 10 ms pass, and makes a tick with the values that there are.
+  /// @brief Lets 10 ms pass, and makes a tick with the present values.
   void tickOnly() {
     control.clock.advance(milliseconds(10));
     control.controller.tick(feedback);
@@ -71,7 +71,7 @@ class DirControllerFixture : public testing::Test {
     control.controller.tick(feedback);
   }
 
-  /// @brief The same with an order to hold.
+  /// @brief Lets 10 ms pass, and makes a tick with an order to hold.
   void tickHolding() {
     control.clock.advance(milliseconds(10));
     hold();
@@ -79,7 +79,7 @@ class DirControllerFixture : public testing::Test {
     control.controller.tick(feedback);
   }
 
-  /// @brief Switches the steering on. It holds its position.
+  /// @brief Switches the steering on. The steering then holds its position.
   void switchOn() {
     ordered = measured;
     tick();
@@ -96,7 +96,7 @@ class DirControllerFixture : public testing::Test {
     ASSERT_EQ(state(), SteeringState::Turning);
   }
 
-  /// @brief Demand that the motor was given, as far as it can be seen in one tick of the motor.
+  /// @brief The demand on the motor, as far as one tick of the motor shows it.
   StepRate demand() {
     while (!control.motor.device.ready()) {
       control.motor.device.tick();

@@ -7,11 +7,11 @@
 namespace wr::test {
 namespace {
 
-/// @brief Looks closely at how the controller watches the motion.
+/// @brief Tests of the motion monitoring of the controller.
 class DirControllerTest : public DirControllerFixture {
  protected:
-  /// @brief Turns, with so many steps in each tick and so far moved in each tick, for some ticks or until
-  /// the turn has ended.
+  /// @brief Turns with a number of steps and a movement in each tick, for some ticks or until the
+  /// turn has ended.
   SteeringState turn(std::int32_t steps, std::int32_t moved, int ticks = 100) {
     for (int i = 0; i < ticks && state() == SteeringState::Turning; ++i) {
       feedback.steps += steps;
@@ -30,14 +30,14 @@ class DirControllerTest : public DirControllerFixture {
   }
 };
 
-/// @brief A steering that moves as its steps say is not stalled.
+/// @brief A steering that moves according to its steps is not stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_AMotionThatFollowsIsNoStall) {
   beginTurn();
   EXPECT_EQ(turn(4, 20), SteeringState::Turning);
 }
 
-/// @brief Half of the motion is enough, and less is a stall. A step is 0.05 degrees.
+/// @brief Half of the motion is sufficient, and less is a stall. A step is 0.05 degrees.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   beginTurn();
@@ -60,8 +60,8 @@ TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
   EXPECT_EQ(turn(1, -5, 25), SteeringState::Fault);
 }
 
-/// @brief Steps of less than 0.6 degrees decide nothing; the watch goes on until they amount to it,
-/// which finds a slow stall too.
+/// @brief Steps of less than 0.6 degrees are not sufficient for a decision; the window lasts until
+/// they amount to 0.6 degrees, which also detects a slow stall.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   beginTurn();
@@ -102,7 +102,8 @@ TEST_F(DirControllerTest, FR227_PositionFollowsTheStepsWithin3Degrees) {
   }
 }
 
-/// @brief Either end stop alone is none, both are a fault, while turning and while holding.
+/// @brief One end stop alone is no fault, both together are a fault, while turning and while
+/// holding.
 /// @verifies FR-226
 TEST_F(DirControllerTest, FR226_BothEndStopsAreAFault) {
   beginTurn();
@@ -114,7 +115,7 @@ TEST_F(DirControllerTest, FR226_BothEndStopsAreAFault) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief A stall that begins in the middle of a turn is found in the window after it.
+/// @brief A stall that begins in the middle of a turn is detected in the next window.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
   beginTurn();
@@ -149,7 +150,7 @@ TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {
   EXPECT_TRUE(status.value.rightEnd);
 }
 
-/// @brief An order is good for 300 ms, to the microsecond.
+/// @brief An order is valid for exactly 300 ms.
 /// @verifies FR-109
 TEST_F(DirControllerTest, FR109_AnOrderIsYoungFor300Milliseconds) {
   switchOn();
@@ -164,7 +165,7 @@ TEST_F(DirControllerTest, FR109_AnOrderIsYoungFor300Milliseconds) {
   EXPECT_EQ(control.clock.now() - last, Microseconds(300001));
 }
 
-/// @brief A position is good for 20 ms, to the microsecond.
+/// @brief A position is valid for exactly 20 ms.
 /// @verifies FR-110
 TEST_F(DirControllerTest, FR110_APositionIsYoungFor20Milliseconds) {
   switchOn();
@@ -176,8 +177,8 @@ TEST_F(DirControllerTest, FR110_APositionIsYoungFor20Milliseconds) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief A release that comes in the very tick of the fault does not end it: it was given before somebody
-/// could see the fault.
+/// @brief A release that comes in the tick of the fault does not end it, because it was sent before
+/// anybody could notice the fault.
 /// @verifies FR-112
 TEST_F(DirControllerTest, FR112_AReleaseOfTheTickOfTheFaultDoesNotEndIt) {
   tickOnly();

@@ -8,13 +8,13 @@
 namespace wr::test {
 namespace {
 
-/// @brief The steering as Main Control sees it; the test ticks in place of the steering.
+/// @brief The steering as Main Control sees it; the test ticks instead of the steering.
 struct DirSystemTest : testing::Test {
   DirSystemTest() { pool.add(system); }
 
   void publish(const DirStatus& what) { status.write(what, clock.now()); }
 
-  /// @brief Holds in a new cycle, and gathers the measurements.
+  /// @brief Holds in a new cycle, and collects the measurements.
   void cycle() {
     pool.hold(++number);
     pool.collect(measurements, outputs);
@@ -30,7 +30,7 @@ struct DirSystemTest : testing::Test {
   Outputs outputs;
 };
 
-/// @brief Control hands the ordered angle over, with the time at which it was ordered.
+/// @brief Control passes the ordered angle to the steering, with the time of the order.
 /// @verifies FR-115
 TEST_F(DirSystemTest, FR115_TheOrderedAngleIsHandedOver) {
   clock.advance(milliseconds(100));
@@ -40,7 +40,7 @@ TEST_F(DirSystemTest, FR115_TheOrderedAngleIsHandedOver) {
   EXPECT_EQ(target.read()->at, clock.now());
 }
 
-/// @brief Hold hands the order to hold over.
+/// @brief Hold passes the order to hold to the steering.
 /// @verifies FR-115
 TEST_F(DirSystemTest, FR115_TheOrderToHoldIsHandedOver) {
   pool.control({.steering = Angle(-1500)}, 1);
@@ -50,7 +50,7 @@ TEST_F(DirSystemTest, FR115_TheOrderToHoldIsHandedOver) {
   EXPECT_EQ(target.read()->at, clock.now());
 }
 
-/// @brief Two targets are the same when both fields are.
+/// @brief Two targets are equal when both fields are equal.
 TEST_F(DirSystemTest, TargetsAreCompared) {
   EXPECT_EQ(DirTarget{}, DirTarget{});
   EXPECT_NE(DirTarget{}, (DirTarget{.follow = true}));
@@ -94,7 +94,7 @@ TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   EXPECT_EQ(measurements.steeringState, SteeringState::Holding);
 }
 
-/// @brief A position that is older than 150 ms is missing, however young the tick is.
+/// @brief A position that is older than 150 ms is missing, even if the tick is recent.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_AnOldPositionIsMissing) {
   const Stamped<Angle> position{Angle(250), clock.now()};
@@ -134,7 +134,7 @@ TEST_F(DirSystemTest, FR117_OnlyASteeringThatTicksCompletes) {
   EXPECT_TRUE(pool.completed(3));
 }
 
-/// @brief Before its first tick the steering completes nothing, and reports that it is off.
+/// @brief Before its first tick the steering completes no work, and reports that it is off.
 /// @verifies FR-117
 TEST_F(DirSystemTest, FR117_BeforeTheFirstTickNothingIsComplete) {
   outputs.turn = std::int8_t{1};

@@ -15,7 +15,7 @@ namespace {
 struct SteeringDeviceTest : testing::Test {
   SteeringDeviceTest() { motor.settle(); }
 
-  /// @brief Sets the turn, and waits until the motor has taken it on.
+  /// @brief Sets the turn, and waits until the motor has reached it.
   void reach(std::int32_t rate) {
     device.turn(StepRate(rate));
     motor.run(1000);
@@ -80,7 +80,7 @@ TEST_F(SteeringDeviceTest, FR104_AStepIsAPulseOfOneTick) {
 }
 
 /// @brief The direction is set before the first pulse in it, with a tick between, at every change
-/// of a random turn. The steps are counted in the direction that the motor sees.
+/// of a random turn. The steps are counted in the direction of the direction output.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
   std::mt19937 random(seed());
@@ -99,8 +99,8 @@ TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
   }
 }
 
-/// @brief At 1 step/s a step takes 1000 ticks. A step that was nearly due when the motor reverses is
-/// not made in the other direction: it begins again there.
+/// @brief At 1 step/s a step takes 1000 ticks. A step that was nearly due when the motor reverses
+/// is not made in the other direction: the step begins again.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {
   device.turn(StepRate(1));

@@ -148,7 +148,7 @@ class SteeringLoop {
   std::uint32_t cycle = 0;
   bool ordering = true;  // false: no control cycle comes
   bool acknowledges = false;
-  int moves = 0;      // pauses of more than 100 ms part them
+  int moves = 0;      // moves that are separated by pauses of more than 100 ms
   int reversals = 0;  // steps to the other side than the step before
 
  private:

@@ -19,8 +19,8 @@ struct SteeringLoopTest : testing::Test {
   SteeringPlant& plant = loop.plant;
 };
 
-/// @brief At each tick the sensor samples. At each eighth the controller then orders, and after that the
-/// motor moves.
+/// @brief At each tick the sensor samples. At each eighth tick the controller then acts, and after
+/// it the motor moves.
 /// @verifies FR-114
 TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
   std::string sequence;
@@ -54,8 +54,8 @@ TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
   EXPECT_EQ(loop.state(), SteeringState::Turning);
 }
 
-/// @brief From stop to stop: the steering arrives within 0.5 degrees, in one move, does not pass
-/// the angle by more than 0.1 degrees, and then stands still for a minute. Its rate changes by at
+/// @brief From stop to stop: the steering arrives within 0.5 degrees, in one move, overshoots the
+/// angle by at most 0.1 degrees, and then stands still for a minute. Its rate changes by at
 /// most one step/s in each tick, to at most 500 steps/s.
 /// @verifies FR-101
 /// @verifies FR-102
@@ -100,7 +100,7 @@ TEST_F(SteeringLoopTest, FR118_FromLimitToLimit) {
 }
 
 /// @brief With the noise of a real sensor random angles are reached within 0.5 degrees and without
-/// hunting: in one move, and in the minute after it there is no other.
+/// hunting: in one move, and in the minute after it there is no other move.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   const unsigned first = seed();
@@ -122,8 +122,8 @@ TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   }
 }
 
-/// @brief A steering that follows an angle which changes in every cycle keeps within 2 degrees of an
-/// angle that moves by 10 degrees in a second, and is never found to be stalled.
+/// @brief A steering that follows an angle which changes in every cycle stays within 2 degrees of
+/// an angle that moves by 10 degrees in a second, and is never reported as stalled.
 /// @verifies FR-101
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
@@ -139,8 +139,8 @@ TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
   EXPECT_EQ(loop.reversals, 0);
 }
 
-/// @brief An angle beyond the end stop ends at its switch: no step more, no fault, and the way back
-/// is open.
+/// @brief An angle beyond the end stop ends at its switch: it makes no further step, there is no
+/// fault, and it can turn back.
 /// @verifies FR-105
 TEST_F(SteeringLoopTest, FR105_StopsAtTheEnd) {
   for (const std::int32_t side : {1, -1}) {
@@ -156,7 +156,7 @@ TEST_F(SteeringLoopTest, FR105_StopsAtTheEnd) {
 }
 
 /// @brief An order to hold in the middle of a turn brings the steering to rest within 0.5 s, with
-/// limited acceleration; then it keeps its place with the motor on.
+/// limited acceleration; then it keeps its angle with the motor on.
 /// @verifies FR-108
 TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   loop.follow(3000);
@@ -175,9 +175,9 @@ TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   EXPECT_TRUE(loop.powered());
 }
 
-/// @brief When the control cycles end, the motor is switched off at the end of the first measurement after
-/// 300 ms; when they come again
-/// it is switched on, and the steering goes on to its angle.
+/// @brief When the control cycles end, the motor is switched off at the end of the first
+/// measurement after 300 ms; when they begin again it is switched on, and the steering continues to
+/// its angle.
 /// @verifies FR-109
 TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);
@@ -242,8 +242,8 @@ TEST_F(SteeringLoopTest, FR111_ABlockedTurnIsFoundWithin400Milliseconds) {
   }
 }
 
-/// @brief A steering that is blocked before it begins to turn is a fault within 0.4 s after its first step,
-/// however near the angle is.
+/// @brief A steering that is blocked before it begins to turn is a fault within 0.4 s after its
+/// first step, also near its angle.
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR111_ABlockedSteeringIsFound) {
   for (const std::int32_t angle : {3000, 100, 25, -25}) {
@@ -312,7 +312,8 @@ TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
   EXPECT_EQ(loop.state(), SteeringState::Fault);
 }
 
-/// @brief A broken wire of an end stop opens the way to the other side only, and is seen as reached.
+/// @brief A broken wire of an end stop counts as reached: the steering turns only to the other
+/// side.
 /// @verifies FR-225
 TEST_F(SteeringLoopTest, FR225_ABrokenWireOfAnEndStopIsReached) {
   loop.control.motor.leftEnd.broken = true;
@@ -326,8 +327,8 @@ TEST_F(SteeringLoopTest, FR225_ABrokenWireOfAnEndStopIsReached) {
   EXPECT_NEAR(plant.degrees(), -10, 0.5);
 }
 
-/// @brief Both end stops at once cannot be: the steering is in fault within 10 ms, at rest as well, and its
-/// motor is off.
+/// @brief Both end stops at once are impossible: the steering is in fault within 10 ms, at rest as
+/// well, and its motor is off.
 /// @verifies FR-226
 TEST_F(SteeringLoopTest, FR226_BothEndStopsAreAFault) {
   loop.follow(1000);
@@ -342,7 +343,7 @@ TEST_F(SteeringLoopTest, FR226_BothEndStopsAreAFault) {
 }
 
 /// @brief While the steering works, Main Control finds the work of each cycle complete, and the
-/// position as it is. A steering that ticks no more completes nothing.
+/// position as it is. A steering that no longer ticks completes no work.
 /// @verifies FR-116
 /// @verifies FR-117
 TEST_F(SteeringLoopTest, FR117_AWorkingSteeringCompletesEachCycle) {

@@ -6,7 +6,7 @@
 
 namespace wr::test {
 
-/// @brief Bytes of a frame, made and taken apart without the code under test.
+/// @brief Bytes of a frame, encoded and decoded without the code under test.
 using Bytes = std::vector<std::uint8_t>;
 
 /// @brief CRC-16/CCITT-FALSE by polynomial division of the message, one bit at a time.

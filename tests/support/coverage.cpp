@@ -1,7 +1,8 @@
-// Records which arcs of the firmware's flow graphs each test takes. The build includes it only with
+// Records the arcs of the firmware's flow graphs that each test executes. The build includes it
+// only with
 // WR_TRACE.
 //
-// Each test gives one file in the folder WR_TRACE_DIR, named <suite>.<test>.arcs. A line with a
+// Each test writes one file in the folder WR_TRACE_DIR, named <suite>.<test>.arcs. A line with a
 // name is the file of counters of the lines below it; each of those has the number of a
 // function that ran, and its counters.
 //
@@ -20,11 +21,11 @@
 #include <vector>
 
 // The header of the compiler is one of C. The counters of all units are between two symbols that
-// the linker makes. The runtime of the compiler learns of a unit by __gcov_init; without it, no
-// counter is set back or written to a file.
+// the linker defines. The runtime of the compiler registers a unit by __gcov_init; without it, no
+// counter is cleared or written to a file.
 extern "C" {
 #include <gcov.h>
-// Linker and compiler give these names.
+// Linker and compiler define these names.
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 extern const gcov_info* const __start_wr_counters[];
 extern const gcov_info* const __stop_wr_counters[];
@@ -44,7 +45,7 @@ struct Unit {
   std::string name;
   std::vector<std::uint32_t> words;
   std::vector<std::uint32_t> wordsBefore;
-  // Counts of each function at the end of the test before.
+  // Counts of each function at the end of the previous test.
   std::map<std::uint32_t, std::vector<std::uint64_t>> before;
 };
 
@@ -60,7 +61,7 @@ void keepWords(const void* data, unsigned bytes, void* unit) {
 }
 
 void* allocate(unsigned bytes, void* /*unit*/) {
-  return std::malloc(bytes);  // the runtime of the compiler asks for memory of this kind
+  return std::malloc(bytes);  // the runtime of the compiler requests this kind of memory
 }
 
 // How much the counters of a function grew.

@@ -4,8 +4,8 @@
 
 namespace wr::test {
 
-/// @brief Expects that a value is no longer equal to a default one when any one of the given members
-/// is set to the value that is given behind it.
+/// @brief Expects that a value is no longer equal to a default one when any one of the given
+/// members is set to the value that follows it.
 template <class T, class Member, class Value, class... Rest>
 void expectDifference(Member T::*member, const Value& value, const Rest&... rest) {
   T changed{};

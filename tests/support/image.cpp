@@ -40,8 +40,8 @@ emulator::ExecutedCode& executed() {
   return instance;
 }
 
-/// The debugger of the firmware. A test cannot be begun again in its midst: time goes forwards
-/// only.
+/// The debugger of the firmware. A test cannot be restarted while it runs: its time only goes
+/// forwards.
 class Debug {
  public:
   explicit Debug(const std::string& port) : line_(programs::openLine("tcp:" + port)) {}
@@ -59,7 +59,7 @@ void debugIfAsked(emulator::VirtualBoard& board) {
   }
 }
 
-// Recordings hold addresses: all are those of one image.
+// Recordings contain addresses, which all belong to one image.
 bool isRecorded() {
   return imageFile() == WR_RECORDED_IMAGE;
 }
@@ -128,8 +128,8 @@ std::unique_ptr<board_robot::BoardSession> switchBoardOn(emulator::Options optio
 std::unique_ptr<board_robot::BoardSession> switchBoardOn(std::vector<std::uint8_t> image,
                                                          emulator::Options options) {
   options.elf = elfFile();
-  // One in which a test changed a few instructions, to make a fault, is the same image but for
-  // them.
+  // An image in which a test changed a few instructions, to cause a fault, counts as the same
+  // image.
   const bool asLinked = image.size() == emulator::readImage(imageFile()).size();
   auto robot = std::make_unique<board_robot::BoardSession>(std::move(image), std::move(options));
   nameInResults(imageFile());

@@ -21,7 +21,7 @@ namespace wr::test {
 [[nodiscard]] std::unique_ptr<board_robot::BoardSession> switchBoardOn(
     emulator::Options options = {});
 
-/// @brief The same with an image that a test has changed.
+/// @brief Switches a board on with an image that a test has changed.
 [[nodiscard]] std::unique_ptr<board_robot::BoardSession> switchBoardOn(
     std::vector<std::uint8_t> image, emulator::Options options);
 

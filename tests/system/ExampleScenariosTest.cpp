@@ -107,7 +107,8 @@ TEST(ClosedLoopOfRobot, FR21_StopBringsTheWheelsToRest) {
   play("stop");
 }
 
-/// @brief A wheel without Hall sensors is switched off, and so is one without current sensor; the others go on.
+/// @brief A wheel without Hall sensors is switched off, and so is a wheel without current sensor;
+/// the others continue.
 /// @verifies FR-91
 TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
   playWithThePapersDesign("sensors_broken");

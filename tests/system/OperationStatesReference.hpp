@@ -89,7 +89,7 @@ struct Reference {
   }
 };
 
-/// A source that speaks and is silent in runs of random length.
+/// A source that is active and silent for random times.
 class Runs {
  public:
   Runs(bool speaks, int longestSpeech, int longestSilence)
@@ -120,7 +120,7 @@ class Comparison {
   Comparison& operator=(const Comparison&) = delete;
   virtual ~Comparison() = default;
 
-  /// Runs one sequence; the robot and its reference go on from where the last sequence left them.
+  /// Runs one sequence; the robot and its reference continue from the end of the last sequence.
   void sequence() {
     beginSequence();
     Runs pc(oneIn(2), 5, 12);
@@ -134,7 +134,7 @@ class Comparison {
   int cycles = 0;
 
  protected:
-  /// For a target that has more than the PC's line.
+  /// For a target with more inputs than the PC's line.
   virtual void beginSequence() {}
   virtual void beforeCycle() {}
   virtual void compareInside() {}
@@ -227,7 +227,7 @@ struct Compared {
 };
 
 /// Runs random sequences, a hundred with one robot, and expects that each transition of both
-/// machines was taken as often as given.
+/// machines occurred at least the given number of times.
 template <class Robot, class ComparisonOfRobot>
 void compareInSequences(int sequences, int enough) {
   const unsigned seedOfRun = seed();

@@ -127,7 +127,7 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   EXPECT_FALSE(robot.report().held());
 }
 
-/// @brief Control and report of a cycle are those of the state that the read of the cycle led to.
+/// @brief Control and report of a cycle are those of the state after the read of the cycle.
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
   robot.silentCycles(kN);

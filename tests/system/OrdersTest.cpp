@@ -13,8 +13,8 @@ const int kN = SystemConstants::instance().waitingCycles();
 
 class OrdersOfRobot : public testing::Test {
  protected:
-  // Connects the PC at power-up and gives signs of life until so many reads in the mode RC have
-  // failed.
+  // Connects the PC at power-up and keeps the connection until a number of reads in the mode RC
+  // have failed.
   void connectAndFail(int reads) {
     robot.connect();
     for (int failed = 2; failed < reads; ++failed) {
@@ -46,7 +46,7 @@ TEST_F(OrdersOfRobot, FR17_PcThatConnectsAtPowerUpCommandsSoon) {
   EXPECT_EQ(robot.report().source, kPc);
 }
 
-/// @brief Two orders in one cycle count as the newer one, and it is read once.
+/// @brief Two orders in one cycle count as the newer one, which is read once.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
   robot.commandByPc();
@@ -76,7 +76,7 @@ TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
   EXPECT_EQ(robot.report().state, kWorking);
 }
 
-/// @brief An order whose last byte came 201 ms before the clock pulse is no message.
+/// @brief An order whose last byte came 201 ms before the clock pulse is not a message.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
   connectAndFail(kN);
@@ -168,7 +168,7 @@ TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
   EXPECT_EQ(robot.report().state, kReconnecting);
 }
 
-/// @brief A stop outlives the connection.
+/// @brief A stop lasts after the end of the connection.
 /// @verifies FR-21
 TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
   robot.commandByPc();
@@ -204,7 +204,7 @@ TEST_F(OrdersOfRobot, FR22_RobotIsHeldBeforeTheFirstOrder) {
   }
 }
 
-/// @brief The order of a PC that is not connected is no message.
+/// @brief The order of a PC that is not connected is not a message.
 /// @verifies FR-36
 TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
   for (int i = 0; i < kN + 6; ++i) {
@@ -216,7 +216,7 @@ TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
   EXPECT_EQ(robot.report().unexpected, kN + 6);
 }
 
-/// @brief An order that arrived is no message any more when the connection ends before it is read.
+/// @brief An order that arrived is no longer a message when the connection ends before it is read.
 /// @verifies FR-36
 TEST_F(OrdersOfRobot, FR36_OrderOfAnEndedConnectionIsNoMessage) {
   robot.commandByPc();

@@ -139,7 +139,7 @@ TEST_F(ReportsOfRobot, FR65_StateOfTheSteeringIsTold) {
   EXPECT_NEAR(robot.physics().steeringDegrees(), 5.0, 0.5);
 }
 
-/// @brief The report shows which end stop is reached; somebody has pushed the steering there.
+/// @brief The report shows which end stop is reached; the test has moved the steering there.
 /// @verifies FR-66
 TEST_F(ReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   for (const bool left : {true, false}) {
@@ -183,7 +183,7 @@ TEST_F(ReportsOfRobot, FR68_BlindWheelIsTold) {
   }
 }
 
-/// @brief Wheels whose sensors are whole have no rejected edges.
+/// @brief Wheels with intact sensors have no rejected edges.
 /// @verifies FR-69
 TEST_F(ReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
   robot.commandByPc({.id = 1});
@@ -214,8 +214,8 @@ TEST_F(ReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {
   EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{9, 0, 19, 0}));
 }
 
-/// @brief Frames that are not in order are counted in the report of their cycle, each kind by itself, and
-/// nothing else is different from a cycle without them.
+/// @brief Frames with errors are counted by kind in the report of their cycle, and all other values
+/// are those of a cycle without them.
 /// @verifies FR-48
 /// @verifies FR-63
 TEST_F(ReportsOfRobot, FR63_ReportCountsDroppedFramesByReason) {

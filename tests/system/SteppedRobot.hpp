@@ -16,11 +16,11 @@ namespace wr::test {
 
 using std::chrono::microseconds;
 
-/// Switches a new robot on, and returns when it listens to its line. Its target is chosen when
+/// Switches a new robot on, and returns when it reads its line. Its target is chosen when
 /// the tests are linked.
 [[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 
-/// Sequences of the comparison with the reference that this target runs in reasonable time.
+/// Sequences of the comparison with the reference that this target can run in reasonable time.
 [[nodiscard]] int referenceSequences();
 
 // Numbers in reports.
@@ -57,7 +57,7 @@ class SteppedRobot {
   /// Lets a part of the period pass.
   void wait(microseconds duration) { require(line_->runUntil(line_->now() + duration)); }
 
-  /// The physics of the robot: its truth, its ground, its faults.
+  /// The physics of the robot: its true values, its ground, its faults.
   [[nodiscard]] plant::Robot& physics() { return line_->robot(); }
 
   void arrive(std::span<const std::uint8_t> bytes) { line_->send(bytes); }
@@ -78,7 +78,7 @@ class SteppedRobot {
     cycle();
   }
 
-  /// Connects the PC, and lets it order until the robot works with its order. A robot that is not
+  /// Connects the PC, and sends orders until the robot works with its order. A robot that is not
   /// armed gets neutral orders first.
   void commandByPc(const scenario::PcOrder& first = {.id = 1}) {
     connect();
@@ -108,7 +108,7 @@ class SteppedRobot {
     }
   }
 
-  /// A cycle in which the PC gives a sign of life and does not order.
+  /// A cycle in which the PC sends a KeepAlive and no order.
   void silentCycle() {
     keepAlive();
     cycle();

@@ -8,13 +8,13 @@
 
 namespace wr::torture {
 
-/// @brief Number of the first record that is not the same in both; none when all are.
+/// @brief Number of the first record that differs; none when all records are equal.
 [[nodiscard]] std::optional<std::size_t> firstDifference(const Records& left, const Records& right);
 
 /// @brief A record in words.
 [[nodiscard]] std::string described(const Record& record);
 
-/// @brief Both records of a number, and those before, which led there.
+/// @brief Both records of a number, and the records before them.
 [[nodiscard]] std::string context(const Records& left, const Records& right, std::size_t number);
 
 /// @brief Number of entries to and exits from exceptions.

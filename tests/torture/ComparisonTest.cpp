@@ -20,7 +20,7 @@ TEST(TortureComparisonTest, SameRecordsDoNotDiffer) {
   EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kLeft, kEnd}), std::nullopt);
 }
 
-/// @brief Records in another order differ at the first one that changed its place.
+/// @brief Records in another order differ at the first one that has moved.
 TEST(TortureComparisonTest, AnotherOrderDiffers) {
   EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kEnd, kLeft}), 1U);
 }
@@ -46,7 +46,7 @@ TEST(TortureComparisonTest, EachMemberCounts) {
   }
 }
 
-/// @brief A run that ends earlier differs where it ends, on either side.
+/// @brief A run that ends earlier differs at its end, for either of the two.
 TEST(TortureComparisonTest, AShorterRunDiffers) {
   EXPECT_EQ(firstDifference({kEntered, kLeft}, {kEntered}), 1U);
   EXPECT_EQ(firstDifference({}, {kEntered}), 0U);

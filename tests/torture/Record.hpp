@@ -44,7 +44,7 @@ enum class Action : std::uint8_t {
 /// registers, 32 to 63 the floating-point registers.
 enum class Check : std::uint8_t { Flags = 16, StackPointer = 17, FpStatus = 18, LogFull = 19 };
 
-/// @brief One thing that happened, as the program writes it.
+/// @brief An event, as the program writes it.
 struct Record {
   Kind kind;
   std::uint8_t detail;                 ///< exception, action or check

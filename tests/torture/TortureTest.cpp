@@ -24,7 +24,7 @@ class TortureTest : public testing::Test {
     }
   }
 
-  // Adds to the result of the test how much was compared.
+  // Adds the number of comparisons to the result of the test.
   void TearDown() override {
     if (compared_ != 0) {
       RecordProperty("measured", std::to_string(compared_) + " entries and exits compared");
@@ -49,15 +49,15 @@ class TortureTest : public testing::Test {
   std::size_t compared_ = 0;
 };
 
-/// @brief The same exceptions come in the same order, with the same registers kept, the same masks
-/// and the same state of the interrupt controller, for seeds that are always the same.
+/// @brief The exceptions occur in the same order, with the same registers kept, the same masks and
+/// the same state of the interrupt controller, for fixed seeds.
 TEST_F(TortureTest, ExceptionsAreTheSameAsOnQemuForFixedSeeds) {
   for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
     expectSameOnBoth(seed);
   }
 }
 
-/// @brief The same holds for a seed that is another one in each run.
+/// @brief The comparison is repeated with a new seed in each run.
 TEST_F(TortureTest, ExceptionsAreTheSameAsOnQemuForAFreshSeed) {
   expectSameOnBoth(test::seed());
 }

@@ -13,7 +13,7 @@
 namespace wr {
 namespace {
 
-/// @brief Quantities of one unit can be computed with; the result has that unit and no other.
+/// @brief Arithmetic with quantities of one unit is possible, and the result has this unit.
 /// @verifies NFR-11
 TEST(Quantity, Computes) {
   EXPECT_EQ(Velocity(30) + Velocity(12), Velocity(42));
@@ -31,19 +31,20 @@ concept Mix = requires(A a, B b) { a + b; } || requires(A a, B b) { a - b; } || 
   a < b;
 } || requires(A a, B b) { a == b; } || requires(A a, B b) { a = b; } || std::convertible_to<B, A>;
 
-/// How many of the types B mix with A.
+/// Number of the types B that can be combined with A.
 template <class A, class... B>
 constexpr int mixed() {
   return (0 + ... + (Mix<A, B> ? 1 : 0));
 }
 
-/// How many pairs of the types mix, each type with itself included.
+/// Number of pairs of types that can be combined, including each type with itself.
 template <class... Types>
 constexpr int mixedPairs() {
   return (0 + ... + mixed<Types, Types...>());
 }
 
-/// @brief Each unit mixes with itself only, and none with a plain number: all pairs of all units are tried.
+/// @brief Each unit can be combined only with itself, and none with a plain number: all pairs of
+/// all units are tried.
 /// @verifies NFR-11
 TEST(Quantity, NFR11_NoTwoUnitsMix) {
   EXPECT_EQ((mixedPairs<Velocity, Tension, Current, Angle, StepRate, HallCount, DutyCycle,
@@ -63,7 +64,7 @@ TEST(Quantity, NFR11_NoTwoUnitsMix) {
                 Mix<DutyCycle, std::int32_t>));
 }
 
-/// @brief Instants and durations are computed with in microseconds; one is not taken for the other.
+/// @brief Arithmetic with instants and durations is in microseconds, and they cannot be confused.
 /// @verifies NFR-11
 TEST(Instant, Computes) {
   const Instant start(1000);
@@ -110,7 +111,7 @@ TEST(WheelSetPoint, NFR11_IsReadInItsUnit) {
   EXPECT_TRUE((std::same_as<decltype(WheelSetPoint().current()), Current>));
 }
 
-/// @brief Set-points are the same only when each of their values is the same.
+/// @brief Set-points are equal only when each of their values is equal.
 TEST(SetPoints, DifferInEachValue) {
   test::expectDifference(&WheelSetPoint::quantity, WheelQuantity::Current, &WheelSetPoint::value,
                          std::int16_t{1});
@@ -119,8 +120,8 @@ TEST(SetPoints, DifferInEachValue) {
       std::array<WheelSetPoint, kWheelCount>{WheelSetPoint{WheelQuantity::Velocity, 1}});
 }
 
-/// @brief Measurements and outputs are the same only when each of their values is; a value of zero is
-/// not the same as a missing one.
+/// @brief Measurements and outputs are equal only when each of their values is equal; a value of
+/// zero is not equal to a missing value.
 /// @verifies FR-62
 TEST(Measurements, FR62_ZeroIsNotMissing) {
   WheelMeasurements wheel;

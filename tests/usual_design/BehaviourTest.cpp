@@ -113,8 +113,8 @@ TYPED_TEST(Behaviour, BeginsHeldInTheModeRc) {
   EXPECT_TRUE(this->robot.report().held());
 }
 
-/// @brief Failed reads lead through the waiting states, in which the last set-points are followed, to
-/// Reconnecting, which holds the robot; an order leads back.
+/// @brief Failed reads lead through the waiting states, in which the last set-points are followed,
+/// to Reconnecting, which holds the robot; an order leads back to Working.
 TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   const auto order = this->robot.velocity(300);
   this->robot.commandByPc(order);
@@ -134,7 +134,8 @@ TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   EXPECT_FALSE(this->robot.report().held());
 }
 
-/// @brief Without orders the modes alternate: from the failed read on at which the design does it first.
+/// @brief Without orders the modes alternate: beginning with the failed read that the design
+/// defines.
 TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
   this->robot.commandByPc();
   int mode = kPc;
@@ -161,7 +162,7 @@ TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
   EXPECT_EQ(report.orderId, 0);
 }
 
-/// @brief The levers in the middle order rest; without pulses there is no order.
+/// @brief Levers in the middle order a velocity of 0; without pulses there is no order.
 TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.03, .steering = 0});
   this->robot.connect();
@@ -201,7 +202,7 @@ TYPED_TEST(Behaviour, RefreshesTheWatchdogInEachCycle) {
 
 // ---- the wheel ---------------------------------------------------------------------------------
 
-/// @brief A velocity is reached, and held within 2 percent in the mean of 2 seconds.
+/// @brief A velocity is reached, and stays within 2 percent in the mean of 2 seconds.
 TYPED_TEST(Behaviour, ReachesAVelocity) {
   const auto order = this->robot.velocity(1000);
   this->robot.commandByPc(order);
@@ -251,7 +252,7 @@ TYPED_TEST(Behaviour, SlowsDownBeforeItReverses) {
   EXPECT_NEAR(this->robot.meanVelocity(backwards, 20), -800, 40);
 }
 
-/// @brief A wheel that is held gets its voltage lowered step by step, to none.
+/// @brief When the robot is held, the voltage of the wheel falls step by step to 0.
 TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc(order);
@@ -290,7 +291,7 @@ TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
 }
 
 /// @brief Too high a current trips the wheel: it gets no voltage, and brakes with its driver on. A
-/// hold does not end that.
+/// hold does not end the trip.
 TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
   this->robot.physics().setFault(plant::Fault::Block, 0, true);
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 24000}}}};
@@ -336,7 +337,7 @@ struct SideBySide {
   }
 };
 
-// An order of any quantity and value, now and then a stop.
+// An order of any quantity and value, sometimes with a stop.
 scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
   const auto between = [&](int least, int greatest) {
     return std::uniform_int_distribution<int>(least, greatest)(random);
@@ -350,8 +351,8 @@ scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
           .stop = between(1, 8) == 1};
 }
 
-/// @brief Once the PC orders, both send the same bytes for the same bytes, whatever is ordered and
-/// however the wheel turns.
+/// @brief Once the PC orders, both send the same bytes for the same bytes, for any order and any
+/// movement of the wheel.
 TEST(BothDesigns, SendTheSameBytes) {
   std::mt19937 random(seed());
   SideBySide both;

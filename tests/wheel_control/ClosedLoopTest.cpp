@@ -121,7 +121,7 @@ TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   }
 }
 
-/// @brief A new current order is reached in 1 s as well, though it brakes.
+/// @brief A new current order is reached within 1 s also when it brakes.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   run(currentOf(3000), 14);
@@ -130,9 +130,9 @@ TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   EXPECT_NEAR(plant.current().count(), -500, 100);
 }
 
-/// @brief Over the whole range of currents, in both directions, the current is within 5 % of its order, or
-/// 0.1 A, after 1 s, whatever supply, winding and motor constant are. Friction takes 97 % of the
-/// torque: the wheel stays so slow that the supply suffices.
+/// @brief Over the whole range of currents, in both directions, the current is within 5 % of its
+/// order, or 0.1 A, after 1 s, for any supply, winding and motor constant. Friction consumes 97 %
+/// of the torque, so the wheel stays slow and the supply is sufficient.
 /// @verifies FR-85
 TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   for (const double supply : {21.0, 24.0, 29.0}) {
@@ -163,7 +163,7 @@ TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   }
 }
 
-/// @brief A step that the limited rise delays is hardly overshot.
+/// @brief A step that the limited rise delays causes hardly any overshoot.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   run(velocityOf(3000), 1);
@@ -173,8 +173,8 @@ TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   EXPECT_NEAR(plant.present().count(), 3000, 30);
 }
 
-/// @brief After a current that the supply could not drive the next one is hardly overshot, and reached in
-/// 1 s.
+/// @brief After a current that the supply could not drive the next one is reached in 1 s with
+/// hardly any overshoot.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   plant.load = 1.455;  // 3 A carry it
@@ -191,8 +191,8 @@ TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   }
 }
 
-/// @brief After a velocity that the supply could not reach, up to a load of 8 A, the next one is hardly
-/// overshot.
+/// @brief After a velocity that the supply could not reach, up to a load of 8 A, the next one has
+/// hardly any overshoot.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   for (const double load : {3.3, 3.6, 3.9}) {
@@ -223,7 +223,7 @@ TEST_F(ClosedLoopTest, FR87_FR301_ReverseSlowsDownFirst) {
 /// Results of a step of the velocity order.
 struct Step {
   double overshoot = 0;  // [0.1 rpm] beyond the target
-  double settled = 0;    // [s] from when on the velocity stays within 5 % or 2 rpm
+  double settled = 0;    // [s] time from which on the velocity stays within 5 % or 2 rpm
   double steady = 0;     // [0.1 rpm] error of the mean over the fifth second
 };
 
@@ -246,7 +246,7 @@ Step stepTo(ControlledWheel& wheel, WheelPlant& plant, int target) {
   return step;
 }
 
-/// One motor, battery and load out of the range that the velocity loop is made for.
+/// One motor, battery and load from the range for which the velocity loop is designed.
 struct Variant {
   double supply;
   double inertia;
@@ -318,7 +318,7 @@ TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   }
 }
 
-/// @brief A voltage reversed at full speed turns the wheel in time, with twice the inertia as well.
+/// @brief A reversed voltage at full speed reverses the wheel in time, also with twice the inertia.
 /// @verifies FR-222
 TEST(VelocityLoop, FR222_ReversalFromFullSpeedIsInTime) {
   for (const Variant& variant : variants()) {

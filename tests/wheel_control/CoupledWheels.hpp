@@ -20,12 +20,12 @@ class SimulatedWheel : public SensedWheel {
   double resistance = 1.55;  // winding, leads and driver [ohm]
   double constant = 0.485;   // [V s/rad], and [N m/A]
   double speed = 0;          // of the shaft [rad/s]
-  bool hallWorks = true;     // the Hall sensors give edges
+  bool hallWorks = true;     // the Hall sensors have edges
 
   /// Torque of the motor at the shaft [N m], at present.
   [[nodiscard]] double torque() const { return constant * current(); }
 
-  /// Moves the shaft, and gives the Hall edges that it passes.
+  /// Moves the shaft, and reports the Hall edges on the way.
   void turn(double seconds) {
     constexpr double kEdgesPerRadian = 60 / (2 * std::numbers::pi);
     place_ += speed * seconds * kEdgesPerRadian;

@@ -21,7 +21,7 @@
 
 namespace wr::test {
 
-/// A wheel with controller, sensors and orders, composed as in the robot. The test is the
+/// A wheel with controller, sensors and orders, composed as in the robot. The test triggers the
 /// interrupts.
 class SensedWheel : public ControlledWheel {
  public:
@@ -39,7 +39,7 @@ class SensedWheel : public ControlledWheel {
   ApplyControl applyControl{controller, wheel};
   HaltWheel haltWheel{controller, wheel};
 
-  /// Gives the sensor of the current its zero, and the Hall sensors their first levels.
+  /// Sets the zero of the current sensor and the first levels of the Hall sensors.
   SensedWheel() {
     for (int sample = 0; sample < ValueCollector::kZeroSamples; ++sample) {
       samples.collect(kMiddle);

@@ -52,7 +52,7 @@ TEST_F(WheelControllerTest, FR80_FR82_FR85_EachQuantityHasItsAlgorithm) {
   EXPECT_EQ(controller.applied(), Tension(1500));
 }
 
-/// @brief Another quantity finds no memory of the one before.
+/// @brief A change of the quantity clears the memory of control.
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   for (int cycle = 0; cycle < 5; ++cycle) {
@@ -64,8 +64,8 @@ TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief However much an algorithm demands, the wheel gets the supply at most, and the algorithm learns
-/// it: the integral does not grow.
+/// @brief For any demand the wheel gets at most the supply voltage, and the algorithm is informed,
+/// so that the integral does not grow.
 /// @verifies FR-86
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
@@ -104,7 +104,7 @@ TEST_F(WheelControllerTest, FR90_WithoutVelocityItIsStopped) {
   }
 }
 
-/// @brief Without a current the wheel is stopped; when it comes back control begins afresh.
+/// @brief Without a current the wheel is stopped; when it returns, control starts without memory.
 /// @verifies FR-90
 TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
   control(velocityOf(1500));
@@ -117,7 +117,7 @@ TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
   EXPECT_EQ(controller.applied(), Tension(7854));
 }
 
-/// @brief A wheel that never was measured gets no voltage.
+/// @brief A wheel that was never measured gets no voltage.
 /// @verifies FR-90
 TEST_F(WheelControllerTest, FR90_UnmeasuredWheelGetsNoTension) {
   controller.control(tensionOf(5000), position);
@@ -161,8 +161,8 @@ TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   EXPECT_TRUE(orientation.isOn());
 }
 
-/// @brief Voltage times time without motion: 6 V for 0.75 s, 3 V for 1.5 s and 12 V for 0.375 s, rounded up
-/// to whole cycles, are no motion. The wheel is stopped step by step.
+/// @brief Voltage times time without motion: 6 V for 0.75 s, 3 V for 1.5 s and 12 V for 0.375 s,
+/// rounded up to whole cycles, count as no motion. The wheel is stopped step by step.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   struct Case {
@@ -193,9 +193,9 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   }
 }
 
-/// @brief A wheel that its load holds draws the current of its voltage: up to 14 V count a sixteenth, more
-/// count an eighth. A current of half the voltage or less explains nothing, and an order of 3.2 V
-/// counts whole in any case.
+/// @brief A wheel that its load keeps at rest draws the full current of its voltage: of up to 14 V
+/// a sixteenth counts, of more an eighth. A current of half the voltage or less does not reduce the
+/// count, and an order of 3.2 V always counts fully.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   struct Case {
@@ -239,7 +239,7 @@ TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   EXPECT_EQ(controller.applied(), Tension(7000));
 }
 
-/// @brief A halt does not clear the count: pulses of voltage add up.
+/// @brief A halt does not clear the count: pulses of voltage are added up.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   for (int pulse = 0; pulse < 3; ++pulse) {
@@ -252,7 +252,7 @@ TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief One edge to and fro is no motion: one working sensor sends as much.
+/// @brief One edge to and fro is no motion: one working sensor alone causes this.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   control(tensionOf(7000));
@@ -263,7 +263,7 @@ TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief 2.0 V are not expected to turn a wheel, and a wheel that creeps is in motion.
+/// @brief 2.0 V are not expected to turn a wheel, and a creeping wheel counts as moving.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   for (int cycle = 0; cycle < 100; ++cycle) {
@@ -315,7 +315,7 @@ TEST_F(WheelControllerTest, FR222_ReversalThatWaitsTooLongIsLate) {
   EXPECT_EQ(output(), Tension(-1999));
 }
 
-/// @brief A wheel that creeps with 39 rpm down a slope can be driven up.
+/// @brief A wheel that creeps with 39 rpm down a slope can be driven uphill.
 /// @verifies FR-87
 TEST_F(WheelControllerTest, FR87_CreepingWheelCanBeReversed) {
   control(tensionOf(2000), Velocity(390));
@@ -336,7 +336,8 @@ TEST_F(WheelControllerTest, FR222_ADraggedWheelIsNeverLate) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief A demand of less than 0.5 V the other way, or none, is no reversal that could be late.
+/// @brief A demand of less than 0.5 V against the orientation, or no demand, is not a late
+/// reversal.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_SlightDemandIsNeverLate) {
   for (int cycle = 0; cycle < 50; ++cycle) {

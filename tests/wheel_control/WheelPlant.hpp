@@ -11,8 +11,8 @@
 namespace wr::test {
 
 /// Motor, gear and a quarter of the robot, as a train of first order with friction and a load. Its
-/// parameters are its own: a motor and a battery as they may be, not as the controller assumes
-/// them.
+/// parameters are its own: a motor and a battery that differ from the assumptions of the
+/// controller.
 class WheelPlant {
  public:
   double supply = 25.0;      // a charged battery of 24 V [V]
@@ -20,7 +20,7 @@ class WheelPlant {
   double constant = 0.485;   // [V s/rad], and [N m/A]
   double inertia = 0.039;    // at the shaft [kg m2]
   double friction = 0;       // torque at the shaft against the motion [N m]
-  double load = 0;  // torque at the shaft that is always there, positive against forwards [N m]
+  double load = 0;           // constant torque at the shaft, positive against forwards [N m]
 
   /// Lets a cycle pass with the voltage that the driver applies to the motor.
   void cycle(const ControlledWheel& wheel) {
@@ -48,7 +48,7 @@ class WheelPlant {
     return driving - opposing;
   }
 
-  /// Moves on by one step.
+  /// Advances by one step.
   void step(double acceleration) {
     speed_ += acceleration * kPart;
     speeds_ += speed_;

@@ -62,7 +62,7 @@ TEST_F(WheelSystemTest, FR92_ThreadExecutesTheOrders) {
   EXPECT_NEAR(output().count(), 5000, 25);
 }
 
-/// @brief A thread of lower priority that orders finds the work done: the wheel's thread goes first.
+/// @brief When a thread of lower priority sends orders, the wheel's thread executes them at once.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_WorkIsDoneWhenTheMainThreadGoesOn) {
   class Order final : public Command {
@@ -86,7 +86,7 @@ TEST_F(WheelSystemTest, FR92_WorkIsDoneWhenTheMainThreadGoesOn) {
   EXPECT_TRUE(order.done);
 }
 
-/// @brief The thread of one wheel cannot be that of another one too.
+/// @brief The thread of one wheel cannot also be the thread of another wheel.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_ThreadIsNotShared) {
   WheelSystem other{{.wheel = 0,
@@ -100,7 +100,8 @@ TEST_F(WheelSystemTest, FR92_ThreadIsNotShared) {
   EXPECT_DEATH(other.start(), "assertion 3 failed");
 }
 
-/// @brief Measured and applied values are collected at the place of the wheel; other places stay.
+/// @brief Measured and applied values are collected in the entry of the wheel; other entries do not
+/// change.
 /// @verifies FR-93
 /// @verifies FR-94
 TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {
@@ -139,7 +140,7 @@ TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
   EXPECT_EQ(outputs.tensions.at(kWheel), Tension(2600)) << "it is being stopped";
 }
 
-/// @brief A hold measures too, and stops the wheel.
+/// @brief A hold also measures, and stops the wheel.
 /// @verifies FR-88
 TEST_F(WheelSystemTest, FR88_HoldStopsTheWheel) {
   system.start();

@@ -29,7 +29,7 @@ TEST_F(WheelTest, FR88_NewWheelIsOff) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A voltage becomes its share of the supply, rounded to the nearest 0.01 %.
+/// @brief A voltage is converted to a duty cycle of the supply, rounded to the nearest 0.01 %.
 /// @verifies FR-80
 TEST_F(WheelTest, FR80_TensionBecomesShareOfTheSupply) {
   const std::array<std::pair<int, int>, 6> cases{
@@ -50,7 +50,7 @@ TEST_F(WheelTest, FR86_TensionStaysWithinTheSupply) {
   EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief A stopped wheel is short-circuited: no duty cycle, and a driver that is on.
+/// @brief A stopped wheel is short-circuited: the duty cycle is 0, and the driver is on.
 /// @verifies FR-88
 TEST_F(WheelTest, FR88_StopShortCircuits) {
   wheel.setTension(Tension(5000));
@@ -68,7 +68,8 @@ TEST_F(WheelTest, FR87_OrientationStandsAtItsOutput) {
   EXPECT_FALSE(orientation.isOn());
 }
 
-/// @brief The overcurrent trip switches the driver off at once, and no voltage passes before the release.
+/// @brief The overcurrent trip switches the driver off at once, and no voltage is applied before
+/// the release.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripIsLatched) {
   wheel.setTension(Tension(5000));
@@ -99,7 +100,7 @@ TEST_F(WheelTest, FR221_BrakesWhenTheCurrentHasDecayed) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A trip while the motor brakes switches the driver off for good.
+/// @brief A trip while the motor brakes switches the driver off until the release.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_SecondTripKeepsTheDriverOff) {
   wheel.cutOff().execute();
@@ -116,7 +117,7 @@ TEST_F(WheelTest, FR221_SecondTripKeepsTheDriverOff) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A second trip that comes while the driver is switched on for braking wins.
+/// @brief A second trip that comes while the driver is switched on for braking has priority.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_TripWinsAgainstBraking) {
   wheel.cutOff().execute();
@@ -126,7 +127,7 @@ TEST_F(WheelTest, FR221_TripWinsAgainstBraking) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief A release alone switches nothing on; the next voltage does.
+/// @brief A release alone does not switch the driver on; the next voltage does.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
   wheel.cutOff().execute();
@@ -137,7 +138,7 @@ TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A trip that comes while the driver is being switched on wins.
+/// @brief A trip that comes while the driver is being switched on has priority.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripWinsAgainstSwitchingOn) {
   enable.onRise([this] { wheel.cutOff().execute(); });
@@ -146,10 +147,10 @@ TEST_F(WheelTest, FR89_TripWinsAgainstSwitchingOn) {
   EXPECT_TRUE(wheel.isCutOff());
 }
 
-/// @brief A trip that comes between the look at the latch and the switch wins as well.
+/// @brief A trip that comes between the check of the latch and the switching also has priority.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripWinsBeforeTheSwitch) {
-  // This output interrupts just before it takes its level.
+  // This output interrupts just before it changes its level.
   class Interrupted final : public DigitalOutput {
    public:
     Wheel* wheel = nullptr;

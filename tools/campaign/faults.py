@@ -13,7 +13,7 @@ from traceability.reading.products import DEFAULT, image_of
 
 PROGRAM = Path("build/host/sim/weeding_robot_faults")
 IMAGE, ELF = image_of(DEFAULT, ".bin"), image_of(DEFAULT, ".elf")
-BY_ADDRESS = ("ram", "flash")  # kinds whose place is an address with a module
+BY_ADDRESS = ("ram", "code", "flash")  # kinds whose place is an address with a module
 BY_INSTRUCTION = ("register", "stack")  # kinds that hit the module that runs
 LISTED = 40  # silent faults in the record
 

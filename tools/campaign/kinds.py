@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from tools.campaign import faults, fuzz, loads
 from tools.campaign.chunks import Chunk
-from tools.campaign.faults import ELF, IMAGE, PROGRAM, summarise
 
 Cases = Sequence[dict[str, Any]]
 
@@ -32,6 +32,11 @@ class Kind:
         return [str(files[0]), *self.options(files), *seeded]
 
 
+def image_options(files: Sequence[Path]) -> list[str]:
+    """The options of a program that runs an image."""
+    return ["--image", str(files[1]), "--elf", str(files[2])]
+
+
 KINDS = {
     kind.name: kind
     for kind in (
@@ -40,10 +45,30 @@ KINDS = {
             "faults",
             200,
             10_000,
-            (("k64", (ELF.name,)), ("host", (PROGRAM.name,))),
-            (PROGRAM, IMAGE, ELF),
-            lambda files: ["--image", str(files[1]), "--elf", str(files[2])],
-            summarise,
+            (("k64", (faults.ELF.name,)), ("host", (faults.PROGRAM.name,))),
+            (faults.PROGRAM, faults.IMAGE, faults.ELF),
+            image_options,
+            faults.summarise,
+        ),
+        Kind(
+            "loads",
+            "drives",
+            20,
+            1_000,
+            (("k64", (faults.ELF.name,)), ("host", (loads.PROGRAM.name,))),
+            (loads.PROGRAM, faults.IMAGE, faults.ELF),
+            image_options,
+            loads.summarise,
+        ),
+        Kind(
+            "fuzz",
+            "runs of the fuzzers",
+            1,
+            20,
+            (("fuzz", ("fuzzers",)),),
+            (fuzz.PROGRAM, *fuzz.FUZZERS),
+            lambda files: ["--link", str(files[1]), "--robot", str(files[2])],
+            fuzz.summarise,
         ),
     )
 }

@@ -1,5 +1,5 @@
-// The operations of the mutated copies of the sources. Each one works as written, or changed when
-// the environment variable WR_MUTANT names one of its mutants.
+// The operations of the mutated copies of the sources. Each operation works as written, or changed
+// when the environment variable WR_MUTANT names one of its mutants.
 
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace mutant {
 
-/// @brief The number of the mutant that is switched on; 0 is none.
+/// @brief The number of the mutant that is active; 0 means none.
 inline int active() {
   static const int number = [] {
     const char* text = std::getenv("WR_MUTANT");

@@ -1,4 +1,4 @@
-"""Where a fault can be seeded: each mutant is one small change of a method, found by libclang."""
+"""The places for faults, found by libclang: each mutant is one small change of a method."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ OPERATORS = {
     "<<": (">>",),
     ">>": ("<<",),
 }
-# The function of mutant.hpp that computes one or the other.
+# The function of mutant.hpp that computes the original or the changed value.
 FUNCTIONS = {
     "<": "less",
     ">": "greater",
@@ -61,7 +61,7 @@ NOT_AT_RUN_TIME = {
 
 @dataclass(frozen=True)
 class Mutant:
-    """One change. Its number is that of its place in the list of all, from 1 on."""
+    """One change. Its number is its position in the list of all mutants, from 1 on."""
 
     file: str
     line: int
@@ -72,7 +72,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Point:
-    """A piece of a source that is wrapped, so that any of its mutants can be switched on.
+    """A part of a source that is wrapped, so that each of its mutants can be activated.
 
     In ``before``, ``#`` means the number of the first mutant. ``inside`` replaces the text of
     ``cut``: the operator between two operands.
@@ -88,7 +88,7 @@ class Point:
 
 
 def compiler_arguments(root: Path) -> list[str]:
-    """As the model reads the sources of this machine: with its headers of the library, parsed."""
+    """Parses the sources like the model, with the precompiled headers of the library."""
     parsed = ["-include-pch", str(standard(root / "build" / "model" / "cache"))]
     return [*clang_arguments(board=False), *include_options(root), *parsed]
 
@@ -96,7 +96,7 @@ def compiler_arguments(root: Path) -> list[str]:
 def find_points(
     root: Path, unit: str, files: list[str], wanted: set[str]
 ) -> dict[str, list[Point]]:
-    """File -> the points in the bodies of the wanted methods, in the order of the text."""
+    """File -> the points in the bodies of the requested methods, in the order of the text."""
     tree = cindex.Index.create().parse(str(root / unit), args=compiler_arguments(root))
     finder = _Finder(root, {str(root / file): file for file in files}, wanted)
     finder.units(tree.cursor)
@@ -116,7 +116,7 @@ class _Finder:
         self.method = ""
 
     def units(self, cursor: Cursor) -> None:
-        """Goes down to the bodies of the wanted methods."""
+        """Searches the bodies of the requested methods."""
         for child in cursor.get_children():
             place = child.location.file
             if place is None or place.name not in self.files:
@@ -159,7 +159,7 @@ class _Finder:
 
     def early_return(self, function: Cursor, body: Cursor) -> None:
         if len(list(body.get_children())) < 2:
-            return  # the mutants of its only statement do the same
+            return  # the mutants of its only statement are equal
         void = function.result_type.kind == TypeKind.VOID
         if function.kind in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR):
             void = True
@@ -254,7 +254,8 @@ class _Finder:
 
 
 def _layers(cursor: Cursor) -> list[Cursor]:
-    """An expression without the nodes that the compiler puts around it, from the outermost on."""
+    """An expression without the nodes that the compiler adds around it, beginning with the
+    outermost one."""
     found = [cursor]
     while found[-1].kind == CursorKind.UNEXPOSED_EXPR:
         children = list(found[-1].get_children())

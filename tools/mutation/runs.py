@@ -11,7 +11,7 @@ from pathlib import Path
 
 from traceability.reading.results import plain_name
 
-SLOWER = 10  # times as long as without a mutant: then a test hangs
+SLOWER = 10  # factor of the time without a mutant from which a test counts as hanging
 LEAST_SECONDS = 2.0
 HANGS = 2  # tests that may hang: the tests after them stay undecided
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)
@@ -19,16 +19,16 @@ LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MU
 
 @dataclass
 class Outcome:
-    """Results of tests: those that failed, those that passed. The others are undecided."""
+    """Results of tests: those that failed, those that passed. Other tests are undecided."""
 
     failed: set[str] = field(default_factory=set)
     passed: set[str] = field(default_factory=set)
 
 
 def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
-    """Runs tests with a mutant switched on; 0 is none.
+    """Runs tests with a mutant activated; 0 means none.
 
-    ``seconds`` has the time of each test without a mutant. A test that ends the
+    ``seconds`` contains the time of each test without a mutant. A test that ends the
     program has failed; the others run in the next process.
     """
     outcome = Outcome()
@@ -50,7 +50,7 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
 def _run(
     program: Path, mutant: int, tests: Iterable[str], limit: float, outcome: Outcome
 ) -> tuple[str | None, bool]:
-    """One process. Returns the test that ended it, if one did, and whether that test hung."""
+    """One process. Returns the test that ended it, if any, and whether this test hung."""
     patterns = (f"{name}:{name}/*:*/{name}:*/{name}/*" for name in tests)
     words = [str(program), f"--gtest_filter={':'.join(patterns)}", "--gtest_color=no"]
     environment = {**os.environ, "WR_MUTANT": str(mutant)}

@@ -26,13 +26,13 @@ RESULT = RESULTS / "mutation.json"
 class Plan:
     """Data that exists before the first mutant runs."""
 
-    methods: dict[str, list[str]]  # method -> requirements whose trees hold it
+    methods: dict[str, list[str]]  # method -> requirements whose trees contain it
     verifying: dict[str, set[str]]  # requirement -> its tests on this machine
     executing: dict[str, set[str]]  # method -> tests that executed it
     seconds: dict[str, float] = field(default_factory=dict)  # test that passes -> its time
 
     def own(self, method: str, requirement: str) -> set[str]:
-        """The tests of a requirement that can notice a change of a method."""
+        """The tests of a requirement that can detect a change of a method."""
         return self.verifying[requirement] & self.executing.get(method, set()) & set(self.seconds)
 
     def timed(self, tests: set[str]) -> dict[str, float]:
@@ -41,7 +41,8 @@ class Plan:
 
 @dataclass
 class Tried:
-    """A mutant that ran: the tests that found it, and for each requirement whether one was its own.
+    """A mutant that ran: the tests that found it, and for each requirement whether one of its own
+    tests found it.
 
     A requirement is missing where its tests were not decided.
     """
@@ -73,9 +74,9 @@ def make_plan(model: Model, facts: Facts, traces: Traces) -> Plan:
 
 
 def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
-    """The methods that a test called; all of them where its recording is not whole.
+    """The methods that a test called; all methods when its recording is incomplete.
 
-    A death test calls in a process of its own, which is not recorded.
+    A death test runs in a separate process, which is not recorded.
     """
     known = [name for name in test.results[HOST].recordings if name in traces.tests]
     if test.suite.endswith("DeathTest") or any(
@@ -86,7 +87,7 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
 
 
 def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
-    """The numbers of the mutants, shuffled, so that each requirement in turn gives one."""
+    """The numbers of the mutants, shuffled, so that the requirements contribute in turn."""
     numbers = list(range(1, len(mutants) + 1))
     random.Random(seed).shuffle(numbers)
     waiting: dict[str, list[int]] = {name: [] for name in plan.verifying}
@@ -106,7 +107,8 @@ def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
 
 
 def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
-    """Records the time of each test that passes without a mutant. Returns those that do not."""
+    """Records the time of each test that passes without a mutant. Returns the tests that do not
+    pass."""
     names = set().union(*plan.executing.values()) if plan.executing else set()
     wanted = {name: seconds.get(name, 1.0) for name in sorted(names)}
     outcome = run_tests(program, 0, wanted)
@@ -115,7 +117,8 @@ def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
 
 
 def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried:
-    """Runs the tests of the requirements; where none finds it, all that execute its method."""
+    """Runs the tests of the requirements; if none finds the mutant, all tests that execute its
+    method."""
     holders = plan.methods[mutant.method]
     own = set().union(*(plan.own(mutant.method, name) for name in holders))
     outcome = run_tests(program, number, plan.timed(own))

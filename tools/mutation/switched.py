@@ -1,4 +1,4 @@
-"""The switched build: one copy of the sources that holds all mutants, each behind its number."""
+"""The switched build: one copy of the sources that contains all mutants, each with its number."""
 
 from __future__ import annotations
 
@@ -24,9 +24,10 @@ ATTEMPTS = 10
 
 
 def write_switched(root: Path, wanted: set[str], log: TextIO) -> list[Mutant]:
-    """Writes the copy, with the mutants of the wanted methods. Returns these; they count from 1.
+    """Writes the copy with the mutants of the requested methods. Returns the mutants, whose numbers
+    begin at 1.
 
-    A mutant that does not compile is left out: a sum that a constant needs, for instance.
+    A mutant that does not compile is omitted, for instance in a sum that must be constant.
     """
     texts: dict[str, str] = {}
     mutants: list[Mutant] = []
@@ -79,7 +80,7 @@ def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
     for order, point in enumerate(points):
         number, *_ = [next(numbers) for _ in point.mutants]
         length = point.end - point.start
-        # At one place, an end comes before a begin.
+        # At the same place an end comes before a beginning.
         before = (point.start, 1, order)
         after = (point.end, 0, -order)
         if length == 0:
@@ -104,8 +105,8 @@ def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int,
     for problem in tree.diagnostics:
         if problem.severity < cindex.Diagnostic.Error or not problem.location.file:
             continue
-        # An error in the switch itself lies where it was called, which a note shows. With parsed
-        # headers libclang reports errors that lie in no file; they mean nothing.
+        # For an error in the switch itself, a note shows the place of the call. With parsed headers
+        # libclang reports errors without a file; they have no meaning.
         places = [problem.location, *(child.location for child in problem.children)]
         for place in places:
             if place.file and str(Path(place.file.name)) in {name for name, _ in unsaved}:

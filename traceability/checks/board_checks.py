@@ -1,4 +1,4 @@
-"""board-*: findings of the virtual K64 are declared and tested, its beliefs have a source."""
+"""board-*: findings of the virtual K64 are declared and tested, and its beliefs have a source."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _findings(model: Model) -> list[Finding]:
         Finding(
             finding.place,
             "board-finding",
-            f"no test in tests/sim/emulator makes the finding {finding.id}",
+            f"no test in tests/sim/emulator causes the finding {finding.id}",
             "write one, or remove the finding",
         )
         for finding in model.board_findings.values()
@@ -68,7 +68,7 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds registers that the drivers use, and that have no belief."""
+    """Finds registers that the drivers use and that have no belief."""
     believed, block = {belief.register for belief in model.beliefs}, ""
     for number, line in enumerate(_text(facts, REGISTERS).splitlines(), 1):
         if begin := re.match(r"namespace (\w+) \{", line):
@@ -96,5 +96,5 @@ def _declares(registers: str, belief: BoardBelief) -> bool:
 
 
 def _names(text: str, belief: BoardBelief) -> bool:
-    """Whether a file of the virtual board names the register, as it is or as a constant."""
+    """Whether a file of the virtual board names the register, directly or as a constant."""
     return re.search(rf"\bk?{re.escape(belief.name)}", text, re.IGNORECASE) is not None

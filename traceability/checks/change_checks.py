@@ -54,7 +54,7 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
         if role in known[name] and role not in fitting:
             yield recipe.place, role, f"{role} is no {sort}, which a change of a {name} is about"
     if not recipe.alters:
-        yield recipe.place, "alters", f"no role is altered by a change of a {name}"
+        yield recipe.place, "alters", f"a change alters no role of a {name}"
     for step in recipe.steps:
         for role in re.findall(r"@role\{\{id\}, ([^}]+)\}", step):
             if role not in known[name]:

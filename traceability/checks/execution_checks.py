@@ -53,7 +53,7 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
             text = f"{context.id} names the handler {handler}, which does not exist"
             found.append(_declared(context.place, text, "correct the name"))
         elif handler not in lines and context.kind in (INTERRUPT, THREAD):
-            text = f"the table of vectors does not hold {handler}"
+            text = f"the vector table does not contain {handler}"
             found.append(_declared(context.place, text, "enter it in the table, or remove it here"))
     for context in model.contexts.values():
         if context.kind == THREAD and context.body not in facts.bodies:
@@ -63,7 +63,7 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
-    """Handler -> its one context, of a kind that there is."""
+    """Handler -> its only context, of a known kind."""
     declared: dict[str, ExecutionContext] = {}
     found: list[Finding] = []
     for context in model.contexts.values():
@@ -75,17 +75,17 @@ def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], 
             text = f"{context.id} is of the kind {context.kind}, and has {held}"
             key = "body" if context.body else "kind"
             place = facts.declared.entries.line_in(context.place, key)
-            found.append(_declared(place, text, "a thread has one, and nothing else"))
+            found.append(_declared(place, text, "only a thread has one"))
         if len(set(context.handlers)) != len(context.handlers):
             text = f"{context.id} names a handler twice"
             place = facts.declared.entries.line_in(context.place, "handlers")
-            found.append(_declared(place, text, "leave one of the two"))
+            found.append(_declared(place, text, "remove one of the two"))
         for handler in context.handlers:
             other = declared.setdefault(handler, context)
             if other is not context:
                 for one, two in (context, other), (other, context):
                     text = f"{one.id} has the handler {handler}, as {two.id} has"
-                    found.append(_declared(one.place, text, "leave it in one of the two"))
+                    found.append(_declared(one.place, text, "remove it from one of the two"))
     return declared, found
 
 
@@ -102,7 +102,7 @@ def _pipes(model: Model, facts: Facts) -> list[Finding]:
                 text = (
                     f"more than one context {what} the {pipe.name}: {', '.join(sorted(contexts))}"
                 )
-                fix = "give each its own pipe: one writer, one reader"
+                fix = "add a pipe for each writer and reader"
                 found.append(Finding(pipe.place, "exec-shared", text, fix))
     known = {pipe.id for pipe in model.pipes}
     for name, pipe_text in facts.declared.pipes.items():
@@ -149,7 +149,7 @@ def _declared(place: Place, text: str, fix: str) -> Finding:
 
 
 def _interrupts(model: Model, facts: Facts) -> list[Finding]:
-    """Methods that no interrupt may call, and do run in one."""
+    """Methods that no interrupt may call, but that run in one."""
     forbidden = {
         method.id: method
         for module in model.modules.values()
@@ -171,7 +171,7 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _claims(model: Model, facts: Facts) -> list[Finding]:
-    """A method that an interrupt may call, and that calls one which it may not call."""
+    """A method that an interrupt may call, and that calls a method which no interrupt may call."""
     claims = {
         method.id: method.interrupt
         for module in model.modules.values()
@@ -210,7 +210,7 @@ def _floats(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _loops(facts: Facts) -> list[Finding]:
-    """A loop that counts no rounds, and that design/justified.toml does not name."""
+    """A loop without a count of rounds that design/justified.toml does not list."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
@@ -219,7 +219,7 @@ def _loops(facts: Facts) -> list[Finding]:
         Finding(
             Place(body.place.file, body.loops[0]),
             "exec-loop",
-            f"nothing in the head of a loop of {name} bounds its rounds",
+            f"nothing in the head counts the rounds of a loop of {name} bounds its rounds",
             fix,
         )
         for name, body in looping.items()
@@ -246,7 +246,7 @@ def _enabled(facts: Facts) -> list[Finding]:
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
-    """Returns the calls of the handlers of products with additions."""
+    """Returns the calls of the handlers of products with extensions."""
     return [
         call.target
         for handler in handlers
@@ -273,7 +273,7 @@ def _unprotected(model: Model, facts: Facts) -> list[Finding]:
             locked = any(call.target == f"{LOCK}::{LOCK}" for call in body.calls)
             if member.id in body.touches and body.id in reached and not locked:
                 text = f"{body.id} uses {member.id} without the {LOCK} that is to protect it"
-                fix = f"make an {LOCK} first, or state the protection that there is"
+                fix = f"make an {LOCK} first, or declare the actual protection"
                 found.append(Finding(body.place, "exec-shared", text, fix))
     return found
 
@@ -286,7 +286,7 @@ def _shared(model: Model, facts: Facts) -> list[Finding]:
             f"{member.id} is changed by {' and '.join(member.writers)}"
             + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
             + ", and no protection is declared",
-            "put a Pipe between them, or state the protection in design/execution.toml",
+            "put a Pipe between them, or declare the protection in design/execution.toml",
         )
         for member in model.shared
         if not member.protection

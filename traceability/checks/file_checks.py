@@ -29,12 +29,12 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _finding(place: Place, text: str) -> Finding:
-    fix = "make it a private detail of a module, or a module, or a @datatype"
+    fix = "make it a private part of a module, or a module, or a @datatype"
     return Finding(place, "module-file", text, fix)
 
 
 def _files(model: Model, facts: Facts) -> list[Finding]:
-    """Every file is that of a module, of data types, or of a composition, or listed as shared."""
+    """Every file belongs to a module, to data types or to a composition, or is listed as shared."""
     known = {fact.place.file for fact in facts.syntax.classes if _is_described(fact, facts)}
     known |= {shared.file for shared in facts.declared.shared}
     found: list[Finding] = []
@@ -50,25 +50,26 @@ def _files(model: Model, facts: Facts) -> list[Finding]:
             found.append(_finding(Place(file, 1), f"{file} belongs to no module"))
         else:
             found.append(
-                _finding(Place(file, 1), f"{file} is read by no check: name it .hpp or .cpp")
+                _finding(Place(file, 1), f"{file} is read by no check: rename it to .hpp or .cpp")
             )
     return found
 
 
 def _is_described(fact: ClassFact, facts: Facts) -> bool:
-    """Whether it is a module, or a data type with its mark."""
+    """Whether a class is a module, or a data type with its mark."""
     name = fact.qualified.rsplit("::", maxsplit=1)[-1]
     return bool(facts.comment(fact).of("datatype")) or name in facts.with_file
 
 
 def _composes(model: Model, folder: str) -> bool:
-    """Whether a folder holds functions and no module: the composition of a product."""
+    """Whether a folder contains functions and no module: the composition of a product."""
     logic = model.logic_modules.get(folder.removeprefix("src/"))
     return logic is not None and bool(logic.function) and not logic.modules
 
 
 def _outside(facts: Facts) -> list[Finding]:
-    """A function or a class of a module's file that other files can use without the module."""
+    """Finds functions and classes in the file of a module that other files can use without the
+    module."""
     shared = {Path(item.file).stem for item in facts.declared.shared}
     found: list[Finding] = []
     for body in facts.syntax.bodies:
@@ -91,7 +92,7 @@ def _outside(facts: Facts) -> list[Finding]:
 
 
 def _loose(facts: Facts) -> list[Finding]:
-    """An object that can change and belongs to no other object: all of its class share it."""
+    """Finds a variable that belongs to no object, so that all objects of a class share it."""
     found: list[Finding] = []
     for held in facts.syntax.objects:
         module = facts.written_in.get(held.place.file)

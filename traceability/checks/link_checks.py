@@ -17,9 +17,9 @@ from traceability.sources import files_below
 
 # A path of the project, as it is written; or as a link of the README.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
-URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a sheet of styles
+URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
-HELP = '"--help"'  # which each command has
+HELP = '"--help"'  # options of every command
 PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
@@ -45,7 +45,7 @@ def _read(file: str) -> _Page:
     for attribute in ATTRIBUTE.finditer(text):
         start = text.rfind("<", 0, attribute.start())
         if start < text.rfind(">", 0, attribute.start()):
-            continue  # words of the text, not of a tag
+            continue  # words of the text outside of tags
         name, value = attribute[1], html.unescape(attribute[2][1:-1])
         if name == "id" or (name == "name" and text.startswith("<a ", start)):
             page.anchors.add(value)
@@ -72,7 +72,7 @@ class _Site:
         return self.away(posixpath.dirname(file), link)
 
     def _away(self, folder: str, link: str) -> str:
-        """The same for each page of a folder: it is worked out once."""
+        """The result is equal for each page of a folder, so it is computed once."""
         path, _, fragment = link.partition("#")
         path = path.partition("?")[0]
         if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
@@ -80,7 +80,7 @@ class _Site:
         start = self.root if path.startswith("/") else folder
         target = posixpath.normpath(f"{start}/{unquote(path)}")
         if not f"{target}/".startswith(f"{self.root}/"):
-            return "it leads out of the site"
+            return "it points outside of the site"
         if target not in self.files:
             target = f"{target}/index.html"
         if target not in self.files:
@@ -106,7 +106,7 @@ def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
 
 
 def check(model: Model, site: Path) -> list[Finding]:
-    """One finding for each link that is written somewhere, however many pages have it."""
+    """One finding for each link in a source text, also when several pages contain it."""
     places = _sources(model)
     root = site.resolve()
     texts = Texts(root.parent.parent)
@@ -133,7 +133,8 @@ def _others(found: list[tuple[str, str]]) -> str:
 
 
 def dead_clicks(site: Path) -> list[Finding]:
-    """The pages on the way to the answer of a question, that the site does not have."""
+    """Finds pages between the first page and the answer of a question that the site does not
+    have."""
     path = site.resolve().parent.parent / QUESTIONS
     lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
     found: list[Finding] = []
@@ -141,7 +142,7 @@ def dead_clicks(site: Path) -> list[Finding]:
         for click in CLICK.findall(line) if line.startswith("clicks") else ():
             if not has_page(site, click):
                 text = f"the site has no page {click}, to which a question leads"
-                fix = "name the page that has the answer"
+                fix = "name the page with the answer"
                 found.append(Finding(Place(QUESTIONS, number), "link-site", text, fix))
     return found
 
@@ -156,14 +157,14 @@ def has_page(site: Path, name: str) -> bool:
 
 
 class Texts:
-    """The texts that pages are made from, and that links are written in."""
+    """The source texts of pages, which contain links."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """The place of a link; nowhere when it is put together."""
+        """The place of a link; nowhere when it is composed from parts."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""
@@ -188,7 +189,7 @@ class Texts:
 
 
 def missing_paths(root: Path) -> list[Finding]:
-    """Files and folders that a page or a text of the design names, and that there are not."""
+    """Finds files and folders that a page or a text of the design names and that do not exist."""
     found: list[Finding] = []
     for path in files_below(root, ("README.md", "docs", "design"), (".md", ".rst", ".toml")):
         file = str(path.relative_to(root))
@@ -206,7 +207,7 @@ def missing_paths(root: Path) -> list[Finding]:
 
 
 def missing_commands(root: Path) -> list[Finding]:
-    """Commands of ./wr and options that a page or the README names, and that there are not."""
+    """Finds commands of ./wr and options that a page or the README names and that do not exist."""
     code = "".join(
         path.read_text(encoding="utf-8") for path in files_below(root, PROGRAMS, (".py",))
     )

@@ -17,7 +17,7 @@ from traceability.sources import DESIGN, SRC
 FEWEST_WORDS = 3  # of a useful sentence
 FEWEST_OF_BRIEF = 2  # a verb and its object
 NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
-# A number has a unit, or it is a count, a number of an item, bytes, or the value of a field.
+# A number has a unit, or it is a count, the number of an item, bytes, or the value of a field.
 MEANING = re.compile(
     r"\[.+?\]|\bunit\b|\bnumbers?\b|\bbytes?\b|\bfields?\b|\bcount|\bhow many\b|\bsteps?\b"
     r"|\bfactor\b|\braw\b|\bcheck sum\b|\bits value\b|\bidentif",
@@ -25,7 +25,7 @@ MEANING = re.compile(
 )
 
 
-# Values with a unit; a text states it, or that the value means nothing here.
+# Values with a unit; a text states it, or that the value has no meaning here.
 QUANTITY = re.compile(
     r"(const )?(std::optional<)?(Velocity|Tension|Current|Angle|StepRate|DutyCycle|Microseconds)\b"
 )
@@ -55,7 +55,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _unused(model: Model, facts: Facts) -> list[Finding]:
-    """Modules that no composition leads to, by the names in the code and by bases."""
+    """Modules that are not reachable from a composition by names in the code and by base
+    classes."""
     named: dict[str, set[str]] = {}  # module, or "" for a composition -> names in its code
     for name in facts.syntax.names:
         user = facts.user(name.by, name.place)
@@ -70,8 +71,8 @@ def _unused(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             module.place,
             "module-used",
-            f"no composition leads to {module.name}: no product has it",
-            "let a builder make it, or remove it",
+            f"no composition uses {module.name}: no product has it",
+            "let a builder construct it, or remove it",
         )
         for module in model.modules.values()
         if not module.datatype and module.name not in used and named.get("")
@@ -79,12 +80,12 @@ def _unused(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _behaviour(model: Model, facts: Facts) -> list[Finding]:
-    """A method of a data type that decides or repeats."""
+    """Finds a method of a data type with a condition or a loop."""
     return [
         Finding(
             body.place,
             "module-data",
-            f"{body.id} decides or repeats, and {body.owner} is a data type",
+            f"{body.id} has a condition or a loop, and {body.owner} is a data type",
             "move the behaviour into a module",
         )
         for body in facts.syntax.bodies
@@ -101,7 +102,7 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
             Finding(
                 module.place,
                 "module-logic",
-                f"{module.name} lies in {folder}, which is no described logic module",
+                f"{module.name} lies in {folder}, which is not a described logic module",
                 f"describe the folder in {folder}/module.dox, or move the module",
             )
         )
@@ -120,7 +121,7 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
             Finding(
                 module.place,
                 "module-count",
-                f"{module.name} is no module of {module.logic} in design/modules.toml",
+                f"{module.name} is not a module of {module.logic} in design/modules.toml",
                 "remove it, mark a value type with @datatype, or change the design",
             )
         )
@@ -128,7 +129,7 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
 
 
 def _written(model: Model, facts: Facts) -> list[Finding]:
-    """The modules of the design that are not there; their number is that of the paper."""
+    """Finds missing modules of the design, and a number of modules that differs from the paper."""
     names = facts.declared.names
     found = [
         Finding(
@@ -173,12 +174,12 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> li
     else:
         functions[words_of(module.function)] = module.name
         return []
-    fix = "write above the class the purpose of this module alone, once"
+    fix = "write above the class the purpose of only this module"
     return [Finding(module.place, "module-function", wrong, fix)]
 
 
 def says(text: str) -> bool:
-    """Whether a text is a sentence, and no promise of one."""
+    """Whether a text is a sentence, and not a placeholder."""
     return len(text.split()) >= FEWEST_WORDS and not PROMISE.search(text)
 
 
@@ -251,7 +252,8 @@ def _units(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _has_words(place: Place, facts: Facts) -> bool:
-    """A table or a line of the hardware has a comment for people; an object has its class."""
+    """Tables and interrupt lines of the hardware need a comment; an object is described by its
+    class."""
     if facts.comments.at(place.file, place.end or 0).tags:
         return True
     above, line = facts.lines_of(place.file)[max(0, place.line - 2) : place.line]
@@ -285,7 +287,7 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[F
                 module.place,
                 "module-secret",
                 f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
-                "state the likely change that this module alone hides",
+                "state the likely change that only this module hides",
             )
         )
     else:

@@ -1,4 +1,4 @@
-"""req-number: a number that a requirement states is that of a constant in the code."""
+"""req-number: each number of a requirement is equal to a constant in the code."""
 
 from __future__ import annotations
 
@@ -41,18 +41,18 @@ def _unlinked(
     links: RequirementNumbers | None,
     without: dict[str, Place],
 ) -> Iterator[Finding]:
-    """Numbers of which the design does not say which constant has them."""
+    """Numbers without a linked constant in the design."""
     for number in stated.keys() - (links.constants.keys() if links else set()):
         if f"{requirement.id} {number}" not in without:
             text = f"{requirement.id} states {number}, and no constant is linked with it"
-            fix = f"name the constant in {LINKS}, or state there why none has it"
+            fix = f"name the constant in {LINKS}, or state there why there is none"
             yield Finding(requirement.place, "req-number", text, fix)
 
 
 def _linked(
     entry: RequirementNumbers, stated: dict[str, Quantity], facts: Facts
 ) -> Iterator[Finding]:
-    """Links to a number that is not there, or to a constant that has another value."""
+    """Links to a number that does not exist, or to a constant with another value."""
     for number, name in entry.constants.items():
         place = facts.declared.entries.line_in(entry.place, number)
         constants = constants_named(name, facts.syntax.values)

@@ -1,4 +1,4 @@
-"""paper-*: the concordance with the paper is complete, and true."""
+"""paper-*: the concordance with the paper is complete, and correct."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
             place,
             "paper-complete",
             f"the {key[0]} {key[1]} of the paper has no entry in the concordance",
-            "say in design/concordance.toml where it is here",
+            "write in design/concordance.toml where it is here",
         )
         for key, place in concordance.lines.items()
         if key not in entries
@@ -83,7 +83,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             entry.place,
             "paper-complete",
-            f"no entry shows where the {entry.kind} {entry.name} is here",
+            f"no entry contains the counterpart of the {entry.kind} {entry.name} is here",
             "name the part that replaces it, or write a deviation with the reason",
         )
         for entry in model.paper
@@ -95,7 +95,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
 def _arrows(model: Model) -> list[Finding]:
     """Each arrow of the high-level diagram is named by an entry of the concordance."""
     said = {target.partition(":")[2] for entry in model.paper for target in entry.here}
-    fix = "correct the arrow, or name it in the entry of Figure 5 and say why with deviation"
+    fix = "correct the arrow, or name it in the entry of Figure 5 and write the reason as deviation"
     return [
         Finding(
             connection.place,
@@ -147,7 +147,7 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
 
 
 def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
-    """A name of the code that is not the paper's has a reason, and only such a name."""
+    """A name that differs from the paper has a reason; an equal name has none."""
     if entry.kind not in EXACT or not entry.here:
         return []
     same = entry.name in {_name_here(target, model) for target in entry.here}
@@ -158,7 +158,9 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
         return [Finding(entry.place, "paper-alias", text, "remove the alias")]
     if not same and not entry.alias:
         text = f"the paper's {entry.name} is {' and '.join(entry.here)} here, without an alias"
-        return [Finding(entry.place, "paper-alias", text, "say why, or use the paper's name")]
+        return [
+            Finding(entry.place, "paper-alias", text, "write the reason, or use the paper's name")
+        ]
     if entry.alias and entry.kind == "module" and entry.name in facts.classes:
         text = f"the code has a class {entry.name}, but the entry has another name for it"
         return [Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")]
@@ -184,7 +186,7 @@ def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
 
 
 def _returned(method: str, facts: Facts) -> list[str]:
-    """The plain number that a method gives."""
+    """The number that a method returns."""
     found: list[str] = []
     for body in facts.bodies.get(method, []):
         lines = facts.lines_of(body.place.file)[body.place.line - 1 : body.end]

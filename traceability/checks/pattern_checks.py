@@ -13,7 +13,8 @@ ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
-# The purpose is above an abstraction; of one with several applications, above its subclass.
+# The purpose is in the comment of an abstraction, or of its subclass if it has several
+# applications.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
 # The roles of subclasses; of these, those of a Decorator; and abstractions with alternatives.
@@ -77,7 +78,7 @@ def _declared_once(model: Model, facts: Facts) -> list[Finding]:
             name = tag.argument
             if name in first:
                 words = f"{name} is declared above {first[name]} already"
-                found.append(Finding(tag.place, "pattern-known", words, "leave one of the two"))
+                found.append(Finding(tag.place, "pattern-known", words, "remove one of the two"))
             first.setdefault(name, module.name)
     return found
 
@@ -90,7 +91,7 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
             problem = _role_problem(binding, model, facts)
             if problem is None and (binding.application, binding.role) in seen:
                 again = f"{module.name} has two tags for {binding.role} in {binding.application}"
-                problem = again, "leave one of the two"
+                problem = again, "remove one of the two"
             seen.add((binding.application, binding.role))
             if problem:
                 text, fix = problem
@@ -99,7 +100,7 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _lost(model: Model, facts: Facts) -> list[Finding]:
-    """Marks in comments that are not those above a module: no document shows them."""
+    """Marks in comments that are not above a module, so that no document shows them."""
     above = {(b.place.file, b.place.line) for m in model.modules.values() for b in m.roles}
     above |= {(one.place.file, one.place.line) for one in model.patterns.values()}
     checks = {"role": "pattern-role-unknown", "patternapp": "pattern-known"}
@@ -107,7 +108,7 @@ def _lost(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             tag.place,
             checks[tag.name],
-            f"this @{tag.name} is above no module",
+            f"this @{tag.name} is not above a module",
             "write it above the class",
         )
         for comment in facts.comments.below(DESIGN)
@@ -126,7 +127,8 @@ def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str
     added = model.modules[binding.module].extension
     if binding.module not in known.roles[binding.role] and not added:
         return (
-            f"the design does not bind {binding.module} to the role {binding.role} of "
+            f"design/applications.toml does not assign {binding.module} to the role {binding.role} "
+            f"of "
             f"{binding.application}",
             "correct the role, or change design/applications.toml",
         )
@@ -152,7 +154,7 @@ def _undeclared(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _undecided(facts: Facts) -> list[Finding]:
-    """The clauses of the design are those that can be decided."""
+    """Every clause of the design has a function that decides it, and every function a clause."""
     clauses = facts.declared.clauses
     if not clauses:
         return []
@@ -160,7 +162,7 @@ def _undecided(facts: Facts) -> list[Finding]:
         Finding(
             Place("design/clauses.toml", 1),
             "pattern-known",
-            f"no clause {name} is declared, so nothing decides it",
+            f"no clause {name} is declared, so no application uses it",
             "declare the clause",
         )
         for name in CLAUSES
@@ -180,12 +182,12 @@ def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, s
         fix = "correct the id, or write its function in traceability/checks/pattern_clauses.py"
         found.append((f"nothing decides the clause {clause.id}", clause.id, fix))
     if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
-        text = f"{clause.id} is no clause of the pattern {clause.pattern}"
+        text = f"{clause.id} is not a clause of the pattern {clause.pattern}"
         found.append((text, clause.pattern, "correct the pattern"))
         return found
     roles = next((one.roles for one in facts.declared.patterns if one.name == clause.pattern), [])
     return found + [
-        (f"{role} is no role of {clause.pattern}", role, "correct the role")
+        (f"{role} is not a role of {clause.pattern}", role, "correct the role")
         for role in clause.about
         if role not in roles
     ]
@@ -248,7 +250,7 @@ def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]
         for module in {name for name in modules if modules.count(name) > 1}
     ]
     unknown = [
-        (f"{role} is no role of {item.pattern} ({item.id})", role)
+        (f"{role} is not a role of {item.pattern} ({item.id})", role)
         for role in item.roles
         if role not in roles
     ]
@@ -262,7 +264,7 @@ def _missing_roles(application: PatternApplication, model: Model, facts: Facts) 
         Finding(
             model.modules[module].place,
             "pattern-role-missing",
-            f"{module} does not say that it is {role} in {application.id}",
+            f"{module} has no mark that it is {role} in {application.id}",
             f"write @role{{{application.id}, {role}}} above it",
         )
         for role, modules in (known.roles if known else {}).items()
@@ -272,7 +274,7 @@ def _missing_roles(application: PatternApplication, model: Model, facts: Facts) 
 
 
 def _heirs(model: Model, facts: Facts) -> list[Finding]:
-    """A nested Command is the body of a thread; any other subclass plays the role of one."""
+    """A nested Command is the body of a thread; any other subclass has the role of a subclass."""
     found: dict[str, Finding] = {}
     for application in model.patterns.values():
         for binding in application.roles:
@@ -297,10 +299,10 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
-    """Whether a subclass has a role that derives, in this application or one that answers for it.
+    """Whether a subclass has a role that derives, in this application or in one that replaces it.
 
     The subclasses of a Command or a Builder have one application each. A decorator of a component,
-    or a decorated one, need not be one of the alternatives as well.
+    or a decorated component, need not also be an alternative.
     """
     module = model.modules.get(heir)
     for role in module.roles if module else []:

@@ -1,6 +1,6 @@
 """The structural clauses of the patterns, decided on the syntax tree.
 
-A clause takes one application and yields the places where it does not hold.
+The function of a clause gets one application and yields the places where the clause is violated.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ Broken = Iterator[tuple[Place, str]]
 
 @dataclass
 class Shape:
-    """One application, with the questions that its clauses ask."""
+    """One application, with the queries of its clauses."""
 
     application: PatternApplication
     facts: Facts
@@ -61,7 +61,7 @@ class Shape:
         ]
 
     def bodies(self, module: str) -> list[BodyFact]:
-        """The bodies of a class, of those nested in it, and of the functions next to it."""
+        """The bodies of a class, of its nested classes, and of the functions in its files."""
         return self.facts.bodies_of.get(module, [])
 
     def user(self, body: BodyFact) -> str:
@@ -78,7 +78,7 @@ class Shape:
         )
 
     def is_given(self, module: str, base: str) -> bool:
-        """A method of the class, own or inherited, takes or obtains a reference to the base."""
+        """Whether an own or inherited method of the class gets a reference to the base."""
         marks = (f"{base}&", f"{base}*")
         for owner in (module, *self.bases(module)):
             for method in self.methods(owner):
@@ -173,7 +173,7 @@ def unnamed(role: str, concrete: str) -> Callable[[Shape], Broken]:
 
 
 def state_unmarked(shape: Shape) -> Broken:
-    """The Context does not ask for a state by the value that this one alone is numbered with."""
+    """Finds a Context that uses the number of a single state."""
     states = shape.playing("Concrete State")
     named = [mark for state in states for mark in shape.marks(state)]
     own = {mark: state for state in states for mark in shape.marks(state) if named.count(mark) == 1}
@@ -187,7 +187,7 @@ def state_unmarked(shape: Shape) -> Broken:
 
 
 def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
-    """The Context compares no address of a state, and asks for no number of one."""
+    """Finds a Context that compares the address of a state, or branches on its number."""
     states = {name for base in shape.playing("State") for name in shape.family(base)}
     contexts = set(shape.playing("Context")) - states
     for branch in shape.facts.syntax.branches:
@@ -198,7 +198,7 @@ def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
 
 
 def called(role: str) -> Callable[[Shape], Broken]:
-    """Each Context calls the abstraction, itself or through an inherited method."""
+    """Each Context calls the abstraction, directly or through an inherited method."""
 
     def clause(shape: Shape) -> Broken:
         for base in shape.playing(role):
@@ -242,7 +242,7 @@ def state_change(shape: Shape) -> Broken:
 def change_operation(
     shape: Shape, states: set[str], context: str, changers: dict[str, Place]
 ) -> str:
-    """The operation of the Context that the states call; of several the first."""
+    """The operation of the Context that the states call; the first one of several."""
     by_states = {target for state in states for target, _ in shape.calls(state)}
     own = [method for method in changers if owner_of(method) == context]
     return next((m for m in own if m in by_states), next(iter(own), ""))
@@ -264,7 +264,8 @@ def decorator_holds(shape: Shape) -> Broken:
 
 
 def on_wrapped(call: CallFact, decorators: set[str]) -> bool:
-    """Whether a call goes to the component of the Decorator: no other member is one."""
+    """Whether a call goes to the component of the Decorator, which is its only member of this
+    type."""
     return all(one.startswith("this ") or owner_of(one.split()[1]) in decorators for one in call.on)
 
 
@@ -322,7 +323,7 @@ def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
 
 
 def template_methods(shape: Shape, module: str) -> dict[str, set[str]]:
-    """Those that are not virtual."""
+    """The callers that are not virtual."""
     plain = {method.id for method in shape.methods(module) if not method.virtual}
     return {m: called for m, called in primitives_called(shape, module).items() if m in plain}
 
@@ -335,7 +336,7 @@ def template_nonvirtual(shape: Shape) -> Broken:
             yield shape.place(module), text
         for method in shape.methods(module):
             if method.virtual and method.id in primitives_called(shape, module):
-                yield method.place, f"{method.id} calls primitives and is virtual itself"
+                yield method.place, f"{method.id} calls primitives, but is virtual"
         called = set().union(*plain.values())
         for method in shape.methods(module):
             if plain and method.virtual and method.access != "public" and method.id not in called:
@@ -373,7 +374,7 @@ def command_single(shape: Shape) -> Broken:
             and not method.name.startswith(("~", "operator"))
         ]
         if len(operations) != 1 or not operations[0].pure:
-            yield shape.place(module), f"{module} does not have one operation, which is pure"
+            yield shape.place(module), f"{module} does not have exactly one pure virtual operation"
 
 
 def command_invoker(shape: Shape) -> Broken:
@@ -439,7 +440,8 @@ def command_client(shape: Shape) -> Broken:
 
 
 def makers(shape: Shape, product: str) -> Iterator[tuple[Place, str]]:
-    """Yields the places where an object of a class is made, and the maker; "" is a composition."""
+    """Yields the places where an object of a class is constructed, and the constructing class; ""
+    is a composition."""
     for fact in shape.facts.syntax.names:
         if fact.how == "construct" and fact.target == product:
             yield fact.place, shape.facts.user(fact.by, fact.place)
@@ -461,7 +463,7 @@ def builder_constructs(shape: Shape) -> Broken:
 
 
 def passes_steps_on(shape: Shape, builder: str) -> bool:
-    """Whether a Concrete Builder calls the steps of the Builder, which others carry out."""
+    """Whether a Concrete Builder calls the steps of the Builder, which other builders implement."""
     abstract = shape.playing("Builder")
     return builder not in abstract and any(
         owner_of(target) in abstract for target, _ in shape.calls(builder)
@@ -469,7 +471,7 @@ def passes_steps_on(shape: Shape, builder: str) -> bool:
 
 
 def builder_parts(shape: Shape) -> Broken:
-    """Only builders make the parts of builders."""
+    """Finds parts of builders that other modules construct."""
     builders = shape.playing("Concrete Builder")
     for part in sorted(parts_of(shape, builders)):
         for place, maker in makers(shape, part):
@@ -478,7 +480,7 @@ def builder_parts(shape: Shape) -> Broken:
 
 
 def parts_of(shape: Shape, builders: list[str]) -> set[str]:
-    """The modules with a role that the builders hold or construct."""
+    """The modules with a role that the builders store or construct."""
     held = {
         name
         for builder in builders
@@ -490,7 +492,7 @@ def parts_of(shape: Shape, builders: list[str]) -> set[str]:
 
 
 def builder_director(shape: Shape) -> Broken:
-    """The Director calls the Builder, and no built part, here or elsewhere."""
+    """Finds a Director that does not call the Builder, or that calls a built part."""
     builders = shape.playing("Builder")
     products = shape.playing("Product")
     concrete = shape.playing("Concrete Builder")
@@ -538,7 +540,7 @@ def singleton_one(shape: Shape) -> Broken:
             if method.kind == "static" and method.result.removeprefix("const ") == f"{module}&"
         ]
         if not gives or len(instances) > 1:
-            yield shape.place(module), f"{module} does not give its one instance"
+            yield shape.place(module), f"{module} does not return its only instance"
         for heir in shape.facts.heirs.get(module, []):
             yield shape.place(heir), f"each {heir} is one more {module}"
         for body in shape.facts.syntax.bodies:
@@ -552,7 +554,10 @@ def singleton_constructor(shape: Shape) -> Broken:
     for module in shape.playing("Singleton"):
         constructors = [item for item in shape.methods(module) if item.kind == "constructor"]
         if not constructors:
-            yield shape.place(module), f"{module} has the public constructor of the compiler"
+            yield (
+                shape.place(module),
+                f"{module} has no declared constructor, so the compiler adds a public one",
+            )
         for method in constructors:
             if method.access != "private":
                 yield method.place, f"a constructor of {module} is {method.access}"
@@ -573,7 +578,7 @@ def singleton_copy(shape: Shape) -> Broken:
 
 
 def serializer_used(shape: Shape) -> Broken:
-    """Each operation of an element reads from a Reader or writes to a Writer."""
+    """Finds operations of an element that neither read from a Reader nor write to a Writer."""
     abstractions = shape.playing("Reader") + shape.playing("Writer")
     for element in shape.playing("Concrete Element"):
         operations = [body for body in shape.bodies(element) if body.overrides]

@@ -46,7 +46,7 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
     words = set(re.findall(r"\w+", text))
     for machine in model.machines.values():
         if f"{name_of(machine)}_step" not in words:
-            said = f"the machine {machine.id} is in no composition"
+            said = f"the machine {machine.id} is not in the composition"
             yield Finding(
                 machine.place, "proof-composition", said, f"call its step in {COMPOSITION}"
             )
@@ -69,7 +69,7 @@ def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
     for above, line in zip([Line("", lines[0].place), *lines], lines, strict=False):
         match, named = INLINE.match(line.text), CODE.match(above.text)
         if match and not named and above.text not in APART:
-            said = f"the step {match[1]} names no code that it models"
+            said = f"the step {match[1]} has no comment with the methods that it models"
             fix = "write // code: and the methods above it"
             yield Finding(line.place, "proof-composition", said, fix)
         for name in [one.strip() for one in named[1].split(",")] if match and named else []:
@@ -93,7 +93,7 @@ def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
         value = first // rest[0] if rest else first
         if value != int(match[2]):
             said = f"{match[1]} is {match[2]}, and the code has {value}"
-            yield Finding(line.place, "proof-composition", said, "write the number of the code")
+            yield Finding(line.place, "proof-composition", said, "write the value from the code")
 
 
 def _properties(model: Model, text: str) -> Iterator[Finding]:

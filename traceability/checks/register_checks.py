@@ -1,4 +1,4 @@
-"""secret-registers: a block of registers is named only by the modules that own it."""
+"""secret-registers: only its owners name a block of registers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CLASS = "Register"
 PERIPHERALS = 0x4000_0000  # where the addresses of the registers begin
 CORE = 0xE000_0000  # where the addresses of the core begin
 OWNERS = "design/register_owners.toml"
-START_UP = "/start_up/"  # before it, and after it, there is no driver
+START_UP = "/start_up/"  # the drivers are in this range of folders only
 MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # reads or writes memory
 
 
@@ -38,7 +38,7 @@ def _owners(facts: Facts) -> dict[str, Block]:
 
 
 def _files(module: str, facts: Facts) -> set[str]:
-    """Where a module is written; empty when there is none of the name."""
+    """The place of a module; empty when no module has the name."""
     fact = facts.classes.get(module)
     if fact is None:
         return set()
@@ -81,59 +81,60 @@ def _used(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _past_the_table(facts: Facts) -> list[Finding]:
-    """A register that is not in the table, or an address made from a number."""
+    """Finds a register that is not in the table, or an address that is converted from a number."""
     fix = f"add the register to {REGISTERS}, and use it there"
     own = [
-        _finding(name.place, "a register is made outside the table of registers", fix)
+        _finding(name.place, "a register is defined outside the table of registers", fix)
         for name in facts.syntax.names
         if name.target == "Register"
         and name.how == "type"
         and name.place.file not in (REGISTERS, REGISTER)
     ]
     own += [
-        _finding(place, "an instruction of the processor reaches past the drivers", fix)
+        _finding(place, "an instruction of the processor is used outside the drivers", fix)
         for place in facts.syntax.instructions
         if not is_board(place.file) or _reaches(place, facts)
     ]
     own += [
-        _finding(place, "memory that changes by itself is reached past the registers", fix)
+        _finding(place, "volatile memory is accessed outside the table of registers", fix)
         for place in facts.syntax.volatile
         if place.file != REGISTER
     ]
     return own + [
-        _finding(place, "a number is made into an address", fix)
+        _finding(place, "a number is converted to an address", fix)
         for place in facts.syntax.casts
         if place.file != REGISTER
     ]
 
 
 def _reaches(place: Place, facts: Facts) -> bool:
-    """Whether an instruction of a driver reads or writes an address of its own."""
+    """Whether an instruction of a driver reads or writes an address that it computes."""
     lines = (facts.root / place.file).read_text(encoding="utf-8").splitlines()[place.line - 1 :]
     words = "\n".join(lines).partition(";")[0]
     return START_UP not in place.file and MEMORY.search(words) is not None
 
 
 def _twice(facts: Facts) -> list[Finding]:
-    """An address in two blocks: the owners of one reach the registers of the other."""
+    """Finds an address in two blocks: the owners of one block could access the registers of the
+    other."""
     found: list[Finding] = []
     first: dict[int, str] = {}
     for number, block, address in _table(facts):
         if address is None:
-            text = "the address of the register is no number"
-            fix = "write the number that the manual gives"
+            text = "the address of the register is not a number"
+            fix = "write the address from the manual"
             found.append(_finding(Place(REGISTERS, number), text, fix))
             continue
         owner = first.setdefault(address, block)
         if owner != block:
             text = f"the address {address:#x} of {block} is in {owner} already"
-            fix = "leave it in the block that the manual names"
+            fix = "keep it only in the block that the manual names"
             found.append(_finding(Place(REGISTERS, number), text, fix))
     return found
 
 
 def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
-    """The registers of the table: line, block, and address; None where that is no number."""
+    """The registers of the table: line, block, and address; None if this is not a number."""
     path = facts.root / REGISTERS
     block = ""
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
@@ -148,7 +149,7 @@ def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
 
 
 def _outside(facts: Facts) -> list[Finding]:
-    """An offset that leads from the registers of a block to those of another one."""
+    """Finds an offset that reaches from one block of registers to another block."""
     blocks: dict[str, list[int]] = {}
     for _, block, address in _table(facts):
         if address is not None:
@@ -165,7 +166,7 @@ def _outside(facts: Facts) -> list[Finding]:
 
 
 def _lies_in(address: int, registers: list[int]) -> bool:
-    """Whether a block has the address: near its registers, or between them."""
+    """Whether an address is in a block: between its registers, or near them."""
     first, last = min(registers), max(registers)
     return first <= address <= last or _page(address) == _page(last)
 
@@ -187,7 +188,7 @@ def _borrowed(facts: Facts) -> list[Finding]:
         _finding(
             fact.place,
             f"the block {own[fact.place.line]} names a register of {fact.block}",
-            "let the owner of that block use it",
+            "let the owner of that block access it",
         )
         for fact in facts.syntax.blocks
         if fact.place.file == REGISTERS
@@ -197,7 +198,7 @@ def _borrowed(facts: Facts) -> list[Finding]:
 
 
 def _given(facts: Facts) -> list[Finding]:
-    """A register that a module hands to others: these need not name its block."""
+    """Finds a register that a module passes to others, which then need not name its block."""
     flows = facts.syntax.flows
     table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
     table.add(f"result {CLASS}::at")
@@ -236,8 +237,8 @@ def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
 
 
 def _linked(facts: Facts) -> list[Finding]:
-    """A symbol that the linker puts where the registers are."""
-    text = "the linker gives a name to an address of registers"
+    """Finds a symbol that the linker places at the address of a register."""
+    text = "the linker defines a symbol at an address of registers"
     return [
         _finding(Place(str(path.relative_to(facts.root)), number), text, f"use {REGISTERS}")
         for path in files_below(facts.root, DESIGN, (".ld",))

@@ -31,25 +31,25 @@ class Check:
 
 # The first word of an id names its family.
 WHY = {
-    "syntax": "All other checks read the syntax tree: they need one without errors.",
-    "design": "The checks compare design/ with the code; an unreadable file is not compared.",
-    "doc": "Every document is made from these texts: a mistake here is a mistake there.",
-    "module": "A module that is small, has a place of its own and a specification can be found, "
+    "syntax": "All other checks read the syntax tree: they need a tree without errors.",
+    "design": "The checks compare design/ with the code; they cannot compare an unreadable file.",
+    "doc": "Every document is generated from these texts, and copies their mistakes.",
+    "module": "A module that is small, has a known place and a specification can be found, "
     "understood and replaced without reading the others.",
-    "secret": "A change stays in one module only as long as no other one uses the hidden names.",
-    "pattern": "A pattern absorbs the changes it was chosen for only as long as the code keeps its "
-    "shape; each clause is a part of that shape.",
-    "change": "A change of a value must show the other values that were chosen for it.",
+    "secret": "A change stays in one module only as long as no other module uses the hidden names.",
+    "pattern": "A pattern absorbs the changes for which it was chosen only as long as the code "
+    "keeps its shape; each clause is a part of that shape.",
+    "change": "A change of a value must show the other values that depend on it.",
     "uses": "The allowed uses of a module decide which modules come with it when it is reused, and "
     "which changes can break it.",
-    "board": "The virtual K64 replaces the hardware: a mistake that it does not find reaches the "
+    "board": "The virtual K64 replaces the hardware: a mistake that it does not detect reaches the "
     "robot.",
     "tree": "A tree shows how the code fulfils a requirement: it must be possible "
     "in the code, and occur in a run.",
     "fsm": "A state machine is read instead of the code of its states: both must be equal.",
     "proof": "A test shows some sequences of events; a proof of the model covers all of them.",
     "exec": "Contexts of different priorities share data: a call in the wrong place causes a fault "
-    "only once in a thousand cycles.",
+    "perhaps only once in a thousand cycles.",
     "stack": "The threads and interrupts share one stack: it must be large enough for the worst "
     "moment, which may occur in no test.",
     "time": "A cycle that comes too late is a fault of a control system; the longest one may occur "
@@ -57,15 +57,15 @@ WHY = {
     "req": "A requirement counts as fulfilled only when code, tests and results show it.",
     "suspect": "A verdict holds for the texts that it was given for: the baseline shows which of "
     "them changed.",
-    "hazard": "The safety case argues from each hazard to tests that ran: a link that is missing "
-    "breaks the argument without anybody noticing.",
-    "paper": "The paper is the reference of the design: its names must be here, or the difference "
-    "must be stated.",
+    "hazard": "The safety case argues from each hazard to tests that ran: a missing link "
+    "breaks the argument unnoticed.",
+    "paper": "The paper is the reference of the design: its names must be used here, or the "
+    "difference must be stated.",
     "arch": "The architecture is the first picture that a newcomer sees: it must match the code.",
-    "link": "A reader who follows a link is to arrive.",
+    "link": "A reader who follows a link must find the target.",
 }
 
-_TEXT_BLIND = "whether the words are true and useful; a person reads that."
+_TEXT_BLIND = "whether the words are true and useful; only a reader can judge that."
 
 _FIXED = [
     Check(
@@ -77,9 +77,9 @@ _FIXED = [
     ),
     Check(
         "doc-warning",
-        "Documentation comments and pages in order",
+        "Documentation comments and pages without warnings",
         "Doxygen and Sphinx read every comment and page without a warning: each @param names a "
-        "parameter, each tag is one of this project, each link has a target.",
+        "parameter, each tag is defined in this project, and each link has a target.",
         _TEXT_BLIND,
         "correct the comment or the page as in the message.",
     ),
@@ -87,28 +87,30 @@ _FIXED = [
         "doc-name",
         "Names in texts exist",
         "Each class, method, function, constant or value that a comment of the code, a literal of "
-        "a page of docs/ or a text of design/ names is one of the code, or of the paper. In "
-        "design/concordance.toml `paper-stale` finds it, in design/changes.toml `pattern-change`.",
-        "names that are words of the language too, such as that of the class Wheel; a name that "
+        "a page of docs/ or a text of design/ names exists in the code or in the paper. In "
+        "design/concordance.toml it is found by `paper-stale`, in design/changes.toml by "
+        "`pattern-change`.",
+        "names that are also English words, such as the class Wheel; a name that "
         "means something else now.",
-        "write the name that it has now.",
+        "write its present name.",
     ),
     Check(
         "design-entry",
         "The files of the design can be read",
-        "Every file of design/ is there and is TOML; each entry has the keys that it needs and no "
+        "Every file of design/ exists and is valid TOML; each entry has the keys that it needs and "
+        "no "
         "others, and no needed text is empty; each name has one entry; each "
         "baseline and each review has a date.",
         "whether an entry is true; the other checks compare it with the code. As long as "
-        "a file cannot be read, they wait.",
+        "a file cannot be read, they do not run.",
         "correct the line, or the name of the key.",
     ),
     Check(
         "module-logic",
-        "Each design module lies in a logic module",
-        "Every class with its own header lies in a folder below src or extensions that has a "
+        "Each design module is in a logic module",
+        "Every class with its own header is in a folder below src or extensions that has a "
         "module.dox.",
-        "whether it is the right folder; that is a matter of design.",
+        "whether it is the right folder; this is a decision of the design.",
         "move the header into the folder of its logic module, or describe the folder.",
     ),
     Check(
@@ -149,39 +151,40 @@ _FIXED = [
     Check(
         "module-name",
         "A header is named after its class",
-        "Every design module has the name of its header, and no header holds two.",
-        "the quality of the name.",
+        "Every design module has the name of its header, and no header contains two.",
+        "whether the name is good.",
         "rename the file or the class, or mark a value type with @datatype.",
     ),
     Check(
         "module-count",
-        "The modules of the design, and no other",
+        "The modules of the design, and no others",
         "Every design module below src is listed for its folder in design/modules.toml, every "
-        "listed one is there and is no data type, and their number is that of the paper. Those of "
-        "extensions are free: they do not count.",
-        "whether the list is the right one.",
+        "listed module exists and is not a data type, and their number is that of the paper. Those "
+        "of "
+        "modules of extensions are not counted.",
+        "whether the list is correct.",
         "remove the module, mark a value type with @datatype, or change the design.",
     ),
     Check(
         "module-used",
         "Each design module is part of a product",
-        "The names in the code lead from a composition to every design module.",
+        "Every design module can be reached from a composition over the names in the code.",
         "whether the product runs the code of the module; whether CMake builds the composition.",
-        "let a builder make the module, or remove it.",
+        "let a builder construct the module, or remove it.",
     ),
     Check(
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
-        "a computation without them; the work of a free function on the data.",
+        "a computation without condition and loop; the work of a free function on the data.",
         "move the behaviour into a module.",
     ),
     Check(
         "pattern-known",
         "Known pattern applications",
         "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
-        "@changes, and is declared once, above an abstraction that it has; every application of "
-        "the design is declared, and so is every clause that can be decided, with its pattern "
+        "@changes, and is declared once, above its abstraction; every application of "
+        "the design is declared, and so is every clause that a check decides, with its pattern "
         "and roles of it.",
         _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
@@ -189,8 +192,8 @@ _FIXED = [
     Check(
         "change-tuned",
         "Tuned constants are declared",
-        "A constant whose name or comment speaks of control cycles or of ticks is computed from "
-        "SystemConstants, or design/tuned.toml declares that it is tuned to it. The page of the "
+        "A constant whose name or comment mentions control cycles or ticks is computed from "
+        "SystemConstants, or design/tuned.toml declares that it depends on it. The page of the "
         "change lists both.",
         "a value that depends on another constant, when neither name nor comment shows it.",
         "compute the value from the constant, or add it to design/tuned.toml.",
@@ -198,11 +201,11 @@ _FIXED = [
     Check(
         "pattern-change",
         "Likely changes name existing parts",
-        "Every pattern has a recipe in design/changes.toml, which names roles of the pattern: the "
+        "Every pattern has a recipe in design/changes.toml, which lists roles of the pattern: the "
         "subclasses that it adds or alters, and their base classes. An entry for one application "
         "names an existing one, and existing modules: those with a role in it, and "
         "examples of an extension. Each name in backticks in a step exists.",
-        "whether the steps are enough; the extensions show that for some.",
+        "whether the steps are sufficient; the extensions show this for some of them.",
         "correct the name.",
     ),
     Check(
@@ -220,7 +223,7 @@ _FIXED = [
         "Known roles",
         "Every @role names an application that is declared and a role of it, and is once above "
         "a module that the design binds to that role, or above one of an extension.",
-        "a class that plays a role without saying so; the clauses of the pattern find some.",
+        "a class that has a role without a mark; the clauses of the pattern find some of them.",
         "correct the application or the role, or change the design.",
     ),
     Check(
@@ -233,26 +236,27 @@ _FIXED = [
     Check(
         "pattern-role-required",
         "Every role of the pattern",
-        "Every application in design/applications.toml binds each role of its pattern, and no "
+        "Every application in design/applications.toml assigns each role of its pattern, and no "
         "other, to modules that exist.",
-        "whether it is the right module; the clauses of the pattern find some.",
+        "whether the module is right; the clauses of the pattern find some wrong ones.",
         "bind the role, or correct the name of the module.",
     ),
     Check(
         "pattern-count",
         "As many applications as in the paper",
         "Each pattern has the number of applications that design/clauses.toml states.",
-        "applications of extensions; they bind further modules to the applications that exist.",
+        "applications of extensions; they add modules to the existing applications.",
         "correct the entries of design/applications.toml.",
     ),
     Check(
         "pattern-heir-unbound",
-        "Every subclass plays a role",
-        "Every class that derives from an abstraction of an application plays the role of a "
+        "Every subclass has a role",
+        "Every class that derives from an abstraction of an application has the role of a "
         "subclass: one of a State, a Strategy or an Abstract Class in each of its "
-        "applications, unless it extends a component or is extended. A Command that is nested in "
-        "a module is the body of a thread, and needs none.",
-        "whether the role is the right one.",
+        "applications, unless it extends a component or is an extended component. A Command that "
+        "is nested in "
+        "a module is the body of a thread, and needs no role.",
+        "whether the role is right.",
         "bind the subclass to a role, or derive it from something else.",
     ),
     Check(
@@ -260,14 +264,15 @@ _FIXED = [
         "Only allowed uses",
         "Every include, call and name of a class from one logic module in another is allowed in "
         "design/uses.toml.",
-        "a use through a number alone, such as an address.",
+        "a use only through a number, such as an address.",
         "remove the include or the call, or allow the use with a reason.",
     ),
     Check(
         "uses-extension",
         "Nothing depends on an extension",
-        "No file of src includes or calls one of extensions, so a product can leave it out; nor "
-        "does it have a number that an extension adds to an enumeration. An extension uses another "
+        "No file of src includes or calls one of extensions, so a product can omit it; nor "
+        "does it contain a number that an extension adds to an enumeration. An extension uses "
+        "another one "
         "one only where design/uses.toml gives the reason.",
         "the parts that the linker adds to the image of a product; tests of products check them.",
         "remove the include or the call: a composition of the extension binds it to the robot.",
@@ -276,21 +281,23 @@ _FIXED = [
         "uses-board",
         "Drivers and virtual board are independent",
         "No file of sim/ or tests/ includes one that is for the K64 only, and no file of "
-        "sim/emulator one of the design: a driver and its model share no mistake. The programs of "
+        "sim/emulator one of the design: a driver and its model must not share a mistake. The "
+        "programs of "
         "tests/k64/program and tests/usual_design/k64 are compositions of drivers, which run on "
         "the virtual K64 itself. In src, `uses-allowed` shows the users of src/k64.",
-        "the same number, written down wrongly twice.",
-        "write the needed facts from the manual of the part, or test the image.",
+        "the same number, written wrongly in both places.",
+        "write the facts from the manual of the microcontroller, or test the image.",
     ),
     Check(
         "secret-registers",
         "A block of registers has owners",
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
         "design/register_owners.toml; each owner uses it; no address is in two of them; no "
-        "other place makes a register, makes a number into an address, names a volatile object, or "
-        "hands a register to others, nor does the linker; no number in an offset leads from one "
-        "block to another; only the drivers have instructions of the processor.",
-        "which channel or pin of a block an owner touches; an offset that is computed elsewhere; "
+        "other place defines a register, converts a number to an address, names a volatile object, "
+        "or "
+        "passes a register to others, nor does the linker; no number in an offset reaches from one "
+        "block to another; only the drivers use instructions of the processor.",
+        "which channel or pin of a block an owner uses; an offset that is computed elsewhere; "
         "the effect of a register on another block.",
         "call an operation of the owner, or change the design.",
     ),
@@ -298,23 +305,25 @@ _FIXED = [
         "board-finding",
         "Each finding of the virtual K64 has a test",
         "Every finding in design/board_findings.toml is named in a test of tests/sim/emulator, and "
-        "every finding that a seeded driver fault gave is declared there.",
-        "whether the test makes the finding happen; its result shows that.",
-        "write a test that makes the finding happen, or correct the id.",
+        "every finding that a seeded fault of a driver caused is declared there.",
+        "whether the test causes the finding; its result shows this.",
+        "write a test that causes the finding, or correct the id.",
     ),
     Check(
         "board-belief",
         "Each belief of the virtual K64 has a source",
         "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
-        "file of sim/emulator that has it, and a declared source; it is marked as shared exactly "
-        "when that source is not an outside one. Every register of that file has a belief.",
+        "file of sim/emulator that contains it, and a declared source; it is marked as shared "
+        "exactly "
+        "when this source is not outside. Every register of that file has a belief.",
         "a value of a register that is not listed, and whether the source confirms the belief.",
         "correct the entry, or find an outside source.",
     ),
     Check(
         "uses-cycle",
         "No cycles of uses",
-        "The uses between the top folders form no cycle; inside one, the cycles are those declared "
+        "The uses between the top folders form no cycle; inside a top folder, all cycles are "
+        "declared "
         "in design/uses.toml.",
         "cycles between classes of one folder.",
         "remove one of the uses, or declare the cycle with the pattern that causes it.",
@@ -323,8 +332,8 @@ _FIXED = [
         "uses-unused",
         "No allowance without use",
         "Every use that design/uses.toml allows occurs in the code and is allowed once, and every "
-        "declared cycle is one, within its folder.",
-        "whether the reason given there is good.",
+        "declared cycle is a cycle, within its folder.",
+        "whether the declared reason is good.",
         "remove the entry.",
     ),
     Check(
@@ -338,7 +347,7 @@ _FIXED = [
     Check(
         "arch-code",
         "Connections of the high-level diagram are in the code",
-        "Calls lead from the one module to the other, over a Command where the connection is one; "
+        "Calls connect the one module with the other, over a Command where the connection is one; "
         "a pipe has a writer in the one and a reader in the other.",
         "physical connections; connections that nobody declared.",
         "correct the connection, or the code.",
@@ -347,7 +356,8 @@ _FIXED = [
         "exec-declared",
         "Contexts, pipes and protections are declared",
         "Every handler in the table of vectors belongs to one context of design/execution.toml, "
-        "and a call enables its line; each handler and body named there exists, the lines of a "
+        "and a call enables its interrupt line; each handler and body named there exists, the "
+        "lines of a "
         "context have its priority, each pipe of the robot has a name, and each member named there "
         "is shared.",
         "handlers of products that have other interrupts.",
@@ -373,50 +383,50 @@ _FIXED = [
         "exec-loop",
         "Each loop is bounded",
         "A loop is a `for` with a condition; a function with another one is named in "
-        "design/justified.toml with the reason why the loop ends, or may not end.",
+        "design/justified.toml with the reason why the loop ends, or why it is endless.",
         "whether the condition of a `for` becomes false.",
         "count the rounds in the head of the loop, or justify it.",
     ),
     Check(
         "exec-shared",
         "Shared data of contexts is protected",
-        "A member that one context changes and another one touches is a Pipe, or has its "
+        "A member that one context changes and another one uses is a Pipe, or has its "
         "protection in design/execution.toml: a member declared as atomic is atomic, and an "
         "InterruptLock is at each place declared as masked. A pipe has one context that writes and "
         "one that reads it.",
         "changes through parameters that are references and in the standard library; whether the "
-        "protection is enough; two threads of one kind.",
+        "protection is sufficient; two threads of one kind.",
         "put a Pipe between the contexts, or state the protection.",
     ),
     Check(
         "stack-call",
         "Each indirect call of the image is known",
         "Each call through a pointer that the compiler lists is a call of a virtual method whose "
-        "objects the builders gave, or is declared in design/stack.toml.",
-        "images that add to the robot; an image that was not built from the present sources.",
-        "call an object that a builder gives, or declare the call.",
+        "objects the builders passed, or is declared in design/stack.toml.",
+        "images with extensions; an image that was not built from the present sources.",
+        "call an object that a builder passes, or declare the call.",
     ),
     Check(
         "stack-recursion",
         "No function of the image calls itself",
-        "From no handler does a chain of calls come back to a function. A chain of decorators "
-        "passes once through each Concrete Decorator of its application.",
+        "No chain of calls from a handler enters a function twice. A chain of decorators "
+        "passes at most once through each Concrete Decorator of its application.",
         "a decorator that wraps another object of its own class.",
         "write a loop with a bound.",
     ),
     Check(
         "stack-bound",
-        "The stack is large enough for the worst moment",
-        "The greatest chains of calls of all priorities, one above the other, fit into the stack; "
-        "each frame has a bound; and no run in closed loop used more than that.",
-        "the words that the hardware stores for a fault inside of a fault.",
+        "The stack is large enough for the worst case",
+        "The sum of the deepest chains of calls of all priorities fits into the stack; "
+        "each frame has a bound; and no run in closed loop used more than this sum.",
+        "the words that the hardware stores for a fault in a fault handler.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
     Check(
         "time-bound",
         "Each loop of the image has a bound",
         "Each loop and each copy of unknown size that a handler of the image reaches has a bound: "
-        "the constant in its head, or one that is declared next to it. Each indirect call is "
+        "the constant in its head, or a declared number next to it. Each indirect call is "
         "known.",
         "whether a declared bound is right; loops that run only before the first interrupt.",
         "write the bound above the loop.",
@@ -424,8 +434,9 @@ _FIXED = [
     Check(
         "time-seen",
         "No run needs more time than the bound",
-        "The longest time to the report in the runs of the bench is at most the bound of the "
-        "control cycle.",
+        "The longest time to the report in the runs of the bench, and to the end of the main "
+        "thread in the published record of random drives, is at most the bound of the control "
+        "cycle.",
         "interrupts that come more often than in design/times.toml.",
         "correct the bound that is too small.",
     ),
@@ -433,54 +444,56 @@ _FIXED = [
         "fsm-declared",
         "State machines name existing parts",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
-        "Concrete States of the application; each event names an operation of the State, and each "
+        "Concrete States of the application; each event refers to an operation of the State, and "
+        "each "
         "transition states, an event and at least one requirement that exist; a method of one of "
         "its two states serves the requirement. Each event is used, and a guard distinguishes the "
         "transitions of a state at one event apart. A number with a unit is that of one of the "
         "requirements.",
-        "the words of guards and actions.",
+        "the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
     ),
     Check(
         "fsm-code",
         "Declared transitions are those of the code",
-        "The bodies of the states make as many changes to each successor as the machine declares, "
+        "The bodies of the states change to each successor as often as the machine declares, "
         "in the same operation: the operation that assigns the Context's state is followed to the "
-        "states that call it, and each successor to the object that the builder gave. The builder "
+        "states that call it, and each successor to the object that the builder passed. The "
+        "builder "
         "begins with the initial state, and an operation that always changes the state has no "
         "transition that stays. The only transition of an operation has a guard exactly when the "
-        "code makes it under a condition. Before each change the code asks the questions that "
+        "code makes it conditional. Before each change the code evaluates the conditions that "
         "[guards] states for its guard, and the operations of a state call the methods that "
-        "[actions] states for their actions, and no others of these.",
-        "whether the words of a guard or an action mean the same as the code; whether a "
-        "question must be true or false; states that extensions add.",
+        "[actions] states for their actions, and no other ones of this list.",
+        "whether the name of a guard or an action fits the code; whether a "
+        "condition must be true or false; states that extensions add.",
         "correct the code, or the transition in design/fsm.",
     ),
     Check(
         "fsm-seen",
         "Each transition is made in a test",
         "In the recorded calls of a test that passed on the host the Context calls the operation "
-        "of the state, and the next call of a state fits the successor only. Each requirement "
+        "of the state, and only the successor fits the next call of a state. Each requirement "
         "that a transition names has such a test. No test makes a change that is not declared.",
-        "which guard let a state stay; the last state of a test that calls no state afterwards; "
+        "which guard kept a state; the last state of a test that calls no state afterwards; "
         "nothing is compared while results are stale.",
         "test the transition through its Context, in a test of its requirement, or correct the "
         "machine.",
     ),
     Check(
         "proof-composition",
-        "The proofs speak of the machines and the code of the design",
+        "The model of the proofs matches the machines and the code",
         "Every machine of design/fsm has its step, its guards and its events in the composition "
-        "design/proofs/robot.pml. Each hand-written step of the composition names methods that "
-        "exist, and each of its numbers is that of the constants that it names.",
-        "whether a step does the same as its methods.",
+        "design/proofs/robot.pml. Each hand-written step of the composition lists methods that "
+        "exist, and each of its numbers equals the constant that it names.",
+        "whether a step behaves like its methods.",
         "correct the composition, or the names of the code in it.",
     ),
     Check(
         "proof-property",
         "Properties formalise requirements that exist",
         "Each property of design/proofs/properties.toml names a requirement that exists, and its "
-        "formula has only names that the observer of the composition sets.",
+        "formula uses only names that the observer of the composition sets.",
         "whether the formula, its sentence and its requirement mean the same.",
         "correct the property.",
     ),
@@ -494,45 +507,47 @@ _FIXED = [
     ),
     Check(
         "uses-apart",
-        "Controllers and sensors apart",
-        "The modules that design/uses.toml keeps apart never name one another nor include the "
-        "other's header: no controller a sensor, no sensor a controller.",
-        "a third module that hands one to the other.",
-        "let the value go through a pipe.",
+        "Controllers and sensors are independent",
+        "The modules that design/uses.toml separates never name one another nor include the "
+        "other's header: no controller names a sensor, no sensor names a controller.",
+        "a third module that passes one to the other.",
+        "pass the value through a pipe.",
     ),
     Check(
         "module-file",
         "Every file belongs to a module",
-        "Every file below src and extensions is that of a module, holds data types, belongs to a "
+        "Every file below src and extensions belongs to a module, contains data types, belongs to "
+        "a "
         "composition, or is listed as shared in design/modules.toml; no function or class next to "
-        "a module can be used without it; objects of a class have all variables.",
+        "a module can be used without it; all variables belong to objects.",
         "how long a file is.",
-        "make the code a private detail of a module, or a module of its own.",
+        "make the code a private part of a module, or a separate module.",
     ),
     Check(
         "module-preprocessor",
         "No macro, no condition",
-        "The preprocessor includes named files and does nothing else: every product compiles the "
-        "same text.",
+        "The preprocessor only includes named files: every product compiles the same text.",
         "the files that the build leaves out of a product; the tests of the products check them.",
         "use a constant, a template, or another module that the build chooses.",
     ),
     Check(
         "secret-open",
-        "No way past the interface",
-        "No module has public data that can change, nor a friend outside itself, nor an operation "
-        "that gives a reference to a number of its own, through which it can be changed. No source "
-        "file declares by itself a name that another one defines.",
-        "an operation that gives an object or a record of the module, such as a part of a builder.",
-        "make the data private and give the module an operation.",
+        "No access except through the interface",
+        "No module has public variables, a friend outside itself, or an operation "
+        "that returns a reference to its own number, through which the number can be changed. No "
+        "source "
+        "file declares a name that another file defines.",
+        "an operation that returns an object or a record of the module, such as a part of a "
+        "builder.",
+        "make the data private and add an operation to the module.",
     ),
     Check(
         "secret-hidden",
         "Hidden names stay inside",
         "A header, class, function or constant that @hides names is used by its module only; one "
         "that a logic module hides, by its folder only. No other constant has the value of a "
-        "hidden one and a name of the same words.",
-        "the same fact, written down a second time without a name that resembles it.",
+        "hidden one and a similar name.",
+        "the same fact that is written again under a different name.",
         "call an operation of the module instead.",
     ),
     Check(
@@ -555,22 +570,23 @@ _FIXED = [
         "Each edge of a tree is a possible call",
         "The body of each parent has a call that can reach the child; a call of a virtual method "
         "reaches every method that overrides it.",
-        "whether the call is ever made; calls through pointers to functions.",
+        "whether the call is ever executed; calls through pointers to functions.",
         "restore the call in the code, or change the tree.",
     ),
     Check(
         "tree-order",
         "Calls are made in the order of the tree, and as often",
-        "The body of each parent makes the calls in the order of the tree. A node with no mark is "
+        "The body of each parent makes the calls in the order of the tree. A node without a mark "
+        "is "
         "called by one statement that no condition guards; ? marks a call under a condition or "
-        "behind one that may return, * a call in a loop or by several statements.",
-        "which condition it is; the order of calls in different turns of a loop.",
+        "after a condition that may return, * a call in a loop or by several statements.",
+        "which condition guards the call; the order of calls in different turns of a loop.",
         "restore the code, or correct the order or the mark in the tree.",
     ),
     Check(
         "tree-dynamic",
         "Each tree was executed",
-        "The tree embeds in the recorded calls of a test that passed and that verifies the "
+        "The tree is contained in the recorded calls of a test that passed and that verifies the "
         "requirement: each child within the call of its parent, in order.",
         "operations that the platform implements, such as those of a port, are not recorded; "
         "nothing is compared while results are stale.",
@@ -590,7 +606,7 @@ _FIXED = [
         "Every requirement has one @level: system, software or driver; a @product: all, or names "
         "of products that exist; and one @method of verification: test, analysis, measurement or "
         "inspection. A test is named in the @verifies of a test; a measurement and an analysis "
-        "have @evidence, or a test that makes them.",
+        "have @evidence, or a test with a measurement.",
         "whether the method suits the requirement; parts that a requirement without @partly "
         "leaves unverified.",
         "write the attribute, or correct its value.",
@@ -600,8 +616,8 @@ _FIXED = [
         "Numbers of requirements are those of the code",
         "Each number with a unit in a requirement, in digits or as a word, is linked with a "
         "constant in design/requirement_numbers.toml, and the constant has this value. The file "
-        "names the other numbers with the reason why no constant has them.",
-        "numbers without a unit of the list; whether the linked constant decides on the subject "
+        "lists the other numbers with the reason why there is no constant.",
+        "numbers without a unit of the list; whether the linked constant determines the property "
         "of the sentence.",
         "correct the constant or the requirement, or name the constant in the file.",
     ),
@@ -612,14 +628,14 @@ _FIXED = [
         "place of design/paper.toml, a goal one of design/safety_case.toml that the requirement "
         "has as @goal, a protocol a heading of docs/protocol.rst, a data sheet one that "
         "design/safety_case.toml lists. A decision has its text.",
-        "whether the source supports the requirement; a person reads that.",
-        "name the source in this form.",
+        "whether the source supports the requirement; only a reader can judge that.",
+        "write the source in this form.",
     ),
     Check(
         "req-satisfied",
         "Each requirement is satisfied",
         "Every requirement is named in the @satisfies of a method.",
-        "whether the method really does it; the tests show that.",
+        "whether the method really does this; the tests show it.",
         "tag the method that does the work.",
     ),
     Check(
@@ -627,14 +643,15 @@ _FIXED = [
         "Each requirement is verified",
         "Every requirement is named in the @verifies of a test.",
         "whether the test is strict enough.",
-        "write a test for the requirement, or tag the one that exists.",
+        "write a test for the requirement, or tag the existing one.",
     ),
     Check(
         "req-method",
         "Each public method serves a requirement",
         "Every public method of a design module is tagged with @satisfies, has a node in a tree, "
-        "or overrides or is overridden by one that does; a constructor serves those of its module. "
-        " The others are justified in design/justified.toml.",
+        "or overrides, or is overridden by, such a method; a constructor serves the requirements "
+        "of its module. "
+        " Other methods are justified in design/justified.toml.",
         "whether the method is needed for the requirement.",
         "tag the method, use it in a tree, remove it, or justify it.",
     ),
@@ -642,30 +659,30 @@ _FIXED = [
         "req-caller",
         "Each public method has a caller",
         "Code of the firmware calls every public method of a design module, or the method that it "
-        "overrides: so a builder calls each step, and uses each part. The others are justified in "
+        "overrides: a builder calls each step and uses each part. Other methods are justified in "
         "design/justified.toml.",
-        "whether the caller runs: a call in dead code counts.",
+        "whether the caller runs: a call in dead code is accepted.",
         "call the method, remove it, or justify it.",
     ),
     Check(
         "req-test",
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
-        "tools read the macro that begins it.",
-        "whether the test is about the requirement; mutants show that.",
-        "tag the test, remove it, or justify it; use a macro of tests that the tools read.",
+        "the tools recognise its macro.",
+        "whether the test tests the requirement; mutants show this.",
+        "tag the test, remove it, or justify it; use a macro that the tools recognise.",
     ),
     Check(
         "req-justified",
         "Justifications are needed",
-        "Every name in design/justified.toml is that of a method, a test or a line that needs it.",
+        "Every name in design/justified.toml belongs to a method, a test or a line that needs it.",
         "whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
     Check(
         "req-evidence",
         "Measured requirements are met",
-        "Each @evidence of a requirement names a metric that was measured in this run and keeps "
+        "Each @evidence of a requirement names a metric that was measured in this run and meets "
         "its bound: at most, at least or exactly.",
         "whether the metric shows the property that the requirement demands.",
         "correct the measured code, or run the command that measures it.",
@@ -674,7 +691,7 @@ _FIXED = [
         "req-passed",
         "Verifying tests ran and passed",
         "Every test that verifies a requirement ran in the last test run and passed, and every "
-        "other test ran. The build of the tests names every folder that has some.",
+        "other test ran. The build of the tests names every folder with tests.",
         "results are not compared while they are stale.",
         "correct the code or the test, then run ./wr test.",
     ),
@@ -694,7 +711,7 @@ _FIXED = [
     ),
     Check(
         "req-stale",
-        "Results belong to these sources",
+        "Results belong to the present sources",
         "The last test run was made with exactly the present sources, and so was the image whose "
         "size and stack are compared.",
         "nothing: it compares contents, not dates.",
@@ -716,7 +733,7 @@ _FIXED = [
         "Each hazard has an id HZ-n, each safety goal SG-n, each assumption of use AU-n; the "
         "goals, assumptions and safe states that an entry of design/safety_case.toml names are "
         "declared there.",
-        "hazards that nobody thought of.",
+        "hazards that nobody found.",
         "correct the name.",
     ),
     Check(
@@ -724,14 +741,14 @@ _FIXED = [
         "Each hazard is covered",
         "Every hazard has a safety goal or an assumption of use, and its severity, exposure and "
         "avoidance have a level in the risk graph.",
-        "whether the estimates are right, and the goal sufficient.",
+        "whether the estimates are right, and whether the goal is sufficient.",
         "name a goal or an assumption, or complete the estimates.",
     ),
     Check(
         "hazard-goal",
         "Each safety goal is complete",
         "Every safety goal is named by a hazard, lists requirements and names a safe state.",
-        "whether the requirements are enough to reach the goal.",
+        "whether the requirements are sufficient to reach the goal.",
         "complete the goal in design/safety_case.toml.",
     ),
     Check(
@@ -741,7 +758,7 @@ _FIXED = [
         "10 %, and the reaction of the firmware is not longer.",
         "whether distances and energies in the formula fit the robot; whether the tests measure "
         "this reaction.",
-        "correct the time or the formula, or let the firmware react sooner.",
+        "correct the time or the formula, or make the firmware react sooner.",
     ),
     Check(
         "hazard-requirement",
@@ -749,8 +766,8 @@ _FIXED = [
         "Every requirement with a @goal is listed by this goal, and every listed one exists and "
         "has the @goal.",
         "whether the requirement serves the goal. A goal whose requirements are not all verified "
-        "is no finding: its page shows it as open.",
-        "complete the one side or the other.",
+        "is not a finding: its page shows it as open.",
+        "add the missing link.",
     ),
     Check(
         "hazard-scenario",
@@ -758,20 +775,21 @@ _FIXED = [
         "Every file of sim/scenario/safety names a safety goal that lists it, is played by a test, "
         "and passed on each target that the test is built for; every scenario that a goal lists "
         "exists. A result that is older than the sources is not counted as passed.",
-        "faults that no scenario has.",
+        "faults without a scenario.",
         "complete the links, play the scenario in a test, or correct the failure.",
     ),
     Check(
         "hazard-assumption",
         "Each assumption of use covers a hazard",
         "Every assumption of use is named by a hazard.",
-        "whether anybody keeps to it.",
+        "whether people follow it.",
         "name it in a hazard, or remove it.",
     ),
     Check(
         "hazard-priority",
         "Safety has priority",
-        "The priority of a requirement is not lower than design/safety_case.toml derives from the "
+        "The priority of a requirement is at least the one that design/safety_case.toml derives "
+        "from the "
         "level of its safety goals.",
         "requirements without a goal.",
         "raise the priority.",
@@ -781,7 +799,7 @@ _FIXED = [
         "A requirement is as in its baseline",
         "The text of each requirement, its invocation tree, its transitions of state machines, its "
         "safety goals and their hazards are as they were when its baseline was recorded.",
-        "whether the texts are right: a review answers that; the lines of a text.",
+        "whether the texts are right, which a review answers; changes of line breaks.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
@@ -806,7 +824,7 @@ _FIXED = [
         "A record of a review is a review",
         "Each record in requirements/reviews.toml names a person with an address, and by git this "
         "person wrote no line of the texts; it has a remark, and an answer to each question.",
-        "how well the person looked. A requirement without a review is no finding: its page "
+        "how careful the reviewer was. A requirement without a review is not a finding: its page "
         "shows that.",
         "remove the record, and let another person run ./wr review with the id.",
     ),
@@ -814,17 +832,18 @@ _FIXED = [
         "paper-complete",
         "The concordance with the paper is complete",
         "Every picture, table, section and named element of the paper that design/paper.toml lists "
-        "has one entry in design/concordance.toml: its place here, or why it is not here. "
+        "has one entry in design/concordance.toml: its place here, or the reason why it is missing "
+        "here. "
         "Each arrow of the high-level diagram is named by an entry.",
-        "an element that the list leaves out; it was made from the text of the paper by hand.",
+        "an element that is missing in the list, which was written by hand from the paper.",
         "write the entry, or correct its kind or name.",
     ),
     Check(
         "paper-statement",
-        "The statements of the paper are answered",
+        "Each statement of the paper has an answer",
         "Each entry of design/statements.toml names a place of the paper, and its answer "
         "exists. Each requirement whose source is a place of the paper answers a statement of it.",
-        "whether the list has every statement of the paper, and whether an answer is a good one: a "
+        "whether the list contains every statement of the paper, and whether an answer is good: a "
         "person compares them with the paper.",
         "correct the entry, or add the statement.",
     ),
@@ -835,14 +854,15 @@ _FIXED = [
         "entry of design/concordance.toml names exists, and so does each name in backticks in "
         "its texts. A count of modules or applications, and the value of a constant, are those of "
         "the code.",
-        "whether the paper means this part; a person reads that.",
+        "whether the paper means this part; only a reader can judge that.",
         "name the part that replaced it.",
     ),
     Check(
         "paper-alias",
-        "Other names than the paper's have a reason",
-        "A module, method or state whose name here is not the paper's, and an application with "
-        "another title, has an alias with the reason, and no other one has.",
+        "Names that differ from the paper's have a reason",
+        "A module, method or state whose name here differs from the paper's, and an application "
+        "with "
+        "another title, has an alias with the reason, and others have none.",
         "whether the reason is good.",
         "state why the name differs, or use the name of the paper.",
     ),
@@ -857,7 +877,7 @@ _FIXED = [
         "link-doc",
         "Links of hand-written pages",
         "Every reference in docs/ has a target, and every file that a page of docs/, the README or "
-        "a text of design/ names by its path is there. Each command of ./wr that a page or the "
+        "a text of design/ names by its path exists. Each command of ./wr that a page or the "
         "README names exists, with its options.",
         "whether the target is the right one.",
         "correct the target.",
@@ -865,7 +885,8 @@ _FIXED = [
     Check(
         "link-site",
         "Links of the site",
-        "Every link of every page of the site, diagrams included, has a page and an anchor, and so "
+        "Every link of every page of the site, diagrams included, has a target page and anchor, "
+        "and so "
         "has every click of design/questions.toml.",
         "links to other sites.",
         "correct the source of the page.",
@@ -883,7 +904,7 @@ def _clauses() -> list[Check]:
             entry["id"],
             f"{entry['pattern']}: {entry['id'].split('-', 2)[2].replace('-', ' ')}",
             f"In every application of {entry['pattern']}: {entry['says']}",
-            "intent: it compares the shape of the code only.",
+            "the intent: the check compares only the shape of the code.",
             f"{entry['fix']}.",
         )
         for entry, _ in entries

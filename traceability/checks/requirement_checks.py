@@ -1,4 +1,4 @@
-"""req-*, suspect-*: each requirement is satisfied by code, verified by tests that passed.
+"""req-*, suspect-*: each requirement is satisfied by code and verified by tests that passed.
 
 The texts of its links are as in its baseline, and each review is valid.
 """
@@ -29,7 +29,7 @@ TEST_BUILD = "tests/CMakeLists.txt"
 PRIORITIES = ("high", "medium", "low")
 LEVELS = ("system", "software", "driver")
 _VERBS = {"method": "satisfies", "test": "verifies"}
-# The kinds of texts, by the link that they belong to.
+# The kinds of texts of each link.
 _LINKS = {
     **dict.fromkeys(("requirement", "tree", "goal", "transition"), "requirement"),
     **dict.fromkeys(("method", "body", "constants"), "method"),
@@ -95,7 +95,7 @@ def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
         if requirement.method not in METHODS:
             wrong.append(f"no @method ({', '.join(METHODS)})")
         elif not _has_way(requirement):
-            wrong.append(f"the @method {requirement.method} and nothing that shows it")
+            wrong.append(f"the @method {requirement.method} and no test or evidence for it")
         if not requirement.products:
             wrong.append("no @product (all, or names of products)")
         unknown = set(requirement.products) - {"all", *PRODUCTS}
@@ -152,7 +152,7 @@ def headings(page: Path) -> list[str]:
 
 
 def _without(model: Model) -> list[Finding]:
-    """Methods and tests that serve no requirement, and are not justified."""
+    """Finds methods and tests that serve no requirement and are not justified."""
     justified = {name for item in model.justified for name in item.covers}
     methods = [
         Finding(
@@ -178,7 +178,8 @@ def _without(model: Model) -> list[Finding]:
 
 
 def _uncalled(model: Model, facts: Facts) -> list[Finding]:
-    """Public methods that nothing but tests can call, and that design/justified.toml lacks."""
+    """Finds public methods that only tests can call and that design/justified.toml does not
+    list."""
     called = {
         target
         for body in facts.syntax.bodies
@@ -223,7 +224,7 @@ def _unneeded(model: Model) -> list[Finding]:
 
 
 def _spare(item: Justified) -> Sequence[str]:
-    """The names that nothing needs. A path is needed when anything is."""
+    """The names without a use. A path is used when any of its parts is."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]
@@ -245,7 +246,7 @@ def _stale(model: Model) -> list[Finding]:
 
 
 def _old_image(facts: Facts) -> list[Finding]:
-    """The checks of the image and of its stack look at nothing while it is older."""
+    """The checks of the image and of its stack do not run while it is older than the sources."""
     if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
         return []
     text = "the image is older than the sources, so its size and its stack are not compared"
@@ -308,7 +309,7 @@ def _results(model: Model) -> list[Finding]:
 
 
 def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
-    """Folders of tests that no program of the tests has."""
+    """Folders of tests that belong to no test program."""
     build = facts.root / TEST_BUILD
     text = build.read_text(encoding="utf-8") if build.exists() else ""
     words = {word.strip("./") for word in re.findall(r"[\w./]+", text)}
@@ -349,7 +350,7 @@ def _unknown(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
-    """A tag names one requirement that exists: a text behind the id would be lost."""
+    """A tag names one requirement that exists: a text after the id would be ignored."""
     for comment in facts.comments.below(TAGGED):
         for tag in comment.tags:
             if tag.name in _VERBS.values():
@@ -367,8 +368,8 @@ def _twice(facts: Facts) -> Iterator[Finding]:
     for comment in facts.comments.below(("requirements",)):
         for tag in comment.of("requirement"):
             if tag.argument in seen:
-                text = f"{tag.argument} is the id of another requirement already"
-                yield Finding(tag.place, "req-text", text, "give it an id of its own")
+                text = f"{tag.argument} is already the id of another requirement"
+                yield Finding(tag.place, "req-text", text, "write a new id")
             seen.add(tag.argument)
 
 
@@ -385,7 +386,7 @@ def _tags(model: Model) -> list[Finding]:
                 Finding(
                     test.place,
                     "req-name",
-                    f"{test.id} is named after {name} and does not verify it",
+                    f"{test.id} is named after {name} but does not verify it",
                     f"write @verifies {name} above it, or rename it",
                 )
             )
@@ -419,7 +420,7 @@ def _suspects(model: Model) -> list[Finding]:
             one.place,
             f"suspect-{_LINKS[one.kind]}",
             f"{requirement.id}: {NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}",
-            f"look at it: ./wr review {requirement.id}; or accept the change, without a review: "
+            f"review it: ./wr review {requirement.id}; or accept the change, without a review: "
             f"./wr review --baseline {requirement.id}",
         )
         for requirement in model.requirements.values()
@@ -429,7 +430,7 @@ def _suspects(model: Model) -> list[Finding]:
         Finding(
             Place(str(BASELINE), 1),
             "suspect-requirement",
-            f"{name} has a baseline or a review, and there is no such requirement",
+            f"{name} has a baseline or a review, but does not exist",
             "remove its entry",
         )
         for name in model.reviews_of_nothing
@@ -437,7 +438,7 @@ def _suspects(model: Model) -> list[Finding]:
 
 
 def _reviews(model: Model) -> Iterator[Finding]:
-    """A record of a review is one: of a person who wrote none of the texts, with all answers."""
+    """A valid review is by a person who wrote none of the texts, and has all answers."""
     for requirement in model.requirements.values():
         for review in requirement.reviews:
             for objection in review.objections:
@@ -446,10 +447,10 @@ def _reviews(model: Model) -> Iterator[Finding]:
 
 
 def _macros(facts: Facts) -> Iterator[Finding]:
-    """Each macro of a test is one that the reader of tests finds."""
+    """Finds macros of tests that the reader of tests does not recognise."""
     for path in files_below(facts.root, ["tests"], (".cpp", ".hpp")):
         file = str(path.relative_to(facts.root))
         for line, name in unknown_macros(path.read_text(encoding="utf-8")):
-            text = f"the reader of tests does not find tests of the macro {name}"
+            text = f"the reader of tests does not recognise the macro {name}"
             fix = "use TEST, TEST_F, TEST_P or TYPED_TEST, or add the macro to gtest_cases.py"
             yield Finding(Place(file, line), "req-test", text, fix)

@@ -1,4 +1,4 @@
-"""hazard-*: the safety case is whole, and its links lead both ways."""
+"""hazard-*: the safety case is complete, and its links exist in both directions."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
     for prefix, items in kinds:
         for item in items.values():
             if not re.fullmatch(rf"{prefix}-\d+", item.id):
-                text = f"{item.id} is no id of a {ID[prefix]}"
+                text = f"{item.id} is not an id of a {ID[prefix]}"
                 yield Finding(
                     _at(facts, item), "hazard-name", text, f"call it {prefix}- and a number"
                 )
@@ -115,7 +115,7 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """No scenario of a goal without exceptions accepts a reaction after the time of the goal."""
+    """A scenario of a goal without exceptions accepts no reaction after the time of the goal."""
     for goal in model.safety.goals.values():
         for scenario in () if goal.exceptions else scenarios_of(model, goal):
             for line, bound in scenario.bounds.items():

@@ -1,4 +1,4 @@
-"""secret-open and secret-hidden: no module reaches the hidden names of another one."""
+"""secret-open and secret-hidden: no module uses the hidden names of another one."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _open(model: Model, facts: Facts) -> list[Finding]:
-    """Public data, and friends: both let others past the interface."""
+    """Finds public data and friends: both allow access that is not in the interface."""
     found: list[Finding] = []
     for module in model.modules.values():
         if module.datatype:
@@ -34,7 +34,7 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
         for field in facts.classes[module.name].fields:
             if field.access == "public" and not field.constant:
                 text = f"{module.name}::{field.name} is public data"
-                fix = "make it private, and give it an operation"
+                fix = "make it private, and add an operation"
                 found.append(Finding(field.place, "secret-open", text, fix))
     for friend in facts.syntax.friends:
         module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
@@ -46,7 +46,8 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _given_out(model: Model, facts: Facts) -> list[Finding]:
-    """An operation whose result refers to a number of the module, through which it can change."""
+    """Finds an operation whose result is a reference through which a number of the module can
+    change."""
     results: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         results.setdefault(flow.into, []).extend(flow.sources)
@@ -64,13 +65,13 @@ def _given_out(model: Model, facts: Facts) -> list[Finding]:
                 continue
             for member in filter(None, map(own.get, results.get(f"result {method.id}", []))):
                 text = f"{method.id} lets its caller change the private {member}"
-                fix = "give a value, or a reference to const"
+                fix = "return a value, or a reference to const"
                 found.append(Finding(method.place, "secret-open", text, fix))
     return found
 
 
 def _declared_again(facts: Facts) -> list[Finding]:
-    """A name of another file that a source file declares; the linker defines some."""
+    """Finds a name of another file that a source file declares; the linker defines some names."""
     scripts = files_below(facts.root, DESIGN, (".ld",))
     linked = " ".join(path.read_text(encoding="utf-8") for path in scripts)
     return [
@@ -87,7 +88,7 @@ def _declared_again(facts: Facts) -> list[Finding]:
 
 @dataclass
 class Hidden:
-    """Something that a secret names, and the files that may name it: of a module, or a folder."""
+    """A hidden name, and the files that may use it: those of a module or of a folder."""
 
     name: str
     owner: str
@@ -112,7 +113,7 @@ def _hidden(model: Model, facts: Facts) -> list[Finding]:
             Finding(
                 place,
                 "secret-hidden",
-                f"{hidden.name} is named here, and it is a secret of {hidden.owner}",
+                f"{hidden.name} is used here, but is a secret of {hidden.owner}",
                 f"call an operation of {hidden.owner}, or change the secret",
             )
             for place in first.values()
@@ -132,7 +133,7 @@ def _declared(model: Model) -> Iterator[Hidden]:
 
 
 def _uses(name: str, facts: Facts) -> list[Place] | None:
-    """Where a header, class, or member is named; None when there is none of the name."""
+    """The places where a header, class or member is named; None when it does not exist."""
     if name.endswith(".hpp"):
         headers = [f"{folder}/{name}" for folder in DESIGN if (facts.root / folder / name).exists()]
         includes = [one.place for one in facts.syntax.includes if one.target in headers]
@@ -164,14 +165,14 @@ def _standard(name: str, root: Path) -> list[Place] | None:
 
 
 def _copied(model: Model, facts: Facts) -> list[Finding]:
-    """The value of a hidden constant, in another file and below a similar name."""
+    """Finds the value of a hidden constant in another file under a similar name."""
     values = facts.syntax.values
     return [
         Finding(
             other.place,
             "secret-hidden",
             f"{other.name} has the value of {hidden.name}, a secret of {hidden.owner}",
-            f"call an operation of {hidden.owner}, or give the constant a name of its own",
+            f"call an operation of {hidden.owner}, or choose a different name for the constant",
         )
         for hidden in _declared(model)
         for value in values
@@ -184,7 +185,7 @@ def _copied(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _is_similar(name: str, other: str) -> bool:
-    """Whether all words of one of the names are words of the other: kGroup, kSampleGroup."""
+    """Whether all words of one name occur in the other name: kGroup, kSampleGroup."""
     words, others = (
         set(re.findall(r"[A-Z][a-z]*|\d+", part.rpartition("::")[2])) for part in (name, other)
     )

@@ -1,4 +1,4 @@
-"""stack-*: the stack that the image needs at most is known, and is there."""
+"""stack-*: the greatest stack use of the image is known, and fits."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _calls(proof: StackProof) -> list[Finding]:
-    fix = f"call an object that a builder gives, or declare the call in {DECLARED}"
+    fix = f"call an object that a builder passes, or declare the call in {DECLARED}"
     found = [
         Finding(place, "stack-call", f"the target of this call in {function} is unknown", fix)
         for function, place in proof.unresolved
     ]
     if proof.untold:
         count, first = len(proof.untold), min(proof.untold)
-        text = f"the compiler reported nothing of {count} functions, such as {first}"
+        text = f"the compiler reported no stack use of {count} functions, such as {first}"
         fix = "remove build/k64 and build again, without a cache of compilations"
         found.append(Finding(SCRIPT, "stack-call", text, fix))
     return found
@@ -45,7 +45,7 @@ def _bound(proof: StackProof) -> list[Finding]:
     found = []
     for function in proof.dynamic:
         text = f"the frame of {function} has no bound"
-        fix = "give each array a size that is known when it is compiled"
+        fix = "choose a fixed size for each array"
         found.append(Finding(SCRIPT, "stack-bound", text, fix))
     if proof.proven and proof.total > proof.limit:
         text = f"the stack has {proof.limit} bytes, and {proof.total} may be needed"
@@ -53,6 +53,6 @@ def _bound(proof: StackProof) -> list[Finding]:
         found.append(Finding(SCRIPT, "stack-bound", text, fix))
     if proof.seen is not None and proof.seen > proof.total:
         text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"
-        fix = "find the call that is missing in the proof"
+        fix = "find the call that the proof misses"
         found.append(Finding(SCRIPT, "stack-bound", text, fix))
     return found

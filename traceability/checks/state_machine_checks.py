@@ -1,4 +1,4 @@
-"""fsm-*: a machine is declared as the code is, and the tests make each of its transitions."""
+"""fsm-*: a declared machine is equal to the code, and the tests make each of its transitions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _WITH_UNIT = re.compile(
 )
 _ALIKE = (
     "another transition of this state has the same event, and no guard distinguishes the two",
-    "leave one of the two, or give each a guard of its own",
+    "remove one of the two, or write a different guard for each",
 )
 
 
@@ -54,7 +54,7 @@ def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
-    """The names that a machine is made of."""
+    """The names in a machine."""
 
     def finding(text: str, fix: str, name: str, step: Transition | None = None) -> Finding:
         place = facts.declared.entries.line_in(step.place if step else machine.place, name)
@@ -62,7 +62,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
 
     known = facts.declared.applications.get(machine.application)
     if known is None or known.pattern != "State":
-        text = f"{machine.id} names no application of the State pattern: {machine.application}"
+        text = f"{machine.id} is not an application of the State pattern: {machine.application}"
         return [finding(text, "correct the application", "application")]
     found: list[Finding] = []
     wanted = set(known.roles.get("Concrete State", []))
@@ -79,7 +79,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
             text = f"the event '{event}' calls {base}::{operation}, which does not exist"
             found.append(finding(text, "name the operation of the state that is called", event))
     if machine.initial not in machine.states:
-        text = f"the initial state {machine.initial} is no state of {machine.id}"
+        text = f"the initial state {machine.initial} is not a state of {machine.id}"
         found.append(finding(text, "name one of its states", "initial"))
     for step in machine.transitions:
         names = [name for name in (step.source, step.target) if name not in machine.states]
@@ -105,7 +105,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
             if _like_another(step, number, machine)
         ]
         + [
-            finding(f"no transition is made on the event '{event}'", "remove it", event)
+            finding(f"no transition uses the event '{event}'", "remove it", event)
             for event in machine.events
             if event not in {step.event for step in machine.transitions}
         ]
@@ -128,7 +128,7 @@ def _asked_for(
         (
             f"no method of {' or '.join(sorted(ends))} serves {one.id}, which is to demand "
             f"{words(step)}",
-            "name the requirement that asks for it, or tag the method",
+            "name the requirement that demands it, or tag the method",
             one.id,
         )
         for one in asked
@@ -158,7 +158,7 @@ def _serving(requirement: Requirement) -> list[str]:
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
-    """Whether a transition is like another one of its state and its event."""
+    """Whether a transition has the same state and event as another one."""
     others = [
         (other.guard, place)
         for place, other in enumerate(machine.transitions)
@@ -175,7 +175,7 @@ def words(step: Transition) -> str:
 
 def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
     if not code.composition or not code.holders:
-        what = "class of the robot that holds all its states" if code.holders else "Context"
+        what = "class of the robot that contains all its states" if code.holders else "Context"
         text = f"the code has no {what}, so the transitions of {machine.id} cannot be compared"
         return [Finding(machine.place, "fsm-code", text, "compose the states in one class")]
     found = _initial(machine, code, facts)
@@ -198,7 +198,8 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
 def _operation(
     machine: StateMachine, code: MachineCode, state: str, operation: str
 ) -> list[Finding]:
-    """Changes and rows of one operation of one state: as many of each for every target."""
+    """Compares the changes in one operation of a state with the rows: their numbers must be equal
+    for each target."""
     rows = [
         step
         for step in machine.transitions
@@ -230,9 +231,10 @@ def _operation(
 
 
 def _differs(row: Transition, change: Change) -> bool:
-    """Whether one has a condition that the other lacks.
+    """Whether a change has a condition and its row has none, or the reverse.
 
-    The time of an event is a condition too; a guard on another machine is one of the caller.
+    The time of an event is also a condition; a guard on another machine is a condition of the
+    caller.
     """
     if row.guard.startswith("in "):
         return False
@@ -253,7 +255,7 @@ def _asked(machine: StateMachine, row: Transition) -> set[str]:
 
 
 def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> set[str]:
-    """The questions of the guards of a change and of those before it in the operation."""
+    """The conditions of the guards of a change and of the earlier ones in the operation."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
     before += [other for other in changes if other.place == change.place]  # one call, two targets
@@ -266,7 +268,7 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
 
 
 def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
-    """The questions of the code before a change are those of the declared guards."""
+    """Compares the conditions of the code before a change with those of the declared guards."""
     found: list[Finding] = []
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
@@ -288,7 +290,7 @@ def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
 
 
 def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
-    """The operation of a state calls the methods of its transitions' actions, and no others."""
+    """Compares the calls in the operation of a state with the actions of its transitions."""
     found: list[Finding] = []
     for state, operations in code.runs.items():
         for operation, method in operations.items():
@@ -322,7 +324,7 @@ def _undeclared(machine: StateMachine, change: Change) -> Finding:
     where = f"{change.source}::{change.operation}"
     if not change.target:
         text = f"{where} changes to a state that the composition does not define"
-        return Finding(change.place, "fsm-code", text, "hand over a successor that a builder gave")
+        return Finding(change.place, "fsm-code", text, "use a successor that a builder passed")
     text = (
         f"{where} changes {change.source} to {change.target}, which {machine.id} does not declare"
     )
@@ -335,7 +337,7 @@ def _undeclared(machine: StateMachine, change: Change) -> Finding:
 
 
 def _not_made(row: Transition, state: str, operation: str) -> Finding:
-    text = f"{words(row)} is declared, but {state}::{operation} does not make it"
+    text = f"{words(row)} is declared, but {state}::{operation} does not make this transition"
     return Finding(row.place, "fsm-code", text, "correct the code, or remove the transition")
 
 
@@ -359,7 +361,7 @@ def _seen(machine: StateMachine) -> list[Finding]:
 
 
 def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
-    """A requirement of a transition is one whose tests make it."""
+    """The tests of the requirement of a transition make this transition."""
     return [
         Finding(
             facts.declared.entries.line_in(step.place, name),

@@ -1,4 +1,4 @@
-"""tree-*: the intended invocations are possible, and were made."""
+"""tree-*: the intended invocations are possible and were executed."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Findi
 def _order(
     node: TreeNode, child: TreeNode, requirement: Requirement, facts: Facts
 ) -> list[Finding]:
-    """The code makes the call as often as in the tree, and after the call before it."""
+    """The code makes the call as often as in the tree, and after the previous call."""
     tree = f"tree of {requirement.id}, {child.place.file}:{child.place.line}"
     texts = []
     if child.often_in_code is not None and child.often_in_code != child.often:
@@ -114,7 +114,7 @@ def _executed(requirement: Requirement, model: Model) -> list[Finding]:
         return []
     if requirement.runs:
         return []
-    # A test that passed without a recording leaves no node measured: the root is then the place.
+    # When no passed test has a recording, no node is measured: the root is then the place.
     failed = next((node for node in nodes if node.ran is False), requirement.tree)
     return [
         Finding(

@@ -1,4 +1,4 @@
-"""change-tuned: constants that are right for one value of another constant are declared."""
+"""change-tuned: constants that depend on another constant are declared."""
 
 from __future__ import annotations
 
@@ -65,13 +65,13 @@ def _unknown(model: Model, constants: dict[str, Written]) -> Iterator[Finding]:
 
 
 def _read_by(constant: Written) -> set[str]:
-    """The constants of the same file that the first value names."""
+    """The constants of the same file in the initialiser."""
     file = constant.name.split("::", maxsplit=1)[0]
     return {f"{file}::{name}" for name in re.findall(r"\bk[A-Z]\w*", constant.code)}
 
 
 def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> Iterator[Finding]:
-    """A value that a sign shows to depend on a constant is computed from it, or declared."""
+    """A value that seems to depend on a constant is computed from it, or declared."""
     computed = {(fact.name, fact.target) for fact in facts.syntax.initial}
     declared = {(name, item.to) for item in model.tuned for name in item.constants}
     for constant in constants.values():
@@ -79,6 +79,6 @@ def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> It
             if computed.intersection((name, to) for name in _read_by(constant)):
                 computed.add((constant.name, to))
             if sign.search(constant.text) and (constant.name, to) not in computed | declared:
-                text = f"{constant.name} seems to be right for one value of {to} only"
+                text = f"{constant.name} seems to depend on {to} only"
                 fix = f"compute it from {to}, or declare it in {DECLARATIONS}"
                 yield Finding(constant.place, "change-tuned", text, fix)

@@ -13,7 +13,7 @@ from traceability.schema import AllowedUse, Finding, Use, is_extension
 from traceability.sources import DESIGN, files_below
 
 VIRTUAL_BOARD = "sim/emulator/"
-# Compositions of drivers of their own, which run on the virtual K64.
+# Separate compositions of drivers, which run on the virtual K64.
 PROGRAMS = ("tests/k64/program/", "tests/usual_design/k64/")
 OF_FIRMWARE = tuple(f"{name}/" for name in DESIGN)
 
@@ -33,17 +33,21 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _board(root: Path) -> list[Finding]:
-    """Simulators and tests see no driver, and the virtual K64 nothing of the firmware."""
+    """Simulators and tests include no driver, and the virtual K64 includes no file of the
+    firmware."""
     found: list[Finding] = []
     for path in files_below(root, ("sim", "tests"), (".cpp", ".hpp", ".h")):
         file = str(path.relative_to(root))
         for include in includes_of(root, file):
             if is_board(include.target) and not file.startswith(PROGRAMS):
-                text = f"{file} includes {include.target}, which only the composition sees"
+                text = f"{file} includes {include.target}, which only a composition may include"
                 fix = "test the image on the virtual K64 instead"
             elif file.startswith(VIRTUAL_BOARD) and include.target.startswith(OF_FIRMWARE):
                 text = f"the virtual K64 includes {include.target} of the firmware"
-                fix = "write the needed facts from the manual of the part: a mistake is not shared"
+                fix = (
+                    "write the facts from the manual of the microcontroller, so that mistakes are "
+                    "not shared"
+                )
             else:
                 continue
             found.append(Finding(include.place, "uses-board", text, fix))
@@ -73,8 +77,8 @@ def _forbidden(model: Model) -> list[Finding]:
 
 
 def _extensions(model: Model) -> list[Finding]:
-    """The robot names no extension, whatever is allowed; an extension names those that it needs."""
-    # An extension may build on another one where the design has the reason; the robot never does.
+    """The robot names no extension in any case; an extension may name those that it needs."""
+    # An extension may use another one if the design has the reason; the robot never does.
     builds_on = {(one.source, one.target) for one in model.allowed_uses if is_extension(one.source)}
     return [
         Finding(
@@ -92,7 +96,7 @@ def _extensions(model: Model) -> list[Finding]:
 
 
 def _numbers_of_extensions(facts: Facts) -> list[Finding]:
-    """A value of an enumeration that an extension adds by its number, and that src has too."""
+    """Finds the number of an extension's enumeration value that src also contains."""
     numbers = facts.syntax.enum_numbers
     added = {(one.kind, one.number): one.place for one in numbers if is_extension(one.place.file)}
     named = {
@@ -108,7 +112,7 @@ def _numbers_of_extensions(facts: Facts) -> list[Finding]:
             place,
             "uses-extension",
             f"{key[0]} has the number {key[1]} here, which the extension in {added[key].file} adds",
-            "leave the number to the extension",
+            "keep the number only in the extension",
         )
         for key, place in uses
         if key in added and not is_extension(place.file)
@@ -116,7 +120,7 @@ def _numbers_of_extensions(facts: Facts) -> list[Finding]:
 
 
 def _extension(logic: str) -> list[str]:
-    """The extension that a logic module belongs to; one of the robot belongs to none."""
+    """The extension of a logic module; modules of the robot have none."""
     return logic.split("/")[:2] if is_extension(logic) else []
 
 
@@ -139,7 +143,7 @@ def _allowed_twice(model: Model) -> list[Finding]:
         Finding(
             allowed.place,
             "uses-unused",
-            f"every module may use {allowed.target}, and {allowed.source} has an entry of its own",
+            f"every module may use {allowed.target}, and {allowed.source} has its own entry",
             "remove one of the two",
         )
         for allowed in model.allowed_uses
@@ -148,7 +152,7 @@ def _allowed_twice(model: Model) -> list[Finding]:
 
 
 def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
-    """Cycles of uses that are allowed; one that is not is a finding already."""
+    """Cycles of allowed uses; a use that is not allowed is already a finding."""
     declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
     found: list[Finding] = []
     for use in uses:
@@ -169,7 +173,7 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
 
 
 def _apart(facts: Facts) -> list[Finding]:
-    """Finds a module that names one that it must not name, or the other way round."""
+    """Finds two separated modules of which one names the other."""
     pairs = {
         (one, other): rule
         for rule in facts.declared.apart
@@ -192,7 +196,7 @@ def _apart(facts: Facts) -> list[Finding]:
             place,
             "uses-apart",
             f"{user} names {target}, and design/uses.toml keeps them apart",
-            "let the value go through a pipe",
+            "pass the value through a pipe",
         )
         for user, target, place in named
         if (user, target) in pairs
@@ -224,7 +228,7 @@ def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             cycle.place,
             "uses-unused",
-            f"{one} does not lie within {cycle.within}",
+            f"{one} is not within {cycle.within}",
             "correct the folder",
         )
         for cycle in facts.declared.cycles

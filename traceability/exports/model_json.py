@@ -82,7 +82,7 @@ def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
     if isinstance(kind, type) and dataclasses.is_dataclass(kind):
         name = kind.__name__
         if name not in definitions:
-            definitions[name] = {}  # a class may hold others of its kind
+            definitions[name] = {}  # a class may contain objects of its own type
             definitions[name] = _class(kind, definitions)
         return {"$ref": f"#/$defs/{name}"}
     return _composed(kind, [_type(one, definitions) for one in typing.get_args(kind)])
@@ -100,5 +100,5 @@ def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
     origin = typing.get_origin(kind) or kind
     origin = {list: Sequence, dict: Mapping}.get(origin, origin)
     if origin not in found:
-        raise TypeError(f"the schema has no form for {kind}")
+        raise TypeError(f"the schema cannot describe {kind}")
     return found[origin]

@@ -23,7 +23,7 @@ from traceability.model.report import Report
 
 CSV, NEEDS, REQIF = "requirements.csv", "needs.json", "requirements.reqif"
 PROJECT = "weeding_robot"
-# ReqIF demands instants. That of the export is not among them: equal models give equal files.
+# ReqIF demands instants. It contains no time of the export, so equal models give equal files.
 EPOCH = "1970-01-01T00:00:00+00:00"
 NAMESPACE = "http://www.omg.org/spec/ReqIF/20110401/reqif.xsd"
 NEED_TYPES = {REQUIREMENT: "req", TEST: "test", METHOD: "impl"}
@@ -61,7 +61,7 @@ def csv_text(model: Model, report: Report) -> str:
 
 
 def needs_text(model: Model, report: Report) -> str:
-    """The needs of sphinx-needs. A test has the links ``verifies``, a method ``satisfies``."""
+    """The needs of sphinx-needs. A test has the link ``verifies``, a method has ``satisfies``."""
     needs = {item.id: _need(item) for item in trace_items(model, report)}
     version = {"needs": needs, "needs_amount": len(needs), "filters": {}, "filters_amount": 0}
     content = {
@@ -131,7 +131,7 @@ def _id(kind: str, name: str) -> str:
     return f"{kind}-{NOT_IN_NAME.sub('_', name)}"
 
 
-# The names of requirements tools for the first two attributes.
+# The names that requirements tools use for the first two attributes.
 ATTRIBUTES = {
     REQUIREMENT: ("ReqIF.ForeignID", "ReqIF.Text", "state", "place", *VALUES),
     TEST: ("ReqIF.ForeignID", "ReqIF.Text", "state", "place"),
@@ -184,7 +184,7 @@ def _add_values(objects: ET.Element, kind: str, name: str, values: dict[str, str
 
 
 def _sections(items: list[TraceItem]) -> Iterable[tuple[str, list[TraceItem]]]:
-    """The requirements of each section, in their order; a section may occur a second time."""
+    """The requirements of each section, in their order; a section may occur twice."""
     requirements = [item for item in items if item.kind == REQUIREMENT]
     for number, (section, group) in enumerate(
         groupby(requirements, lambda item: item.values["section"]), 1

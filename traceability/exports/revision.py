@@ -15,7 +15,7 @@ from traceability.reading.results import read_record
 from traceability.reading.traces import nodes_of
 
 FOLDER = Path("build/revisions")
-WORDS = 8  # of context around a change of a text
+WORDS = 8  # words of context around a change of a text
 
 
 @dataclass(frozen=True)
@@ -186,7 +186,8 @@ def _numbers(
     second: Mapping[str, float | None],
     missing: float | None = None,
 ) -> list[Difference]:
-    """A value that one of both lacks counts as ``missing``; None was not measured."""
+    """A value that only one revision has is shown as ``missing`` in the other; None was not
+    measured."""
     found = []
     for name in sorted(first.keys() | second.keys()):
         before, after = first.get(name, missing), second.get(name, missing)

@@ -9,14 +9,14 @@ from traceability.reading.register_table import Register, RegisterBlock, read_re
 
 NAME = "weeding_robot.svd"
 VERSION = "1.3"
-PAGE = 0x1000  # a block of registers lies in one page
+PAGE = 0x1000  # a block of registers is in one page
 ACCESS = {
     "Read": "read-only",
     "Write": "write-only",
     "ReadWrite": "read-write",
     "Flags": "read-write",
 }
-# The blocks of a kind, in steps of the distance that the table gives.
+# The blocks of a kind, at the distance in the table.
 PORTS = tuple("ABCDE")
 INSTANCES = {"port": PORTS, "gpio": PORTS, "adc": ("0", "1"), "uart": ("0", "4")}
 
@@ -50,7 +50,7 @@ def svd_of(blocks: list[RegisterBlock]) -> str:
 
 
 def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
-    """A block, and the other ones of its kind, which have the same registers."""
+    """A block and the blocks of the same kind, which have the same registers."""
     first, *others = INSTANCES.get(block.name, ("",))
     name, base = f"{block.name.upper()}{first}", _base(block)
     peripheral = ET.SubElement(peripherals, "peripheral")
@@ -68,7 +68,7 @@ def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
 
 
 def _base(block: RegisterBlock) -> int:
-    """The beginning of the page; the blocks of GPIO are smaller, and so is their distance."""
+    """The beginning of the page; the blocks of GPIO are smaller and closer together."""
     step = min(PAGE, block.distance or PAGE)
     return min(one.address for one in block.registers) // step * step
 

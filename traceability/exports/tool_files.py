@@ -21,7 +21,7 @@ class ToolFile:
     name: str
     text: str  # for the page Exports
     make: Callable[[Path, Model, Report], str]
-    source: Path = Path()  # a file of the project that it is made from, if it is made from one
+    source: Path = Path()  # source file in the project, if there is one
 
 
 def _ready(text: str, _root: Path, _model: Model, _report: Report) -> str:
@@ -72,5 +72,5 @@ FILES = (
 
 
 def available(root: Path) -> list[ToolFile]:
-    """Those whose source the project has."""
+    """The files whose source exists in the project."""
     return [one for one in FILES if (root / one.source).exists()]

@@ -1,4 +1,4 @@
-"""The connections of the high-level diagram, each with the way that it takes in the code."""
+"""The connections of the high-level diagram, each with its path in the code."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def way_of(model: Model, facts: Facts, connection: Connection) -> list[str]:
 
 
 def is_outside(connection: Connection) -> bool:
-    """Whether one end lies outside the microcontroller, or the connection is physical."""
+    """Whether one end is outside the microcontroller, or the connection is physical."""
     physical = connection.kind == "physical"
     outside = {"PC", "Remote control"} & {connection.source, connection.target}
     return physical or bool(outside)
@@ -40,7 +40,8 @@ def pipe_between(model: Model, connection: Connection) -> list[str]:
 
 
 def calls_between(facts: Facts, connection: Connection) -> list[str]:
-    """The shortest way of calls from one module to the other; a thread's body follows its post."""
+    """The shortest path of calls from one module to the other; the body of a thread follows its
+    post."""
     begin = f"{connection.source}::"
     own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}
     constructor = begin + connection.source
@@ -59,7 +60,8 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
 
 
 def called(facts: Facts, method: str) -> list[str]:
-    """Returns the calls of a method. A post leads to the body that its module gave the thread."""
+    """Returns the calls of a method. A post leads to the body that its module passed to the
+    thread."""
     found = [
         target
         for body in facts.references.own_bodies(method)

@@ -70,7 +70,7 @@ DRIVERS = f"{SRC}/k64/"
 
 
 class Built(NamedTuple):
-    """The model for pages and exports, and the facts that it is made from, for the checks."""
+    """The model for pages and exports, and its input facts, for the checks."""
 
     model: Model
     facts: Facts
@@ -275,7 +275,7 @@ def _modules(facts: Facts) -> dict[str, Module]:
 
 
 def _for_heirs_only(fact: ClassFact) -> bool:
-    """Whether only subclasses can make one: all its constructors are protected."""
+    """Whether only subclasses can be constructed: all its constructors are protected."""
     made = [m.access for m in fact.methods if m.kind == "constructor" and not m.deleted]
     return bool(made) and set(made) == {"protected"}
 
@@ -309,7 +309,7 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 
 
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
-    """The body of this very overload when it is in the class, else the first one."""
+    """The body of this overload when it is in the class, else the first one."""
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
             return body
@@ -356,7 +356,7 @@ def _with_calls(model: Model, facts: Facts) -> Model:
         ]
         folder = model.logic_modules.get(logic_of(body.place.file))
         if not body.owner and folder is not None and not folder.modules:
-            # Each product has a composition of its own: the first one is that of the robot itself.
+            # Each product has its own composition; the first one is that of the robot itself.
             functions.setdefault(body.id, Function(body.id, body.place, calls))
         made[body.id, body.place.file, body.place.line] = calls
         for target in {target for call in calls for target in call.targets} - {body.id}:
@@ -488,7 +488,7 @@ def logic_of(file: str) -> str:
 
 def _uses(model: Model, facts: Facts) -> list[Use]:
     found: dict[tuple[str, str], list[Place]] = {}
-    others: dict[tuple[str, str], Place] = {}  # the first call or name, where nothing is included
+    others: dict[tuple[str, str], Place] = {}  # the first call or name, if there is no include
     folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
     for include in facts.syntax.includes:
         pair = (logic_of(include.place.file), logic_of(include.target))

@@ -1,4 +1,4 @@
-"""The model: everything that checks, pages, charts and exports are made from.
+"""The model: everything that is the source of checks, pages, charts and exports.
 
 It is built once per run (``traceability.model.build``) from the comments, the syntax tree, the
 declarations in ``design/``, test results, traces, coverage and sizes.
@@ -126,7 +126,7 @@ class Model:
 
     @property
     def results_stale(self) -> bool:
-        """Whether those of any target are."""
+        """Whether the results of any target are missing or older."""
         return any(self.stale_on(binding) for binding in self.results_hashes)
 
     def mutants_of(self, requirement: str) -> list[Mutant]:

@@ -1,6 +1,6 @@
 """The data dictionary: the parts of each value type, and the fields of the messages.
 
-A writer of a part assigns it or names it in a list; a reader names it in another way.
+A writer of a part assigns it or names it in an initialiser list; a reader uses its name elsewhere.
 """
 
 from __future__ import annotations
@@ -49,19 +49,19 @@ def parts_of(name: str, facts: Facts) -> list[FieldFact]:
 
 
 def unit_text(kind: str, model: Model) -> str:
-    """Returns the text of the value type that a type names: it contains the unit."""
+    """Returns the text of the value type that a type uses; the text contains the unit."""
     named = [model.modules[word] for word in re.findall(r"\w+", kind) if word in model.modules]
     return named[-1].brief if named else ""
 
 
 def module_of(body: BodyFact, model: Model) -> str:
-    """The module of a body; a function of its own belongs to the module of its file."""
+    """The module of a body; a free function belongs to the module of its file."""
     owner = body.owner.split("::")[0] or Path(body.place.file).stem
     return owner if owner in model.modules else ""
 
 
 def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]]]:
-    """``Type::part`` -> modules that make it, modules that read it."""
+    """``Type::part`` -> modules that write it, modules that read it."""
     found: dict[str, tuple[set[str], set[str]]] = {}
     for body in facts.syntax.bodies:
         name = module_of(body, model)
@@ -80,7 +80,7 @@ def message_fields(model: Model, facts: Facts) -> list[MessageField]:
     parts = parts_of(FIELDS, facts)
     widths: dict[str, str] = {}
     users: dict[tuple[str, str], dict[str, None]] = {}  # field, "write" or "read" -> modules
-    tables: dict[str, list[str]] = {}  # a member that holds names of fields -> the names
+    tables: dict[str, list[str]] = {}  # a member that contains names of fields -> the names
     for flow in facts.syntax.flows:
         tables.setdefault(flow.into, []).extend(flow.sources)
     for body in facts.syntax.bodies:

@@ -1,6 +1,7 @@
-"""The execution contexts, the methods that each reaches, and the members that two of them share.
+"""The execution contexts, the methods that each of them executes, and the members that two of them
+share.
 
-A context is a handler that the hardware enters, or the command that a thread executes. The methods
+A context is a handler that the hardware calls, or the command that a thread executes. The methods
 that it reaches are found in the syntax tree: a call of an abstraction reaches the objects that the
 builders passed.
 """
@@ -59,7 +60,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
 
 
 def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
-    """The methods of modules with which a context begins. Builders only give the module."""
+    """The methods of modules with which a context begins. Builders only pass the module."""
     if context.body:
         return [context.body]
     begin = [m for m, caller in reached.items() if caller in context.handlers]
@@ -68,7 +69,8 @@ def first_methods(context: ExecutionContext, reached: dict[str, str], model: Mod
 
 
 def handler_lines(facts: Facts) -> dict[str, list[int]]:
-    """Handler -> interrupt lines, from the table of vectors. Lines of one constant follow it."""
+    """Handler -> interrupt lines, from the table of vectors. A table of lines may begin with one
+    constant; the others follow it."""
     found: dict[str, list[int]] = {}
     for constant, handlers in _vectors(facts).items():
         for number, handler in enumerate(handlers):
@@ -77,7 +79,7 @@ def handler_lines(facts: Facts) -> dict[str, list[int]]:
 
 
 def _vectors(facts: Facts) -> dict[str, list[str]]:
-    """Constant of an interrupt line -> the handlers of that line and of those after it."""
+    """Constant of an interrupt line -> the handlers of that line and of the lines after it."""
     table: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         if flow.into in facts.syntax.constants and flow.into.endswith("Line"):
@@ -160,7 +162,7 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
-    """The method itself; for a function of its file the methods that call it with the pipe."""
+    """The method itself; for a function, the methods that call it with the pipe."""
     if user.owner.split("::")[0] in model.modules:
         return [user.id]
     return sorted(
@@ -190,9 +192,9 @@ def place_of(name: str, facts: Facts) -> tuple[Place, str]:
 
 
 def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]:
-    """The members that one context changes and another one touches too.
+    """The members that one context changes and another one uses.
 
-    Values that a member holds count as the member; a reference is given once, at the start.
+    Values inside a member count as the member; a reference is set only once, at the start.
     """
     fields = {
         f"{fact.name}::{member.name}": member

@@ -2,7 +2,7 @@
 
 A change of a module may affect the modules that name it, those that call it, and those that derive
 from it; and the modules that these affect in turn. A reference to an abstraction hides the object
-behind it: a change of a subclass does not reach modules that name only the abstraction.
+behind it: a change of a subclass does not affect modules that name only the abstraction.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from traceability.schema import Requirement
 
 @dataclass
 class Reached:
-    """An element, how many uses away from the change it lies, and why it is reached."""
+    """An affected element, its distance from the change in uses, and the reason."""
 
     id: str
     distance: int
@@ -41,11 +41,11 @@ class Impact:
 
 
 class UnknownSubjectError(Exception):
-    """The name in the command is no file, no module and no requirement of the model."""
+    """The name in the command is not a file, a module or a requirement of the model."""
 
 
 class Impacts:
-    """Answers for one model; the edges between modules are gathered once."""
+    """Answers for one model; the edges between modules are collected once."""
 
     def __init__(self, model: Model) -> None:
         self.model = model
@@ -77,7 +77,7 @@ class Impacts:
         return self.model.modules[name].bases if name in self.model.modules else []
 
     def _calls(self, owner: str, method: str) -> bool:
-        """Whether a module calls this very method, and not an abstraction of it."""
+        """Whether a module calls this method, and not only its abstraction."""
         calls = (call for one in self.model.modules[owner].methods for call in one.calls)
         return any(call.target == method for call in calls)
 
@@ -99,7 +99,7 @@ class Impacts:
         if subject.rpartition("/")[2] in short:
             near.insert(0, short[subject.rpartition("/")[2]])
         hint = f"; did you mean {' or '.join(dict.fromkeys(near))}?" if near else ""
-        return f"{subject} is no file, no module and no requirement of the model{hint}"
+        return f"{subject} is not a file, a module or a requirement of the model{hint}"
 
     def _of_requirement(self, requirement: Requirement) -> Impact:
         start = {
@@ -153,7 +153,7 @@ class Impacts:
     def _from(self, impact: Impact, start: dict[str, str]) -> Impact:
         known = set(start) & set(self.model.modules)
         impact.modules = [Reached(name, 0, why) for name, why in start.items() if name in known]
-        for one in impact.modules:  # grows while it is read
+        for one in impact.modules:  # the list grows while it is read
             for name, why in sorted(self.affected.get(one.id, {}).items()):
                 if name not in known:
                     known.add(name)
@@ -172,7 +172,7 @@ class Impacts:
                 note(found, name, one.distance, f"{one.id} satisfies it")
             for name, modules in self.trees.items():
                 if one.id in modules:
-                    note(found, name, one.distance, f"its tree runs through {one.id}")
+                    note(found, name, one.distance, f"its tree contains {one.id}")
         return list(found.values())
 
     def _goals(self, impact: Impact) -> list[Reached]:
@@ -206,5 +206,5 @@ class Impacts:
 
 
 def note(found: dict[str, Reached], name: str, distance: int, why: str) -> None:
-    """The first reason counts: it is the nearest."""
+    """The first reason is used, because it is the nearest."""
     found.setdefault(name, Reached(name, distance, why))

@@ -1,8 +1,9 @@
-"""The likely changes that each application of a pattern absorbs, and the modules they leave alone.
+"""The likely changes that each application of a pattern absorbs, and the modules that they do not
+affect.
 
 The additions of a change are declared for each pattern in ``design/changes.toml``. The modules that
-it edits, and the requirements and tests that it touches, are read from the code: a new class is
-registered where the present ones are named, and nowhere else.
+it edits, and the requirements and tests that it affects, are read from the code: a new class is
+registered only where the present ones are named.
 """
 
 from __future__ import annotations
@@ -64,7 +65,7 @@ def _designed(model: Model) -> list[str]:
 
 
 def _naming(model: Model, present: list[str]) -> list[str]:
-    """The modules outside that name a present one: the new one is made known there."""
+    """The other modules that name a present one; there the new one must also be named."""
     kin = {base for name in present if name in model.modules for base in model.modules[name].bases}
     found = {
         user
@@ -77,7 +78,7 @@ def _naming(model: Model, present: list[str]) -> list[str]:
 
 
 def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
-    """Requirements that a method of the modules satisfies, or whose tree runs through one."""
+    """Requirements that a method of the modules satisfies, or whose tree contains one."""
     return [
         requirement.id
         for requirement in model.requirements.values()

@@ -1,7 +1,8 @@
 """The greatest cost of a path through a function, as a linear program (HiGHS).
 
-A variable for each edge between two blocks is how often a path takes it: the implicit path
-enumeration of Li and Malik. Its value need not be whole: that only makes the bound greater.
+The variable of each edge between two blocks is the number of times that a path uses it: the
+implicit path enumeration of Li and Malik. Its value need not be an integer: this can only make the
+bound greater.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ class Problem:
     code: Code
     cost: Mapping[int, int]  # of each block
     rounds: Iterable[tuple[Loop, Bound]]
-    counted: Iterable[tuple[int, int]]  # block, and how often it is executed at most
+    counted: Iterable[tuple[int, int]]  # block, and the greatest number of its executions
 
     def solve(self) -> int | None:
         """The greatest cost of a path; nothing when it has no bound, or no path has an end."""
@@ -49,7 +50,7 @@ class Problem:
             solver.addConstr(times[start] == solver.qsum(out[start]))
         for loop, bound in self.rounds:
             inside = [ways[begin, loop.head] for begin in loop.back]
-            # A loop that leaves only behind its body jumps back once less than it has rounds.
+            # A loop with its condition at the end jumps back once less than the number of rounds.
             exits = self.code.blocks[loop.head].exits()
             leaves = loop.head not in loop.back and any(one not in loop.blocks for one in exits)
             jumps = bound.rounds if leaves or bound.in_all else max(bound.rounds - 1, 0)

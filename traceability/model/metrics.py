@@ -169,7 +169,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
 
 
 def _is_executed(requirement: Requirement) -> bool:
-    """Whether a run has the whole tree. A tree of one node has no call that could be seen."""
+    """Whether a run contains the whole tree. A tree of one node has no call to record."""
     tree = requirement.tree
     return bool(requirement.runs and tree is not None and tree.children)
 

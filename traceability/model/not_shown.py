@@ -19,7 +19,7 @@ PAPER = {paper.name: paper for paper in SCENARIOS}
 
 @dataclass(frozen=True)
 class NotShown:
-    """A limit of this build, and the page that has the details."""
+    """A limit of this build, and the page with the details."""
 
     text: str
     page: str  # id of the navigation
@@ -44,7 +44,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
 
 
 def by_method(model: Model, report: Report) -> str:
-    """How the requirements that are verified are verified, in words."""
+    """The methods by which requirements are verified, in words."""
     words = {"test": "by tests", "analysis": "by analysis", "measurement": "by measurement"}
     states = report.requirements
     counts = {
@@ -94,7 +94,7 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     short = sum(one.tree is not None and len(nodes_of(one.tree)) == 1 for one in requirements)
     if short:
         yield (
-            f"{_count(short, 'tree')} of one node show that a method ran, no sequence.",
+            f"{_count(short, 'tree')} of one node show that a method ran, but no sequence.",
             "trees",
         )
 
@@ -124,7 +124,7 @@ def _times(model: Model) -> Iterator[tuple[str, str]]:
 
 
 def _share(model: Model, name: str, paper: Paper) -> float:
-    """The longest measured time as a share of the target."""
+    """The longest measured time relative to the target."""
     measured = (model.bench or {}).get(name)
     return measured.runs[SLOW].report_ms.maximum * SHARE / paper.maximum if measured else 0
 

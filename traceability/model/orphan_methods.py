@@ -1,4 +1,4 @@
-"""The reverse direction: which methods and tests serve no requirement."""
+"""The reverse direction: the methods and tests that serve no requirement."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # the checks compare these with the 
 def serving_methods(model: Model) -> set[str]:
     """Returns the methods that are tagged with a requirement or are in a tree, and related ones.
 
-    An operation of an abstraction serves with all methods that override it, and a constructor with
-    its module.
+    An operation of an abstraction serves the requirements of the methods that override it; a
+    constructor serves those of its module.
     """
     methods = {item.id: item for module in model.modules.values() for item in module.methods}
     found = {item.id for item in methods.values() if item.satisfies}
@@ -53,7 +53,7 @@ def tests_without(model: Model) -> list[Test]:
 
 
 def justify(model: Model, declared: Iterable[Justified]) -> Model:
-    """Adds which methods, tests and lines each justification is needed for."""
+    """Adds the methods, tests and lines to each justification that needs it."""
     methods = [method.id for _, method in methods_without(model)]
     tests = tests_without(model)
     reasons: dict[str, str] = {}

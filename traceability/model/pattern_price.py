@@ -17,7 +17,7 @@ from traceability.schema import PatternPrice, Place
 SCENARIO = "steps_and_steering"
 MEASURED = Path("build/bench") / f"{PRODUCT}-{SCENARIO}-{MANUAL}.json"
 OF_A_CALL = 3  # instructions: load the table, load its entry, branch
-BYTES_OF_A_CALL = 6  # of these instructions, in their short forms
+BYTES_OF_A_CALL = 6  # bytes of these instructions, in their short forms
 
 Site = tuple[int, set[str]]  # address of the call, and the classes that it can reach
 
@@ -46,7 +46,7 @@ def prices(
 
 
 def sites(program: Program, prover: Prover) -> Iterator[Site]:
-    """The calls through a table of methods, with the classes of the methods that they can reach."""
+    """The virtual calls, with the classes of the methods that they can reach."""
     for symbol, code in program.codes.items():
         function = prover.graph.get(symbol)
         for block in code.blocks.values():

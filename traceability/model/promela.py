@@ -1,7 +1,7 @@
 """The state machines of the design as Promela, the language of the model checker Spin.
 
-Each machine of ``design/fsm`` becomes a variable for its state, and a step that makes the first
-transition whose guard is true at an event. The guards are inputs: ``design/proofs/robot.pml`` sets
+Each machine of ``design/fsm`` becomes a variable for its state, and a step that executes the first
+transition at an event whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets
 them, calls the steps and reads the actions.
 """
 
@@ -47,7 +47,7 @@ def whole(
 ) -> str:
     """Returns the model that Spin reads: the machines, the composition, and one property.
 
-    Variables that only observe, and that the property does not need, are no part of its states.
+    Observing variables that the property does not need are not part of the state space.
     """
     claim = f"ltl {proof.name} {{ {' '.join(proof.formula.split())} }}\n" if proof else ""
     text = without(composition, proof.formula) if proof else composition
@@ -55,7 +55,7 @@ def whole(
 
 
 def observed(composition: str) -> dict[str, set[str]]:
-    """Returns each observed name with the variables that its value is made of."""
+    """Returns each observed name with the variables from which its value is computed."""
     body = composition.partition("inline observe() {")[2].partition("\n}")[0]
     values = re.findall(r"^    (\w+) = ([^;]+);", body, re.MULTILINE)
     return {name: set(WORD.findall(value)) for name, value in values}
@@ -114,7 +114,7 @@ def _grouped(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
 
 
 def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list[str]:
-    """The transitions of a state at an event: the guards are looked at from the top."""
+    """The transitions of a state at an event: the guards are evaluated from top to bottom."""
     name, first = name_of(machine), steps[0]
     effects = [f"{name} = {name}_{first.target}"]
     if first.action:
@@ -135,7 +135,7 @@ def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list
 
 
 def proofs_of(root: Path, declared: Declared) -> Proofs:
-    """The properties, with their results and the model that they are proven of."""
+    """The properties, with their results and the model for which they are proven."""
     path = root / COMPOSITION
     if not path.exists():
         return Proofs()

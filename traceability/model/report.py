@@ -10,7 +10,7 @@ from traceability.schema import Clause, Finding
 
 @dataclass(frozen=True)
 class Verdict:
-    """The state of a requirement or of a safety goal, and why it is not verified.
+    """The state of a requirement or of a safety goal, and the reason why it is not verified.
 
     A requirement: "verified", "partly", "suspect", "failed", "stale" or "unverified". A goal:
     "verified", "open" or "failed".

@@ -11,7 +11,7 @@ from traceability.reading.ast_facts import ConstantFact
 
 _ELEVEN = "two three four five six seven eight nine ten eleven twelve"
 WORDS = {word: number for number, word in enumerate(_ELEVEN.split(" "), 2)}
-# Unit -> its quantity, and how much of the unit of comparison it is.
+# Unit -> its quantity, and its factor to the unit of comparison.
 UNITS = {
     "us": ("time", Fraction(1)),
     "ms": ("time", Fraction(1000)),

@@ -1,8 +1,9 @@
 """The changes since the baseline of a requirement, and its reviews.
 
-The baseline contains a hash of each text that the verdict of a requirement depends on, so it shows
-changes.
-A review is the judgement of a person who wrote none of these texts. Git keeps the texts themselves.
+The baseline contains a hash of each text on which the verdict of a requirement depends, and so
+shows changes.
+A review is the judgement of a person who wrote none of these texts. Git stores the texts
+themselves.
 """
 
 from __future__ import annotations
@@ -40,13 +41,13 @@ from traceability.schema import (
 BASELINE = Path("requirements/baseline.toml")
 REVIEWS = Path("requirements/reviews.toml")
 BASELINE_HEADING = """\
-# The texts that carry the verdict of each requirement, and the hash of each text. It shows change,
-# and is no review. Written by ./wr review --baseline.
+# The texts on which the verdict of each requirement depends, and the hash of each text.
+# It shows change, and is not a review. Written by ./wr review --baseline.
 """
 REVIEWS_HEADING = """\
 # Reviews by persons other than the authors of the texts. Written by ./wr review ID.
 """
-# How messages name a text of each kind.
+# The name of each kind of text in messages.
 NAMES_OF_TEXTS = {
     "requirement": "its text",
     "tree": "its tree",
@@ -78,7 +79,9 @@ QUESTIONS = {
     "methods": "Do the specifications and the bodies of its methods do what it demands?",
     "tree": "Does the tree show the calls that matter, in the right order?",
     "tests": "Would the tests fail if the requirement were not met, on each side of each limit?",
-    "oracles": "Are fixtures, expected values and scenarios right, by a source outside the code?",
+    "oracles": (
+        "Are fixtures, expected values and scenarios right, according to a source outside the code?"
+    ),
 }
 ANSWERS = ("yes", "no", "not applicable")
 LEAST_REMARK = 20  # characters
@@ -86,7 +89,7 @@ LEAST_REMARK = 20  # characters
 
 @dataclass(frozen=True)
 class LinkText:
-    """A text that a link of a requirement depends on. Its place has its last line, where known."""
+    """A text on which a link of a requirement depends. Its place has its last line, where known."""
 
     kind: str  # see NAMES_OF_TEXTS
     name: str
@@ -225,7 +228,7 @@ def _offset(text: str, line: int) -> int:
 
 
 def state_of(texts: Iterable[LinkText]) -> str:
-    """One hash of all texts: a review holds for as long as it is the same."""
+    """One hash of all texts: a review is valid as long as it does not change."""
     return hash_of_text(" ".join(sorted(f"{text.kind} {text.name} {text.hash}" for text in texts)))
 
 
@@ -238,7 +241,7 @@ def read_baseline(root: Path, entries: Entries | None = None) -> Baseline:
 
 
 def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterable[str]) -> None:
-    """Takes in the texts of some requirements, and keeps those of the other ids."""
+    """Replaces the texts of some requirements, and keeps those of the other ids."""
     before = read_baseline(root)
     links = {name: before.links[name] for name in ids if name in before.links}
     links |= {name: [text.key for text in listed] for name, listed in texts.items()}
@@ -254,19 +257,19 @@ def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterabl
 
 
 def read_reviews(root: Path, entries: Entries | None = None) -> list[Review]:
-    """The reviews that have all that a review needs."""
+    """The complete reviews."""
     entries = entries or Entries(root)
     reviews = []
     for entry, place in entries.tables(root / REVIEWS, "review", NEEDS):
         if not re.fullmatch(DATE, entry["date"]):
-            text = "the date of the review has not the form 2026-01-31"
+            text = "the date of the review must have the form 2026-01-31"
             entries.problems.append(Problem(place, text, "review it again"))
         reviews.append(Review(**entry, place=place))
     return reviews
 
 
 def add_review(root: Path, review: Review) -> None:
-    """Writes a review below those before."""
+    """Appends a review."""
     path = root / REVIEWS
     before = path.read_text(encoding="utf-8") if path.exists() else REVIEWS_HEADING
     keys = [name for name in NEEDS if name != "answers"]
@@ -282,7 +285,7 @@ def _order(name: str) -> tuple[str, int]:
 
 
 def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterator[str]:
-    """Why a record is no review of these texts."""
+    """The reason why a record is not a valid review of these texts."""
     if len(review.reviewer.split()) < 2 or "@" not in review.email:
         yield "a review needs the first and the last name of a person, and an address"
     if len(review.remark.strip()) < LEAST_REMARK:
@@ -327,7 +330,7 @@ def with_reviews(model: Model, facts: Facts) -> Model:
 
 
 def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
-    """A record, with whether it is a review and still holds."""
+    """A record, and whether it is a valid review."""
     current = review.state == state_of(texts)
     return replace(review, current=current, objections=list(objections(root, review, texts)))
 
@@ -335,7 +338,7 @@ def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
 def suspicions(
     requirement: Requirement, baseline: Baseline, texts: list[LinkText]
 ) -> Iterator[Suspicion]:
-    """The texts that are not as in the baseline."""
+    """The texts that differ from the baseline."""
     linked = baseline.links.get(requirement.id)
     if linked is None:
         yield Suspicion("requirement", requirement.id, requirement.place, "has no baseline")

@@ -26,7 +26,7 @@ from traceability.schema import (
 def safety_of(model: Model, facts: Facts) -> SafetyCase:
     """Returns the case with the tests that play its scenarios, and the counts of git.
 
-    A parameterised test that names their folder may play each of them, until it has run.
+    A parameterised test that names the folder may play each scenario in it; its results show which.
     """
     case = facts.declared.safety
     if not case.goals:
@@ -49,13 +49,13 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
 
 
 def _playing(path: Path) -> str:
-    """The text of a file of tests that may play scenarios; empty of another one."""
+    """The text of a file of tests that may play scenarios; empty for another file."""
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     return text if "scenario" in text.lower() else ""
 
 
 def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
-    """Whether a test names a scenario in its body, or has an instance with its name."""
+    """Whether a test names a scenario in its body, or has a test instance with its name."""
     named = re.search(rf'"(?:[\w/.]*/)?{re.escape(scenario)}(?:\.scenario)?"', body)
     return named is not None or any(run.endswith(f".{case}_{scenario}") for run in runs)
 
@@ -107,10 +107,10 @@ def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str |
 
 
 def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Iterable[str]:
-    """Why a goal is not verified in this run."""
-    yield from (f"it does not hold: {case}" for case in goal.exceptions)
+    """The reasons why a goal is not verified in this run."""
+    yield from (f"known exception: {case}" for case in goal.exceptions)
     if not goal.requirements:
-        yield "no requirement serves it"
+        yield "no requirement serves this goal"
     for name in goal.requirements:
         state = states.get(name)
         if state is None:
@@ -120,7 +120,7 @@ def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Itera
         elif state != "verified":
             yield f"{name} is {STATES[state]}"
     if not goal.scenarios:
-        yield "no fault scenario is about it"
+        yield "no fault scenario tests this goal"
     for name in goal.scenarios:
         state = states.get(name)
         if state is None:

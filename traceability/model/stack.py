@@ -1,7 +1,8 @@
-"""The stack that the image needs at most: each call of each function that a context may reach.
+"""The greatest stack use of the image, from each call of each function that a context may execute.
 
-Frames and calls are the compiler's. An indirect call reaches the methods of the objects that the
-builders passed, by the model. A chain of decorators passes once through each Concrete Decorator of
+Frames and calls are read from the reports of the compiler. An indirect call reaches the methods of
+the objects that the builders passed, according to the model. A chain of decorators passes once
+through each Concrete Decorator of
 its application; no other call repeats.
 """
 
@@ -28,7 +29,7 @@ from traceability.schema import Place, StackCall, StackContext, StackProof
 
 DECLARED = Path("design/stack.toml")
 RUN_OF_THREAD = "ControlThread::run"
-# ARMv7-M ARM, B1.5.6: the frame that the hardware stores at an entry, and a word that aligns it.
+# ARMv7-M ARM, B1.5.6: the frame that the hardware stores at an entry, and a word for its alignment.
 FRAME = 32 + 4
 FRAME_WITH_FLOATS = 104 + 4
 
@@ -37,7 +38,8 @@ FRAME_WITH_FLOATS = 104 + 4
 class Declared:
     faults: list[str] = field(default_factory=list)
     calls: dict[str, str] = field(default_factory=dict)  # function -> pattern of symbols
-    entries: dict[str, int] = field(default_factory=dict)  # class of a chain -> objects in it
+    entries: dict[str, int] = field(default_factory=dict)  # class of a chain -> number of its
+    # objects
 
 
 def read_declared(root: Path) -> Declared:
@@ -64,7 +66,7 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
-    """Method of a chain of objects -> how often a chain of calls can enter it at a time."""
+    """Method of a chain of objects -> greatest number of its nested calls."""
     found = {
         method.id: most
         for name, most in declared.entries.items()
@@ -103,7 +105,7 @@ class Prover:
         self.unresolved: list[tuple[str, Place]] = []
         self.cycles: list[list[str]] = []
         self.untold: list[str] = []
-        self.body = ""  # the command of the thread that is looked at
+        self.body = ""  # the command of the present thread
 
     def prove(self, frame: int) -> StackProof:
         for context in self.model.contexts.values():

@@ -1,8 +1,8 @@
 """State machines: the changes that the code can make, and those that the tests make.
 
 A machine is declared in ``design/fsm``. Its states are the Concrete States of an application of the
-State pattern. Here the changes are found a second time, in the bodies of the states; and a third
-time, in the recorded calls of the tests.
+State pattern. This module finds the changes again in the bodies of the states, and in the recorded
+calls of the tests.
 """
 
 from __future__ import annotations
@@ -29,19 +29,20 @@ class Change:
     place: Place
     path: tuple[str, ...]  # methods of the state between its operation and the change
     sometimes: bool
-    asked: list[str] = field(default_factory=list)  # by the conditions on the way to it
+    asked: list[str] = field(default_factory=list)  # by the conditions before it
 
 
 @dataclass
 class MachineCode:
-    """A machine as the syntax tree has it."""
+    """A machine, as read from the syntax tree."""
 
     holders: dict[str, str] = field(default_factory=dict)  # Context -> its method that changes
-    operations: list[str] = field(default_factory=list)  # that the Context may call on a state
+    operations: list[str] = field(default_factory=list)  # operations that the Context may call on a
+    # state
     runs: dict[str, dict[str, str]] = field(default_factory=dict)  # state -> operation -> method
     changes: list[Change] = field(default_factory=list)
     initial: set[str] = field(default_factory=set)
-    composition: str = ""  # class that holds all states
+    composition: str = ""  # class that contains all states
 
     def of(self, source: str, operation: str) -> list[Change]:
         return [c for c in self.changes if (c.source, c.operation) == (source, operation)]
@@ -99,7 +100,7 @@ def _operations(base: str, facts: Facts) -> list[str]:
 
 
 def _composition(machine: StateMachine, facts: Facts) -> str:
-    """The class of the robot that holds all states by value."""
+    """The class of the robot that contains all states by value."""
     for fact in facts.classes.values():
         held = {kind for member in fact.fields if not member.refers for kind in member.classes}
         if set(machine.states.values()) <= held and fact.place.file.startswith("src/"):
@@ -140,7 +141,7 @@ class _Changes:
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
     ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
-        """Target, place, way, whether it is made sometimes only, and questions, of each change."""
+        """Target, place, path, whether it is conditional, and conditions of each change."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [[p for one in arg for p in given.get(one, [one])] for arg in call.args]
@@ -155,8 +156,8 @@ class _Changes:
                         yield target, place, way, rarely or call.sometimes, call.asked + asked
 
     def _is_own(self, call: CallFact, file: str) -> bool:
-        """A call of the state on itself, of a method that no subclass may replace; or of a function
-        next to it."""
+        """A call of the state on itself, of a method that no subclass overrides, or of a function
+        in its file."""
         beside = self.references.own_bodies(call.target)
         if beside and all(not one.owner and one.place.file == file for one in beside):
             return True
@@ -172,7 +173,7 @@ class _Changes:
         return sorted(found) or [""]
 
     def initial(self) -> set[str]:
-        """The states that the composition gives to something that is not a state."""
+        """The states that the composition passes to an object that is not a state."""
         members = {
             f"field {self.code.composition}::{member.name}": self.names[kind]
             for fact in [self.facts.classes.get(self.code.composition)]
@@ -196,7 +197,7 @@ class _Changes:
 
 @dataclass(frozen=True)
 class Seen:
-    """A change, or a stay, that a recorded test made."""
+    """A change, or a call without a change, in a recorded test."""
 
     source: str
     operation: str
@@ -207,18 +208,18 @@ class Seen:
 class Watcher:
     """Follows the state of a Context through the recorded calls of a test.
 
-    Only calls below a method of the Context count: there the present state is called. The state
-    after a change is known when the next call fits one state only.
+    Only calls below a method of the Context count: because they are calls of the present state. The
+    state after a change is known when the next call fits only one state.
     """
 
     def __init__(self, code: MachineCode, operations: set[str], family: set[str]) -> None:
         self.code = code
-        self.runners: dict[str, set[str]] = {}  # method -> states whose operation it is
+        self.runners: dict[str, set[str]] = {}  # method -> states with this operation
         for state, methods in code.runs.items():
             for operation in operations & set(methods):
                 self.runners.setdefault(methods[operation], set()).add(state)
         every = {f"{name}::{operation}" for name in family for operation in operations}
-        self.foreign = every - set(self.runners)  # of states that are not the machine's
+        self.foreign = every - set(self.runners)  # calls of states of other machines
         self.helpers = {method for change in code.changes for method in change.path}
         self.changers = set(code.holders.values())
         self.constructors = {f"{name}::{name}" for name in code.holders}
@@ -255,8 +256,8 @@ class _Run:
         self.watcher = watcher
         self.found: list[Seen] = []
         self.stack: list[str] = []
-        self.running: int | None = None  # depth of the operation of a state that runs
-        self.changed: tuple[str, ...] | None = None  # the way to the change that it made
+        self.running: int | None = None  # depth of the running operation of a state
+        self.changed: tuple[str, ...] | None = None  # the path to the change
         self._forget()
 
     def _forget(self) -> None:
@@ -284,7 +285,7 @@ class _Run:
             self.changed = tuple(one for one in between if one in self.watcher.helpers)
 
     def _begin(self, method: str) -> None:
-        """An operation of the present state begins: it shows which state that is."""
+        """An operation of the present state begins: it shows which state is present."""
         states = self.watcher.runners[method]
         if not self.present & states:
             self._forget()
@@ -322,7 +323,8 @@ def machines_of(
 
 
 def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
-    """The changes in the code that a transition declares: the first row has the first one."""
+    """The changes in the code that a transition declares: the first row declares the first
+    change."""
     operation = machine.events.get(step.event, "")
     changes = [c for c in code.of(step.source, operation) if c.target == step.target]
     rows = [

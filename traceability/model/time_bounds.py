@@ -1,7 +1,9 @@
-"""Bounds of the times that the image needs: of each interrupt and thread, and of the control cycle.
+"""Upper bounds of the execution times of the image: of each interrupt and thread, and of the
+control cycle.
 
 The bound of a function is the longest path through its instructions, with the bounds of the
-functions that it calls. The time of the cycle adds each interrupt as often as it can come in it.
+functions that it calls. The time of the cycle adds each interrupt as often as it can come during
+the cycle.
 """
 
 from __future__ import annotations
@@ -27,20 +29,21 @@ from traceability.schema import VIRTUAL_K64, ExecutionContext, TimeBound, TimePr
 from traceability.schema import Place as SourcePlace
 
 DECLARED_IN = Path("design/times.toml")
-ENTRY_AND_EXIT = 12 + 10 + 6  # cycles of the hardware around an interrupt, with one that follows
-RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt has made go round again
+ENTRY_AND_EXIT = 12 + 10 + 6  # cycles of the hardware for an interrupt, including the change to a
+# following one
+RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt causes to repeat
 CYCLE_TIMER = "cycle-timer"
 MOST_ROUNDS = 100
-CLOCK = 120_000  # cycles in a tick of 1 ms
-# Functions that never return: a path that calls one ends the firmware, and is in no bound.
+CLOCK = 120_000  # cycles in a tick of 1 ms Functions that never return: a path that calls one ends
+# the firmware and is not part of a bound.
 ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
 COPIES = ("memcpy", "memmove", "memset")
-UNALIGNED = 2  # cycles that an unaligned access needs besides
+UNALIGNED = 2  # additional cycles of an unaligned access
 
 
 @dataclass(frozen=True)
 class Limit:
-    """A method that is called at most so often in all below another one."""
+    """A method with a greatest number of calls below another one."""
 
     method: str
     within: str
@@ -81,7 +84,7 @@ class Times:
         if key not in self.known:
             self.known[key] = 0  # a cycle of calls is a finding of the stack proof
             code = self.codes[symbol]
-            single: dict[str, int] = {}  # callee -> cycles, of those that are called once
+            single: dict[str, int] = {}  # callee -> cycles, for callees that are called once
             cost = {}
             for start, block in code.blocks.items():
                 calls = (
@@ -97,7 +100,7 @@ class Times:
         return self.known[key]
 
     def _each(self, method: str) -> int:
-        """The cycles of a call of a method that is limited."""
+        """The cycles of a call of a method with a limited number of calls."""
         rest = {name: one for name, one in self.limited.items() if name != method}
         self.limited, kept = rest, self.limited
         found = max((self.of(one) for one in self.prover.symbols.get(method, [])), default=0)
@@ -105,7 +108,7 @@ class Times:
         return found
 
     def copy(self, symbol: str, count: int) -> int:
-        """The bound of a function that copies or fills so many bytes."""
+        """The bound of a function that copies or fills a number of bytes."""
         code = self.codes[symbol]
         steps = {loop.head: _stored(code, loop) for loop in code.loops}
         larger = sorted({step for step in steps.values() if step > 1}, reverse=True)
@@ -123,7 +126,8 @@ class Times:
         return longest + UNALIGNED * (count // 4 + 2)
 
     def _home(self, symbol: str) -> str:
-        """The symbol with the code: a veneer leads to another, and equal functions share one."""
+        """The symbol with the code: a veneer jumps to another symbol, and equal functions share one
+        symbol."""
         veneer = VENEER.match(symbol)
         name = veneer["name"] if veneer else symbol
         return self.shared.get(name, name)
@@ -161,7 +165,7 @@ class Times:
     def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
         home = self._home(symbol)
         if home in self.prover.graph and short_name(self.prover.graph[home].name) in self.limited:
-            return 0  # counted where its limit is
+            return 0  # counted at its limit
         if home not in self.codes or self.prover.is_full(home, entered):
             return 0
         return self.of(home, entered)
@@ -200,10 +204,11 @@ class Times:
         return longest or 0
 
     def _bound(self, code: Code, loop: Loop) -> Bound:
-        """The bound of a loop: that of the innermost line that has one, or one for all rounds."""
+        """The bound of a loop: the bound of the innermost line with a bound, or a bound for all
+        rounds."""
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
         if any(one.name.startswith("strex") for one in instructions):
-            return Bound(1, False)  # again only after an interrupt, which pays for it
+            return Bound(1, False)  # repeated only after an interrupt, whose bound includes it
         ways = [
             self.places.get(code.blocks[start].instructions[-1].address, []) for start in loop.back
         ]
@@ -303,7 +308,8 @@ def _of_context(
 
 
 def _response(contexts: Iterable[TimeBound]) -> float:
-    """Cycles from the clock pulse to the end of the main thread, with all interrupts meanwhile."""
+    """Cycles from the clock pulse to the end of the main thread, with all interrupts in this
+    time."""
     known = list(contexts)
     own = sum(one.cycles for one in known if one.entries is None)
     found = own

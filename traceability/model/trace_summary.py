@@ -1,4 +1,5 @@
-"""Folds recorded calls to the level of modules: calls from one module into another are left."""
+"""Reduces recorded calls to the level of modules: only calls from one module into another
+remain."""
 
 from __future__ import annotations
 
@@ -19,12 +20,12 @@ def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
 
 
 def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
-    """Returns the calls within some rows, without those of an interrupt meanwhile."""
+    """Returns the calls within some rows, without those of an interrupt in between."""
     paths: dict[tuple[str, ...], Folded] = {}
     end = 0
     for first in firsts:
         if first < end and rows[first].activation == rows[firsts[0]].activation:
-            continue  # it lies within the one before
+            continue  # it is within the previous one
         end = max(end, rows[first].end)
         _fold_one(rows, first, edges, paths)
     numbers = {path: number for number, path in enumerate(paths)}

@@ -1,4 +1,5 @@
-"""The trees of invocations: which edges the code can make, and which run made them."""
+"""The trees of invocations: the edges that are possible in the code, and the runs that executed
+them."""
 
 from __future__ import annotations
 
@@ -76,7 +77,8 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
-    """The tree with, for each target, whether its nodes are among the first that were found."""
+    """The tree with, for each target, whether its nodes belong to the part of the tree that was
+    found."""
     numbers = itertools.count()
 
     def marked(node: TreeNode) -> TreeNode:
@@ -88,7 +90,8 @@ def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
-    """The methods whose call counts as the node: its own, or an overrider when it has no body."""
+    """The methods whose call counts as the node: its own method, or an overriding method when it
+    has no body."""
     if node.resolved is None:
         return set()
     if node.resolved in facts.bodies:
@@ -97,7 +100,7 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """Those of them that a target has: methods of the K64 are not on the host."""
+    """The methods of these that exist on a target: methods of the K64 do not exist on the host."""
     return {
         method
         for method in accepted(node, facts)
@@ -114,7 +117,8 @@ def _reached(tree: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _below(node: TreeNode, facts: Facts) -> TreeNode:
-    """The node with, for each one below it, whether, how often and when the code calls it."""
+    """The node, with the possibility, the number and the order of the calls of its children in the
+    code."""
     bodies = _bodies_of(node, facts)
     targets = {
         target
@@ -151,7 +155,7 @@ def _calls_of(body: BodyFact, wanted: set[str], facts: Facts) -> list[CallFact]:
 
 
 def _often(calls: list[list[CallFact]]) -> str:
-    """How often each of some bodies makes its calls: see ``TreeNode.often``."""
+    """How often each body makes its calls: see ``TreeNode.often``."""
     sure = [sum(not call.sometimes for call in own) for own in calls]
     if max(sure) > 1 or any(call.repeated for own in calls for call in own):
         return "*"
@@ -159,7 +163,7 @@ def _often(calls: list[list[CallFact]]) -> str:
 
 
 def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: Facts) -> str:
-    """The node before, when a body makes all its calls behind all calls of this one.
+    """The previous node, when a body makes all its calls after all calls of this node.
 
     A loop over objects of different classes may call a method of each in turn.
     """
@@ -179,7 +183,7 @@ def _last(calls: list[CallFact]) -> int:
 
 
 def _is_activated(wanted: set[str], facts: Facts) -> bool:
-    """A thread executes a command: the body is one, or a command calls it."""
+    """A thread executes a command: the body is a command, or a command calls it."""
     commands = set(facts.overriders.get("Command::execute", []))
     called = {
         target
@@ -192,7 +196,7 @@ def _is_activated(wanted: set[str], facts: Facts) -> bool:
 
 
 def declared_edges(trees: Mapping[str, TreeNode], facts: Facts) -> Edges:
-    """Which requirements' trees lead from one module into another."""
+    """The requirements whose trees contain a call from one module into another."""
     found: Edges = {}
     for requirement, tree in trees.items():
         for node in nodes_of(tree):
@@ -257,8 +261,8 @@ class Search:
         return node.label, node.kind, sorted(self.run.accepts(node)), below
 
     def find(self) -> tuple[TreeRun | None, int]:
-        """The first run of the whole tree, the shortest recordings first; and how many nodes of it,
-        in their order, were found."""
+        """The first run of the whole tree, the shortest recordings first; and the number of its
+        nodes that were found in order."""
         nodes = nodes_of(self.tree)
         order = {id(node): number for number, node in enumerate(nodes)}
         furthest = 0

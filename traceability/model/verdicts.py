@@ -37,7 +37,7 @@ def requirement_verdict(
 
 
 def _sound_state(requirement: Requirement) -> str:
-    """The state of a requirement of which all tests and all evidence hold."""
+    """The state of a requirement with passed tests and met evidence."""
     if requirement.suspicions:
         return "suspect"
     return "partly" if requirement.partly else "verified"
@@ -46,7 +46,7 @@ def _sound_state(requirement: Requirement) -> str:
 def _reasons(
     model: Model, requirement: Requirement, measured: Mapping[str, float | None]
 ) -> list[str]:
-    """Why a requirement is not verified."""
+    """The reasons why a requirement is not verified."""
     reasons: list[str] = []
     for evidence in requirement.evidence:
         reasons += reasons_of_evidence(evidence, measured.get(evidence.figure))

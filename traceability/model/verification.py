@@ -75,7 +75,7 @@ def lines_of(body: BodyFact, lines: set[int]) -> list[int]:
 
 
 class Owners:
-    """The requirements that a method serves: by a tree, by a tag, or through those that call it."""
+    """The requirements that a method serves: by a tree, by a tag, or through its callers."""
 
     def __init__(self, model: Model, facts: Facts) -> None:
         self.trees: dict[str, set[str]] = {}
@@ -108,7 +108,7 @@ class Owners:
 
 
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:
-    """Methods of the drivers are not on this machine; their lines have a page of their own."""
+    """Methods of the drivers do not run on this machine; their lines have a page of their own."""
     owners = Owners(model, facts)
     executed: dict[frozenset[str], Covered] = {}
     for body in facts.syntax.bodies:

@@ -1,1 +1,1 @@
-"""Reads sources, comments, declarations and results. No judgement is made here."""
+"""Reads sources, comments, declarations and results. It does not judge them."""

@@ -49,7 +49,7 @@ class SilentFact:
     """A declaration in a header that others can use, and that has no comment."""
 
     name: str
-    place: Place  # of a variable, with an end: a comment may follow the value
+    place: Place  # end of a variable, because a comment may follow the value
 
 
 @dataclass
@@ -79,11 +79,12 @@ class CallFact:
     virtual: bool
     place: Place
     declared: str = ""  # the file that declares a function outside classes
-    on: list[str] = field(default_factory=list)  # objects that a method is called on, see flow
+    on: list[str] = field(default_factory=list)  # objects on which a method is called, see flow
     args: list[list[str]] = field(default_factory=list)  # names in each argument
-    sometimes: bool = False  # below a condition, or after one that may have left the function
+    sometimes: bool = False  # below a condition, or after a condition that may have left the
+    # function
     repeated: bool = False  # below a loop
-    end: int = 0  # offset in the file: a call ends behind those in its arguments
+    end: int = 0  # offset in the file: a call ends after the calls in its arguments
     asked: list[str] = field(default_factory=list)  # operands of these conditions, see conditions
 
 
@@ -101,13 +102,14 @@ class BodyFact:
     assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
     floats: int = 0  # the first line with a floating-point number; 0 without one
-    branches: bool = False  # whether a statement decides or repeats
+    branches: bool = False  # whether it has a condition or a loop
     loops: list[int] = field(default_factory=list)  # lines of loops that count no rounds
 
 
 @dataclass
 class NameFact:
-    """A class is named in the code of another one. ``how``: type, member, construct, base.
+    """A use of the name of a class in the code of another class. ``how``: type, member, construct,
+    base.
 
     A member of a namespace has no class; its ``member`` has the name of the namespace.
     """
@@ -157,7 +159,7 @@ class InitialFact:
 
 @dataclass
 class EnumNumberFact:
-    """A number that is made into a value of an enumeration."""
+    """A number that is converted to a value of an enumeration."""
 
     kind: str  # the enumeration
     number: int
@@ -166,7 +168,7 @@ class EnumNumberFact:
 
 @dataclass
 class BranchFact:
-    """The way of a body depends on an address of a class, or on the number of an enumerator."""
+    """A branch in a body depends on the address of an object, or on the number of an enumerator."""
 
     by: str  # the owner of the body
     target: str  # the class, or the enumeration
@@ -175,7 +177,7 @@ class BranchFact:
 
 @dataclass
 class OffsetFact:
-    """A register that is reached from another one; the largest number in the offset."""
+    """A register that is accessed from another one, with the largest number in the offset."""
 
     base: int
     offset: int
@@ -189,21 +191,22 @@ class Syntax:
     names: list[NameFact] = field(default_factory=list)
     includes: list[IncludeFact] = field(default_factory=list)
     blocks: list[BlockFact] = field(default_factory=list)
-    casts: list[Place] = field(default_factory=list)  # numbers made into addresses
+    casts: list[Place] = field(default_factory=list)  # numbers converted to addresses
     instructions: list[Place] = field(default_factory=list)  # of an assembler
-    volatile: list[Place] = field(default_factory=list)  # memory that changes by itself
-    objects: list[FieldFact] = field(default_factory=list)  # that can change, and no class holds
+    volatile: list[Place] = field(default_factory=list)  # volatile memory
+    objects: list[FieldFact] = field(default_factory=list)  # variables that no class contains
     flows: list[FlowFact] = field(default_factory=list)
     branches: list[BranchFact] = field(default_factory=list)
     initial: list[InitialFact] = field(default_factory=list)
     constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
     values: list[ConstantFact] = field(default_factory=list)
     variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name
-    friends: list[NameFact] = field(default_factory=list)  # a class lets another one in
+    friends: list[NameFact] = field(default_factory=list)  # a class has a friend
     silent: list[SilentFact] = field(default_factory=list)
     enum_numbers: list[EnumNumberFact] = field(default_factory=list)
     offsets: list[OffsetFact] = field(default_factory=list)
-    declared_again: dict[str, Place] = field(default_factory=dict)  # name -> no header declares it
+    declared_again: dict[str, Place] = field(default_factory=dict)  # name -> whether no header
+    # declares it
     errors: list[tuple[Place, str]] = field(default_factory=list)
 
     def merge(self, other: Syntax) -> None:

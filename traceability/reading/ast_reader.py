@@ -93,7 +93,7 @@ _CONSTANTS = {
 
 
 class Reader:
-    """Walks one unit and keeps the facts of the wanted files."""
+    """Walks one unit and keeps the facts of the requested files."""
 
     def __init__(self, root: Path, files: set[str]) -> None:
         self.root = f"{root}/"
@@ -101,13 +101,13 @@ class Reader:
         self.facts = Syntax()
         self.flow = flow.FlowReader(self.place)
         self.facts.flows = self.flow.flows
-        self.function = ""  # the last one that was entered
+        self.function = ""  # the last entered one
         self.chances = 0  # conditions around the statement
         self.loops = 0
         self.initialised = ""  # the constant or member whose first value is read
         self.left = False  # whether a condition before it may have left the function
         self.asked: list[list[str]] = []  # by the conditions around the statement
-        self.left_by: list[str] = []  # questions of those that may have left the function
+        self.left_by: list[str] = []  # conditions that may have left the function
 
     def relative(self, name: str) -> str | None:
         return name.removeprefix(self.root) if name.startswith(self.root) else None
@@ -120,7 +120,7 @@ class Reader:
     def walk(
         self, cursor: Cursor, body: BodyFact | None, owner: str, sure: int | None = None
     ) -> None:
-        """Visits the children; those behind the first ``sure`` ones are below a condition."""
+        """Visits the children; those after the first ``sure`` ones are conditional."""
         before: Cursor | None = None
         for number, child in enumerate(cursor.get_children()):
             if before is not None and before.kind == CursorKind.MEMBER_REF:
@@ -193,7 +193,7 @@ class Reader:
         del self.asked[len(self.asked) - decides :]
 
     def declaration(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """A call outside functions gives the first value of the last constant or member."""
+        """A call outside of functions belongs to the initialiser of the last constant or member."""
         if body is not None:
             return
         if cursor.kind in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL):
@@ -228,7 +228,7 @@ class Reader:
     def silence(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
         """A declaration without a comment that others can use.
 
-        An enumerator needs one where another one has one.
+        An enumerator needs a comment if another enumerator of the type has one.
         """
         if body is not None or not place.file.endswith(".hpp") or not _is_open(cursor):
             return
@@ -253,11 +253,11 @@ class Reader:
             value = next(value.get_children(), None)
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
             digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
-            with contextlib.suppress(ValueError):  # one that Python writes in another way
+            with contextlib.suppress(ValueError):  # keyword with another form in Python
                 self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
 
     def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """One that can change and lives as long as the program."""
+        """A variable that lives as long as the program."""
         inside = cursor.semantic_parent.kind in CLASSES
         lasts = cursor.storage_class == StorageClass.STATIC if body else not inside
         held = self.field_fact(cursor, place)
@@ -337,7 +337,8 @@ class Reader:
             self.name(owner, made.get_declaration(), "construct", place)
 
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Whoever has the address of a function may call it. The name in a call is not counted."""
+        """Code that has the address of a function may call it. The name in a call is not
+        counted."""
         known = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
         if target.kind in FUNCTIONS and function_id(target) not in known:
             self.call(target, body, place, virtual=False)
@@ -361,7 +362,7 @@ class Reader:
             body.calls += [CallFact(f"{ANY_CLASS}::{one}", False, place) for one in name]
 
     def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """A variable that is no reference is an object of its class, or holds one."""
+        """A variable that is not a reference is an object of its class, or contains one."""
         held = self.field_fact(cursor, place)
         if not held.refers and not cursor.type.is_const_qualified():
             inner = owner.split("::", maxsplit=1)[0]
@@ -401,7 +402,7 @@ class Reader:
             self.block(cursor.referenced, place, declares=False)
 
     def past_interface(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Numbers in the place of enumerators, offsets of registers, and second declarations."""
+        """Numbers instead of enumerators, offsets of registers, and second declarations."""
         if cursor.kind in _ENUM_MAKERS and cursor.type.get_canonical().kind == TypeKind.ENUM:
             kind, number = class_name(cursor.type.get_declaration()), evaluated(cursor)
             named = any(part.kind == CursorKind.DECL_REF_EXPR for part in cursor.walk_preorder())
@@ -436,7 +437,7 @@ class Reader:
                 self.facts.blocks.append(fact)
 
     def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
-        """``field_.emplace(...)`` constructs the class that the field holds by value."""
+        """``field_.emplace(...)`` constructs the class that the field contains by value."""
         held = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
         if held is None:
             return
@@ -495,7 +496,7 @@ class Reader:
         return left if left is not None and left.kind == CursorKind.MEMBER_REF_EXPR else None
 
     def other_name_of(self, variable: Cursor) -> Cursor | None:
-        """The member that a variable refers to: it can be changed by that name."""
+        """The member that a variable refers to: it can be changed by the name of the variable."""
         kind = variable.type.get_canonical()
         meant = kind.get_pointee()
         if kind.kind not in _REFERRING or meant.is_const_qualified():
@@ -563,7 +564,8 @@ class Reader:
             place=place,
             access=cursor.access_specifier.name.lower(),
             constant=cursor.type.is_const_qualified(),
-            comment=comment_line(cursor) or cursor.extent.end.line,  # it may be behind the value
+            comment=comment_line(cursor) or cursor.extent.end.line,  # the comment may be after the
+            # value
         )
 
     def method_fact(self, cursor: Cursor, place: Place, owner: str) -> MethodFact:
@@ -648,7 +650,7 @@ def register_of(call: Cursor) -> int | None:
 
 
 def _is_declared_again(cursor: Cursor) -> bool:
-    """Something of another file that a source file declares by itself, without its header."""
+    """A name of another file that a source file declares without its header."""
     first = cursor.canonical == cursor and cursor.get_definition() is None
     is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
     is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
@@ -669,7 +671,7 @@ def _is_bare_asm(cursor: Cursor) -> bool:
 
 
 def _makes_address(cursor: Cursor) -> bool:
-    """A pointer that shares its bits with something else, is copied, or begins at nothing."""
+    """Finds a pointer in a union, a copied pointer, or a pointer from a null address."""
     if cursor.kind == CursorKind.UNION_DECL:
         return any(part.get_canonical().kind == TypeKind.POINTER for part in _types_in(cursor))
     if cursor.kind == CursorKind.CXX_STATIC_CAST_EXPR:
@@ -684,7 +686,7 @@ def _makes_address(cursor: Cursor) -> bool:
 
 
 def _is_volatile(cursor: Cursor) -> bool:
-    """Returns whether a declaration is, or refers to, memory that changes by itself."""
+    """Returns whether a declaration is, or refers to, volatile memory."""
     kind = cursor.type.get_canonical()
     while kind.kind in _REFERRING:
         kind = kind.get_pointee()
@@ -708,7 +710,7 @@ def is_local(cursor: Cursor) -> bool:
 
 
 def aliased(cursor: Cursor) -> Iterator[Cursor]:
-    """The classes that an alias means: its own, and those of its parameters."""
+    """The classes behind an alias: its own, and those of its parameters."""
     if cursor.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         meant = cursor.underlying_typedef_type.get_canonical()
         count = max(0, meant.get_num_template_arguments())
@@ -717,7 +719,7 @@ def aliased(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def unaliased(cursor: Cursor) -> Cursor | None:
-    """The class that a base means."""
+    """The class of a base specifier."""
     named = cursor.referenced
     if named is not None and named.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         return cursor.type.get_canonical().get_declaration()
@@ -761,7 +763,7 @@ def comment_line(cursor: Cursor) -> int:
 
 
 def _is_open(cursor: Cursor) -> bool:
-    """Whether other files can use a declaration: a member of public classes, or of none."""
+    """Whether other files can use a declaration: a member of public classes, or no member."""
     if cursor.access_specifier not in (AccessSpecifier.PUBLIC, AccessSpecifier.INVALID):
         return False
     above = cursor.lexical_parent
@@ -784,7 +786,7 @@ def _library() -> Any:
             ctypes.POINTER(ctypes.c_uint),
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
-        # A mark on this very function, so that it is prepared once.
+        # The id of this function; a function is prepared only once.
         _library.bound = True  # type: ignore[attr-defined]
     return library
 

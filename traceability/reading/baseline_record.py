@@ -21,7 +21,7 @@ TITLES = {
     "waiting_k": "a state that warns, WaitingK",
     "wheel_algorithm": "a new algorithm of the wheel",
 }
-# At most so much more than the baseline design [per cent].
+# Greatest increase over the baseline design [per cent].
 TARGETS = {"report_avg": 5, "cycle_avg": 5, "flash": 10}
 
 
@@ -59,9 +59,9 @@ class Touched:
 
     files_changed: list[str] = field(default_factory=list)
     files_added: list[str] = field(default_factory=list)
-    lines_touched: int = 0  # of existing files: removed or changed
+    lines_touched: int = 0  # removed or changed lines of existing files
     lines_added: int = 0
-    code_added: int = 0  # of these, neither empty nor a comment
+    code_added: int = 0  # number of these that are neither empty nor a comment
 
     def as_json(self) -> dict[str, Any]:
         return dict(vars(self))
@@ -101,7 +101,7 @@ def read_comparison(root: Path) -> dict[str, Any] | None:
 
 
 def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
-    """How much more the pattern design has than the usual one [per cent]."""
+    """Increase of the pattern design over the baseline design [per cent]."""
     usual, patterns = figures[USUAL][key], figures[PATTERNS][key]
     return 100 * (patterns / usual - 1) if usual else None
 
@@ -113,7 +113,7 @@ def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
 
 
 def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[str, Any]]:
-    """The functions of both designs, that with the greatest difference first.
+    """The functions of both designs, with the greatest difference first.
 
     A function whose numbers differ by less than a limit in both designs is left out.
     """

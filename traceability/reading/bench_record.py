@@ -30,7 +30,7 @@ TIMINGS = {
 CYCLES = 1000
 PERIOD_MS = 100
 SPEED_LEAST, SPEED_GOAL = 30, 100  # times real time
-SHARE = 10  # the target: this part of the paper's time
+SHARE = 10  # the target, as a fraction of the paper's time
 LIBRARY = "C and C++ library"
 LINES = {
     31: "serial port to the PC",
@@ -51,7 +51,7 @@ FIRST_LINE = 16  # number of the exception of interrupt line 0
 
 @dataclass(frozen=True)
 class Paper:
-    """A scenario as the paper's table words it, with the times that it found [ms]."""
+    """A scenario of the paper, with its text and the measured times [ms]."""
 
     name: str
     title: str
@@ -151,7 +151,7 @@ def spread(values: Sequence[float], digits: int) -> Spread:
 
 
 def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latency]:
-    """Priority -> the longest time from a request to its handler, and whose it was."""
+    """Priority -> the longest time from a request to its handler, and the name of the handler."""
     requested = [(int(number), one) for number, one in raw.items() if one["requests"]]
     requested.sort(key=lambda item: item[1]["priority"])
     found = {}
@@ -212,7 +212,7 @@ def profile_of(counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]) ->
 
 
 def owner(frames: Frames) -> tuple[str, str]:
-    """Module and function of an instruction: the innermost of the project that it belongs to."""
+    """Module and function of an instruction: the innermost function of the project at its place."""
     for function, file in frames:
         if {"src", "extensions", "tests"}.intersection(Path(file).parts):
             return Path(file).name.split(".")[0], function
@@ -220,7 +220,7 @@ def owner(frames: Frames) -> tuple[str, str]:
 
 
 def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
-    """The functions that each instruction was made from, those inlined into others first."""
+    """The functions of each instruction, the innermost inlined function first."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-f", "-i", "-C"]
     asked = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=asked, capture_output=True, text=True, check=True).stdout

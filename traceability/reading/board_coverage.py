@@ -1,8 +1,8 @@
-"""Which lines of the design were executed on the virtual K64.
+"""The lines of the design that were executed on the virtual K64.
 
-The drivers are built for the K64 only, so no coverage of this machine includes them. A test on
-the virtual K64 sets one bit for each half-word of the flash that it executed; the image contains
-the line that each of its instructions was made from.
+The drivers are built for the K64 only, so no coverage of this machine includes them. A test on the
+virtual K64 sets one bit for each half-word of the flash that it executed; the debug data of the
+image contain the source line of each instruction.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ Stretch = tuple[str, int, int, int]  # file, line, first address, address after 
 
 
 def read_stretches(root: Path) -> list[Stretch]:
-    """The code of the image in stretches of one line of source each; none without an image."""
+    """The code of the image in ranges of one source line each; none without an image."""
     listing = subprocess.run(
         ["arm-none-eabi-objdump", "--dwarf=decodedline", root / ELF],
         capture_output=True, text=True, check=False,
@@ -34,9 +34,9 @@ def read_stretches(root: Path) -> list[Stretch]:
 
 
 def lines_executed(found: Iterable[Stretch], executed: bytes) -> dict[str, dict[int, bool]]:
-    """File -> line -> whether any instruction that was made from it was executed.
+    """File -> line -> whether any of its instructions was executed.
 
-    The bits end with the last instruction that was.
+    The bits end with the last executed instruction.
     """
     files: dict[str, dict[int, bool]] = {}
     last = 8 * len(executed)
@@ -49,7 +49,7 @@ def lines_executed(found: Iterable[Stretch], executed: bytes) -> dict[str, dict[
 
 
 def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
-    """The code of the design as the linker left it, in stretches of one line of source each."""
+    """The code of the design as linked, in ranges of one source line each."""
     file = ""
     before: tuple[str, int, int] | None = None
     dropped = False
@@ -59,7 +59,7 @@ def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
         elif match := ROW.match(text):
             number, address = match[1], int(match[2], 16)
             if before is None:
-                dropped = address == 0  # code that the linker left out keeps no address
+                dropped = address == 0  # code that the linker removed has no address
             elif address > before[2] and not dropped and before[0].startswith(FOLDERS):
                 yield (*before, address)
             before = None if number == "-" else (file, int(number), address)

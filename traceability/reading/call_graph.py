@@ -49,7 +49,7 @@ class Function:
 def read_graph(root: Path, elf: Path) -> dict[str, Function]:
     """Symbol -> function, of all functions that the image holds.
 
-    ``root`` is the tree that the image was built from, below the folder of the image.
+    ``root`` is the tree of sources from which the image was built.
     """
     told: dict[str, Function] = {}
     own = [*elf.parent.glob(f"{elf.stem}.*.ci"), *elf.parent.glob("*/**/*.ci")]
@@ -71,7 +71,8 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
 
 
 def short_name(name: str) -> str:
-    """``Class::method`` of a readable name; the name itself when it is no function of ours."""
+    """``Class::method`` of a readable name; the name itself for a function outside of the
+    project."""
     match = SHORT.search(name)
     return match["name"] if match else name
 
@@ -151,7 +152,8 @@ def table_bytes(elf: Path) -> dict[str, int]:
 
 
 def _pushed(line: str) -> int:
-    """How far an instruction moves the stack pointer down. All of a function count together."""
+    """The bytes by which an instruction lowers the stack pointer. The instructions of a function
+    are added."""
     if push := PUSH.search(line):
         names = [one.strip() for one in push["names"].split(",")]
         return 4 * sum(_width(one) for one in names)

@@ -1,4 +1,4 @@
-"""The recorded calls of the image on the virtual board, with their instants."""
+"""The recorded calls of the image on the virtual board, with their times."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ OPTIONAL: Keys = {"without": list}
 
 @dataclass(frozen=True)
 class Window:
-    """A part of a scenario that is recorded, in ms since the power came."""
+    """A part of a scenario that is recorded, in ms since power-on."""
 
     name: str
     scenario: str
     begin: int
     end: int
-    without: Sequence[str]  # handlers of interrupts that are left out
+    without: Sequence[str]  # handlers of interrupts that are not recorded
     place: Place
 
     @property
@@ -42,14 +42,14 @@ class Window:
 
 @dataclass
 class Activation:
-    """A run of an interrupt or a thread. Number 0 is the program that interrupts enter."""
+    """A run of an interrupt or a thread. Number 0 is the program outside of interrupts."""
 
     exception: int
     priority: int | None  # None: no exception
-    raised: int  # instant of the request [ns]; that of the entry when none was seen
+    raised: int  # instant of the request [ns]; the entry when no request was recorded
     begin: int
     end: int
-    below: int  # the activation that it interrupts
+    below: int  # the interrupted activation
 
     @property
     def line(self) -> int:
@@ -66,7 +66,7 @@ class Span:
     end: int
     depth: int  # in its activation
     activation: int
-    parent: int  # the call that made it in its activation; -1: none
+    parent: int  # its caller in the same activation; -1: none
 
 
 @dataclass(frozen=True)
@@ -130,7 +130,7 @@ class _Reader:
         self.active: list[int] = []
         self.open: dict[int, list[tuple[int, int]]] = {}  # activation -> (address, span or -1)
         self.raised: dict[int, int] = {}
-        self.closing = 0  # returns to come of calls that the end of their activation ended
+        self.closing = 0  # pending returns of calls that ended with their activation
 
     def begin(self, at: int) -> None:
         self._enter(at, 0, None)
@@ -241,7 +241,7 @@ def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
 
 
 def packed(recording: Recording) -> dict[str, Any]:
-    """A recording as small columns: begins are differences, methods are numbers."""
+    """A recording as small columns: begins are stored as differences, methods as numbers."""
     names = list(dict.fromkeys(span.method for span in recording.spans))
     numbers = {name: number for number, name in enumerate(names)}
     begins = [0, *(span.begin for span in recording.spans)]

@@ -15,9 +15,9 @@ FILE = Path("design/changes.toml")
 class Recipe:
     """The steps that change an application of one pattern. Roles are those of the pattern."""
 
-    alters: list[str]  # roles whose modules each hide one way that exists
+    alters: list[str]  # roles whose modules each hide one variant
     adds: str = ""  # role of a new class
-    derives: str = ""  # role that a new class derives from
+    derives: str = ""  # role from which a new class derives
     steps: list[str] = field(default_factory=list)
     place: Place = field(default_factory=lambda: Place(str(FILE), 1))
 

@@ -31,7 +31,7 @@ def is_function(cursor: Cursor) -> bool:
 
 
 def class_name(cursor: Cursor | None) -> str:
-    """``Outer::Inner`` without the namespace; empty when the cursor is in no class."""
+    """``Outer::Inner`` without the namespace; empty when the cursor is outside of a class."""
     parts: list[str] = []
     kinds = {*CLASSES, CursorKind.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION, CursorKind.ENUM_DECL}
     kinds |= {CursorKind.TYPE_ALIAS_DECL}
@@ -42,7 +42,7 @@ def class_name(cursor: Cursor | None) -> str:
 
 
 def namespace_of(cursor: Cursor | None) -> str:
-    """The namespaces around a cursor, without that of the project; empty at its level."""
+    """The namespaces around a cursor, without the namespace of the project."""
     parts: list[str] = []
     while cursor is not None and cursor.kind != CursorKind.TRANSLATION_UNIT:
         if cursor.kind == CursorKind.NAMESPACE and not cursor.is_anonymous():

@@ -207,7 +207,8 @@ def settling(points: Points, start: float, target: float, band: float) -> float 
 
 
 def means(points: Points) -> Sequence[float]:
-    """The mean of each second that begins at a point; that of all when there is no whole second."""
+    """The mean of each second that begins at a point; the mean of all points when there is no
+    complete second."""
     last = points[-1][0]
     found: list[float] = []
     for at, _ in points:

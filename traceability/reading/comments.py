@@ -1,7 +1,7 @@
 """Reads comments: each tag with its arguments, its text and its line.
 
-A comment is a block of ``///`` lines or a ``/** */``. It belongs to the declaration for which the
-syntax tree has its place, or to the test macro below it; in a ``.dox`` file its own tags name its
+A comment is a block of ``///`` lines or a ``/** */``. It belongs to the declaration to which the
+syntax tree assigns it, or to the test macro below it; in a ``.dox`` file its own tags name its
 subject. Texts are plain, with the light markup of the comment: `names` and lists.
 """
 
@@ -19,7 +19,7 @@ from traceability.sources import files_below
 
 SUFFIXES = (".hpp", ".cpp", ".dox")
 # The name of a tag is followed by arguments in braces, a word, or a text. Doxygen's settings
-# declare those that are not its own.
+# declare the tags that are not built in.
 IN_BRACES = {"role": 2, "patternapp": 3, "isr": 1, "hides": 1}
 WORD = ("param", "tparam", "throws", "satisfies", "verifies", "requirement", "dir", "page")
 OF_CODE = ("brief", "return", "pre", "post", "errors", "function", "secret", "why", "changes")
@@ -29,7 +29,7 @@ OF_REQUIREMENTS = (
 )
 TAGS = {*IN_BRACES, *WORD, *OF_CODE, *OF_REQUIREMENTS, "datatype"}
 
-# Numbers come first: their ' begins no character.
+# Numbers come first, because their ' does not begin a character literal.
 TOKENS = re.compile(
     r"""\b\d[\w'.]*|R"(?P<mark>[^()\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'"""
     r"""|(?P<comment>//[^\n]*|/\*.*?\*/)""",
@@ -45,9 +45,9 @@ NEXT_ARGUMENT = re.compile(r"(?<!\\),\s*")
 
 @dataclass
 class Tag:
-    """``text`` is its paragraph, ``more`` the paragraphs behind it, ``source`` all as written.
+    """``text`` is its paragraph, ``more`` the paragraphs after it, ``source`` the text as written.
 
-    The text before the first tag of a comment is one without a name.
+    The text before the first tag of a comment is a tag without a name.
     """
 
     name: str
@@ -78,7 +78,7 @@ class Comment:
         return next(iter(self.all(name)), "")
 
     def words(self, name: str) -> list[str]:
-        """The words that a tag names, each once."""
+        """The words of a tag, without duplicates."""
         return list(dict.fromkeys(tag.argument for tag in self.of(name)))
 
     def texts(self, name: str) -> dict[str, str]:
@@ -86,7 +86,7 @@ class Comment:
         return {tag.argument: tag.text for tag in self.of(name)}
 
     def parts(self, name: str) -> Iterator[Comment]:
-        """For each of these tags, a comment of it and of the tags up to the next one."""
+        """For each of these tags, a comment with the tag and the tags up to the next one."""
         starts = [number for number, tag in enumerate(self.tags) if tag.name == name]
         for start, end in pairwise([*starts, len(self.tags)]):
             yield Comment(self.tags[start].place, self.tags[start:end])
@@ -98,7 +98,7 @@ class Comment:
 
     @cached_property
     def details(self) -> str:
-        """The paragraphs that belong to no tag."""
+        """The paragraphs outside of tags."""
         first = [self.one("")] if self.of("brief") else []
         return "\n\n".join(
             filter(None, [*first, *(text for tag in self.tags for text in tag.more)])
@@ -115,7 +115,7 @@ NO_COMMENT = Comment(Place("", 0), [])
 
 
 class Comments:
-    """The comments of all files. A file is read when its first comment is asked for."""
+    """The comments of all files. A file is read when its first comment is requested."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -211,7 +211,7 @@ def _tag(file: str, line: int, text: str, match: re.Match[str], end: int) -> Tag
 
 
 def _paragraphs(text: str) -> list[str]:
-    """The first one may be empty: a text ends at a blank line."""
+    """The first paragraph may be empty: a text ends at a blank line."""
     first, *more = BLANK_LINE.split(text)
     return [plain(first), *filter(None, map(plain, more))]
 

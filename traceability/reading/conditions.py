@@ -1,4 +1,4 @@
-"""The questions of a condition: the operations, members and comparisons that decide on a branch."""
+"""The parts of a condition: the operations, members and comparisons that determine a branch."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from traceability.reading.flow import operator_of
 COMPARISONS = ("==", "!=", "<=", ">=", "<", ">")
 JOINED = ("&&", "||", "and", "or")
 NUMBERS = {CursorKind.INTEGER_LITERAL, CursorKind.FLOATING_LITERAL}
-IsOwn = Callable[[Cursor | None], bool]  # whether a declaration is one of the project
+IsOwn = Callable[[Cursor | None], bool]  # whether a declaration belongs to the project
 
 
 def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
@@ -35,7 +35,7 @@ def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
 
 
 def _local(cursor: Cursor) -> Cursor | None:
-    """The first value of a local variable that an expression is."""
+    """The initialiser of the local variable that an expression names."""
     while cursor.kind in (CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR):
         inner = list(cursor.get_children())
         if len(inner) != 1:

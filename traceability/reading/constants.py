@@ -65,7 +65,7 @@ def last_expression(cursor: Cursor) -> Cursor | None:
 
 
 def number_of(value: Cursor) -> tuple[int, str] | None:
-    """The number of an expression, and its unit if its type or its maker has one."""
+    """The number of an expression, and its unit if its type or its factory function has one."""
     if value.type.get_canonical().kind != TypeKind.RECORD:
         number = evaluated(value)
         return None if number is None else (number, "")

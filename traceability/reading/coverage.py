@@ -1,7 +1,8 @@
-"""Which lines and branches of the design each test executed, on this machine and on the K64.
+"""The lines and branches of the design that each test executed, on this machine and on the K64.
 
-On this machine the counters of gcc show it, see ``arcs``. On the virtual K64 each test leaves one
-bit for each half-word of the flash that it executed, see ``board_coverage``: lines, no branches.
+On this machine the counters of gcc show it, see ``arcs``. On the virtual K64 each test records one
+bit for each half-word of the flash that it executed, see ``board_coverage``: lines only, no
+branches.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ from traceability.schema import HOST, VIRTUAL_K64
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-# Folders of programs that may be next to that of the tests: no test runs code that only they have.
+# Folders of programs that may be next to that of the tests: code that only these programs contain
+# is ignored.
 OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 
@@ -37,7 +39,7 @@ class Coverage:
         return any(self.whole.branches.values())
 
     def of(self, recordings: list[str]) -> Covered:
-        """Returns the code that some recordings executed together."""
+        """Returns the code that some recordings executed in total."""
         union = Covered()
         for name in recordings:
             if name in self.recordings:
@@ -46,17 +48,17 @@ class Coverage:
 
     @functools.cached_property
     def all(self) -> Covered:
-        """Returns the code that all recordings executed together."""
+        """Returns the code that all recordings executed in total."""
         return self.of(list(self.recordings))
 
 
 def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
-    """The coverage of each target, as the last run of its tests left it."""
+    """The coverage of each target, from the last run of its tests."""
     readers = {HOST: _read_host, VIRTUAL_K64: _read_board}
     found: dict[str, Coverage] = {}
     for binding, reader in readers.items():
         if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
-            found[binding] = Coverage()  # the tests never ran, or run now
+            found[binding] = Coverage()  # the tests never ran, or are running
             continue
         known = cache / f"coverage-{RUNS[binding]}.json"
         key = _key(root, binding)
@@ -71,7 +73,7 @@ def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
 
 
 def _key(root: Path, binding: str) -> str:
-    """Names the run of the tests, and how it is read."""
+    """Identifies the run of the tests and the version of the reader."""
     run = run_hash(root, binding)
     here = Path(__file__).parent
     parts = (__file__, here / "gcov_arcs.py", here / "board_coverage.py")
@@ -117,7 +119,7 @@ def _read_host(root: Path) -> Coverage:
     for graphs in units.values():
         for graph in graphs.values():
             coverage.whole.merge(_of_design(root, graph.whole()))
-    # The same function often runs in the same way: it is solved once.
+    # Equal counters of a function are solved only once.
     known: dict[tuple[Path, str], Covered] = {}
     for path in files:
         covered = coverage.recordings[path.name.removesuffix(".arcs")] = Covered()

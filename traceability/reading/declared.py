@@ -43,13 +43,13 @@ class ClauseText:
     pattern: str
     says: str
     fix: str
-    about: list[str]  # roles whose modules the clause speaks of
+    about: list[str]  # roles whose modules the clause is about
     place: Place
 
 
 @dataclass
 class KnownApplication:
-    """An application of the design, and the modules that play each of its roles."""
+    """An application of the design, and the modules with each of its roles."""
 
     id: str
     pattern: str
@@ -70,7 +70,7 @@ class KnownPattern:
 
 @dataclass
 class SharedFunctions:
-    """A file that is no module: functions that the modules of a folder share."""
+    """A file that is not a module: functions that the modules of a folder share."""
 
     file: str
     why: str
@@ -198,7 +198,7 @@ def read_declared(root: Path) -> Declared:
     _modules(design / "modules.toml", entries, declared)
     entries.others()
     for path in files_below(root, ("design", "requirements"), (".toml",)):
-        entries.whole(path)  # others read it too
+        entries.whole(path)  # others read it
     if declared.total is not None:
         entries.absent(design / f"{name}.toml" for name in FILES)
     return declared
@@ -403,7 +403,7 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             current, stack = words, []
             if words in declared.trees:
                 text = f"{words} has a tree in {_told(declared.trees[words][0])} already"
-                declared.tree_errors.append((place, text, "leave one of the two"))
+                declared.tree_errors.append((place, text, "remove one of the two"))
             declared.trees[current] = (place, None)
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
@@ -414,9 +414,9 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         depth = len(match[1]) // 2
         label = f"{match[3]}::{match[4]}"
         if depth > (stack[-1][0] + 1 if stack else 0):
-            text = f"{label} is too far to the right"
+            text = f"{label} is indented too far"
             declared.tree_errors.append(
-                (place, text, "put it two blanks to the right of its caller")
+                (place, text, "indent it by two blanks more than its caller")
             )
         while stack and stack[-1][0] >= depth:
             stack.pop()

@@ -119,7 +119,8 @@ def linked(case: SafetyCase) -> SafetyCase:
 
 
 def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> str:
-    """The performance level that the risk graph requires; empty when it has no such place."""
+    """The performance level that the risk graph requires; empty when the graph has no such
+    entry."""
     rows = case.graph.get(severity, [])
     if exposure not in ROWS or avoidance not in COLUMNS or len(rows) != len(ROWS):
         return ""
@@ -133,7 +134,7 @@ def highest(case: SafetyCase, levels: Iterable[str]) -> str:
 
 
 def evaluate(formula: str) -> float | None:
-    """The value of a formula of numbers; ``None`` when it is none."""
+    """The value of a formula of numbers; ``None`` when it is invalid."""
     try:
         return _value(ast.parse(formula, mode="eval").body)
     except (SyntaxError, ValueError, ZeroDivisionError):
@@ -154,7 +155,8 @@ def words_of(texts: Iterable[str]) -> list[str]:
 
 
 def read_sources(text: str) -> list[SourceReference]:
-    """The references of a text such as "goal: SG-2; paper: Section VII"; other words: no kind."""
+    """The references of a text such as "goal: SG-2; paper: Section VII"; other texts have no
+    kind."""
     found: list[SourceReference] = []
     for part in filter(None, (one.strip() for one in text.split(";"))):
         kind, colon, name = part.partition(":")

@@ -1,4 +1,5 @@
-"""Runs Doxygen for its warnings, and for the pages of members that Breathe makes of its XML."""
+"""Runs Doxygen for its warnings, and for the pages of members that Breathe generates from its
+XML."""
 
 from __future__ import annotations
 
@@ -52,7 +53,7 @@ class DoxygenRun:
         return list(_warnings(self.root, lines))
 
     def stop(self) -> None:
-        """Ends the process when nobody waits for it any more."""
+        """Ends the process when its result is no longer needed."""
         if self.process is not None and self.process.poll() is None:
             self.process.kill()
             self.process.wait()
@@ -60,7 +61,7 @@ class DoxygenRun:
 
 @contextmanager
 def doxygen_beside(root: Path, build: Path) -> Iterator[DoxygenRun]:
-    """Runs Doxygen while the caller does something else; stops it where the caller fails."""
+    """Runs Doxygen while the caller continues; stops it when the caller fails."""
     run = start_doxygen(root, build)
     try:
         yield run

@@ -1,4 +1,4 @@
-"""The published records of the campaigns of faults and of random inputs."""
+"""The published records of the campaigns."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from traceability.reading.published import Published, read_published
 
 OUTCOMES = ("harmless", "detected", "late", "silent", "hung", "stopped")
-FAULTS, FUZZ = "faults", "fuzz"  # names of the records
+FAULTS, FUZZ, LOADS = "faults", "fuzz", "loads"  # names of the records
 
 
 METRICS = (
@@ -22,12 +22,13 @@ METRICS = (
 
 def read_campaigns(root: Path) -> dict[str, Published]:
     """Returns the published records by the kind of their campaign."""
-    records = {name: read_published(root, name) for name in (FAULTS, FUZZ)}
+    records = {name: read_published(root, name) for name in (FAULTS, FUZZ, LOADS)}
     return {name: record for name, record in records.items() if record}
 
 
 def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
-    """Returns the metrics of the last campaigns. No build runs them, so all are under ``last``."""
+    """Returns the metrics of the last campaigns. No build runs the campaigns, so all metrics are
+    under ``last``."""
     return {
         metric: {
             "command": record.command,
@@ -41,7 +42,10 @@ def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
 
 
 def _values(name: str, result: Mapping[str, Any]) -> dict[str, Any]:
+    if name == LOADS:
+        return {}  # the page of the bench has them
     if name == FUZZ:
-        return dict(zip(METRICS[-2:], (result["cases"], result["failures"]), strict=True))
+        counts = result["outcomes"]
+        return {f"reliability.fuzz_{key}": counts[key] for key in ("inputs", "failures")}
     counts = {f"reliability.faults_{key}": result["outcomes"][key] for key in OUTCOMES}
     return {"reliability.faults": result["cases"], **counts}

@@ -1,4 +1,4 @@
-"""Where references go: from an object through members, parameters and results to its users.
+"""The flow of references: from an object through members, parameters and results to its users.
 
 Places are named by strings: ``field Class::name``, ``param function 0``, ``var file:name``,
 ``result function``, ``this Class``, ``function name`` and ``constant Enum::name``. An expression
@@ -43,7 +43,7 @@ EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.L
 
 @dataclass
 class FlowFact:
-    """A flow: the place may refer to the same objects as the sources."""
+    """A flow: the place may refer to the objects to which the sources refer."""
 
     into: str
     sources: list[str]
@@ -51,7 +51,7 @@ class FlowFact:
 
 
 class FlowReader:
-    """Names the places that the expressions of one unit refer to."""
+    """Returns the names of the places to which the expressions of one unit refer."""
 
     def __init__(self, place: PlaceOf) -> None:
         self.place = place
@@ -60,7 +60,7 @@ class FlowReader:
     # ---- names of places ------------------------------------------------------
 
     def node(self, cursor: Cursor | None) -> str:
-        """The place that a declaration is; empty when it is none of the project."""
+        """The place of a declaration; empty when it is outside of the project."""
         at = self.place(cursor) if cursor is not None else None
         parent = cursor.semantic_parent if cursor is not None else None
         if cursor is None or at is None or parent is None or cursor.spelling.startswith("__"):
@@ -107,7 +107,7 @@ class FlowReader:
                 yield f"result {self.function(target)}"
                 return
             if not target.is_copy_constructor() and not target.is_move_constructor():
-                return  # a new object, which its place names
+                return  # a new object, named by its place
         for child in cursor.get_children():
             yield from self._sources(child)
 
@@ -140,7 +140,7 @@ class FlowReader:
         return self.sources(base) if base is not None else []
 
     def note(self, cursor: Cursor, function: str, place: Place) -> None:
-        """Any other statement that hands a reference on."""
+        """Any other statement that passes a reference on."""
         kind = cursor.kind
         if kind == CursorKind.VAR_DECL:
             self.variable(cursor, place)
@@ -182,7 +182,7 @@ class FlowReader:
             for value in values:
                 self.add(name, self.sources(value), place)
 
-    # ---- members that a body touches -------------------------------------------
+    # ---- members that a body uses -------------------------------------------
 
     def written(self, cursor: Cursor) -> list[str]:
         """The members that a statement changes."""
@@ -209,7 +209,7 @@ class FlowReader:
         return [] if constant or value is None else self.members(value)
 
     def changed_by(self, call: Cursor) -> list[str]:
-        """A member that a method changes: one that is not const, called on a value."""
+        """A member that is changed by a call of a method that is not const."""
         target = call.referenced
         if target.kind not in (CursorKind.CXX_METHOD, CursorKind.FUNCTION_TEMPLATE):
             return []
@@ -221,7 +221,7 @@ class FlowReader:
         return self.members(first) if first is not None else []
 
     def members(self, cursor: Cursor) -> list[str]:
-        """The members by value from which an expression is taken, as ``Class::name``."""
+        """The members by value that contain an expression, as ``Class::name``."""
         found: list[str] = []
         at: Cursor | None = cursor
         while at is not None:
@@ -238,7 +238,8 @@ class FlowReader:
 
 
 def branches_on(cursor: Cursor) -> Iterator[Cursor]:
-    """The classes whose addresses a statement compares, the enumerations whose numbers it asks."""
+    """The classes whose addresses a statement compares, and the enumerations whose numbers it
+    uses."""
     children = list(cursor.get_children())
     if cursor.kind == CursorKind.BINARY_OPERATOR and len(children) == 2:
         if operator_of(cursor, children[0]) in COMPARISONS:
@@ -253,7 +254,7 @@ def branches_on(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def numbered(cursor: Cursor) -> Iterator[Cursor]:
-    """The enumerations of which an expression takes the number."""
+    """The enumerations whose number an expression uses."""
     for part in cursor.walk_preorder():
         if part.kind in CASTS or part.spelling == "to_underlying":
             given = list(part.get_children())[-1:]
@@ -262,7 +263,7 @@ def numbered(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def sure_parts(cursor: Cursor) -> int:
-    """How many of the first children of a statement are executed whenever it is."""
+    """The number of first children of a statement that are executed in each execution of it."""
     children = list(cursor.get_children())
     if cursor.kind in CHANCES:
         return 1 + bool(children and children[0].kind in DECLARATIONS)
@@ -286,7 +287,7 @@ def is_method_name(cursor: Cursor) -> bool:
 
 
 def method_in_template(call: Cursor) -> Cursor | None:
-    """The method of a class template that a call in another template means by its name."""
+    """The method of a class template to which a call by name in another template refers."""
     callee = next(call.get_children(), None) if call.kind == CursorKind.CALL_EXPR else None
     if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
         return None

@@ -1,7 +1,7 @@
-"""Which lines and branches of the design each test executed on this machine.
+"""The lines and branches of the design that each test executed on this machine.
 
-gcc counts some arcs of the flow graph of each function, and leaves the graphs next to the objects.
-The counters of the other arcs follow: a block is left as often as it is entered.
+gcc counts some arcs of the flow graph of each function, and writes the graphs next to the objects.
+The counters of the other arcs are computed, because a block is left as often as it is entered.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ HEADER = 16  # bytes: kind of file, version, and two sums
 ON_TREE, FAKE = 1, 2
 
 Line = tuple[str, int]  # file, and number of the line
-Branch = tuple[int, int]  # line, and which of its branches
+Branch = tuple[int, int]  # line, and the number of the branch
 
 
 @dataclass
@@ -46,7 +46,7 @@ class Arc:
 
 @dataclass
 class Graph:
-    """The flow graph of a function, with the lines that each block was made from.
+    """The flow graph of a function, with the source lines of each block.
 
     A block of an inlined function has lines of another file.
     """
@@ -182,7 +182,7 @@ def records(data: bytes) -> Iterator[tuple[int, Words]]:
 
 
 def lines_of(words: Words, file: str) -> Iterator[Line]:
-    """Yields the lines that a block was made from."""
+    """Yields the source lines of a block."""
     while words.left():
         if line := words.number():
             yield file, line

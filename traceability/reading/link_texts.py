@@ -1,6 +1,6 @@
 """The texts that a requirement's links depend on, without comments and layout.
 
-Each is found in the text of its file. So an earlier version of the file, from git, gives the
+Each is found in the text of its file. Therefore an earlier version of the file, from git, has the
 earlier text.
 """
 
@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from traceability.reading.comments import code_of, read_comments
 from traceability.reading.gtest_cases import read_tests
 
-OF_LINKS = ("satisfies", "isr")  # no part of a specification
+OF_LINKS = ("satisfies", "isr")  # not part of a specification
 TOKENS = re.compile(r"""\d[\w.']*|"(?:\\.|[^"\\])*"|\w+|[^\s\w]""")
 HASH_DIGITS = 16
 CONSTANT = re.compile(r"\bconstexpr\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;")
@@ -23,14 +23,14 @@ TREE = re.compile(r"^(N?FR-\d+)[^\n]*\n((?:[^\n]*\n)*?)(?=^N?FR-|\Z)", re.MULTIL
 
 @functools.cache
 def hash_of_text(text: str) -> str:
-    """Of the words and signs alone: how they are laid out does not matter."""
+    """Computed only from words and signs: the layout does not matter."""
     words = " ".join(TOKENS.findall(text))
     return hashlib.sha256(words.encode()).hexdigest()[:HASH_DIGITS]
 
 
 @functools.cache
 def requirements(text: str) -> list[tuple[str, str]]:
-    """The id of each requirement, and all that is written below it."""
+    """The id of each requirement, and the complete text below it."""
     return [
         (part.tags[0].argument, part.source())
         for comment in read_comments("", text)
@@ -40,7 +40,7 @@ def requirements(text: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def specifications(text: str) -> list[tuple[range, str, str]]:
-    """The lines of each comment with its declaration, the declaration, and both as a text."""
+    """For each comment with a declaration: its lines, the declaration, and both as a text."""
     return list(_specifications(text))
 
 
@@ -54,7 +54,7 @@ def tests(text: str) -> list[tuple[str, str]]:
 def support(text: str) -> str:
     """Returns the text of a file without its tests: fixtures, oracles, helpers, parameter lists.
 
-    In a scenario, and in a file without tests, that is all but the comments.
+    In a scenario, and in a file without tests, this is the whole text except the comments.
     """
     rest = text
     for case in read_tests(text):
@@ -82,7 +82,7 @@ def _specifications(text: str) -> Iterator[tuple[range, str, str]]:
 
 
 def texts_of_requirement(text: str, name: str) -> Iterator[str]:
-    """All that is written below a requirement."""
+    """The complete text below a requirement."""
     return (source for known, source in requirements(text) if known == name)
 
 

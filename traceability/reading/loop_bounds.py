@@ -24,7 +24,7 @@ Place = tuple[str, int]
 
 @dataclass(frozen=True)
 class Bound:
-    """At most so many rounds for each entry of the loop, or in all of a call of its function."""
+    """Greatest number of rounds for each entry of the loop, or for a call of its function."""
 
     rounds: int
     in_all: bool
@@ -51,18 +51,18 @@ class Bounds:
         try:
             rounds = self.value(found[1] if found else head[2] if head else "")
         except (KeyError, SyntaxError, ValueError):
-            return None  # a name that no constant has: the loop counts as one without a bound
+            return None  # an unknown name: the loop counts as one without a bound
         return Bound(rounds, found is not None and found[2] is not None)
 
     def passes(self, place: Place) -> int | None:
-        """How often a line is passed at most in all of a call of its function."""
+        """Greatest number of executions of a line in a call of its function."""
         lines = self._lines(place[0])
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
         found = PASSES.match(before)
         return self.value(found[1]) if found else None
 
     def value(self, text: str) -> int:
-        """The number that an expression of constants gives."""
+        """The number of a constant expression."""
         return self._of(ast.parse(text.replace("::", "__"), mode="eval").body)
 
     def _lines(self, file: str) -> list[str]:

@@ -1,7 +1,7 @@
 """The instructions of an image with their cycles: blocks, jumps, calls and loops.
 
 The cycles are those of the virtual board (``sim/emulator/Timing.hpp``): the Cortex-M4 manual,
-tables 3-1 and 7-1, where it gives a range the upper end, and a slow flash without a cache.
+tables 3-1 and 7-1, with the upper end of a range, and with a slow flash without a cache.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ VENEER = re.compile(r"^_+(?P<name>\w+)_veneer$")
 
 @dataclass
 class Instruction:
-    """``cycles``: without those of a jump that is taken, and of the function that is called."""
+    """``cycles`` excludes the cost of a taken jump and of the called function."""
 
     address: int
     name: str
@@ -37,16 +37,16 @@ class Instruction:
     call: str = ""  # symbol
     indirect: bool = False
     jumps: int | None = None  # address
-    ends: bool = False  # nothing follows: a jump or a return
+    ends: bool = False  # no instruction follows: a jump or a return
 
 
 @dataclass
 class Block:
-    """Instructions of which either all are executed or none."""
+    """Instructions that are executed either all or not at all."""
 
     start: int
     instructions: list[Instruction]
-    next: int | None = None  # the block that follows without a jump
+    next: int | None = None  # the next block without a jump
     jump: int | None = None
 
     @property
@@ -153,7 +153,7 @@ def _cycles(address: int, name: str, operands: str) -> int:
         cycles += FP_DIVIDE
     elif name.startswith(("vmla", "vmls", "vfma", "vfms", "vnm", "vfnm")):
         cycles += FP_ACCUMULATE
-    if address < FLASH_END:  # each may begin a phrase, and read a word of flash
+    if address < FLASH_END:  # each instruction may begin a phrase, and read a word of flash
         cycles += 2 * PHRASE
     return cycles
 
@@ -187,13 +187,14 @@ def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
         block.instructions.append(one)
         if one.jumps in known:
             block.jump, one.call = one.jumps, ""
-        elif one.jumps is not None:  # into another function, which returns for this one
+        elif one.jumps is not None:  # a jump into another function, which returns to the caller of
+            # this one
             one.cycles += REFILL
     return blocks
 
 
 def _loops(code: Code) -> list[Loop]:
-    """The natural loops: jumps to a block that is on each way to the jump."""
+    """The natural loops: jumps back to a block that is on every path to the jump."""
     entry = next(iter(code.blocks))
     before: dict[int, list[int]] = {start: [] for start in code.blocks}
     for block in code.blocks.values():

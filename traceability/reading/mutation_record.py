@@ -22,7 +22,7 @@ def last_mutation(root: Path, sources: str) -> LastRecord | None:
 
 
 def read_mutation(root: Path, sources: str) -> Mutation | None:
-    """The faults that were tried in these very sources."""
+    """The faults that were tried in exactly these sources."""
     data = read_json(root / RECORD)
     if not isinstance(data, dict) or data.get("sources") != sources:
         return None

@@ -1,4 +1,4 @@
-"""The products: each is an image of its own, which CMake makes from a composition."""
+"""The products: each is a separate image, which CMake builds from a composition."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LIST = Path("design/products.toml")
 
 @dataclass(frozen=True)
 class Product:
-    """A product: its composition, and the modules in which products differ that it has."""
+    """A product: its composition, and those of its modules that not all products have."""
 
     name: str
     commands: str
@@ -57,17 +57,17 @@ SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+
 
 
 def intruders(held: Iterable[str], has: set[str]) -> set[str]:
-    """The modules in an image that its product should not have."""
+    """The modules in an image that its product must not contain."""
     return (set(held) & DIFFERENT) - has
 
 
 def image_of(product: str, suffix: str) -> Path:
-    """The released image: that which is flashed, measured and tested."""
+    """The released image, which is flashed, measured and tested."""
     return Path("build/k64") / f"{product}{suffix}"
 
 
 def recorded_image_of(product: str, suffix: str) -> Path:
-    """The image of the same sources whose compiler inlined less: each call can be recorded."""
+    """The image of the same sources with less inlining: each call can be recorded."""
     return Path("build/k64_calls") / f"{product}{suffix}"
 
 
@@ -78,7 +78,7 @@ def module_names(root: Path) -> set[str]:
 
 
 def modules_in(elf: Path, known: Iterable[str]) -> list[str]:
-    """The known modules of which an image holds code or constants, by its symbols."""
+    """The known modules of which an image contains code or constants, by its symbols."""
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     return sorted(modules_of(listed).intersection(known))

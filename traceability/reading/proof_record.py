@@ -17,19 +17,19 @@ PROOFS = RESULTS / "proofs.json"
 SCENARIOS = RESULTS / "proofs"  # counterexamples that can be played
 FOLDER = Path("build/proofs")
 ROUND_MS = 100
-START_MS = 50  # of the first round: before its clock pulse
+START_MS = 50  # events of the first round, before its clock pulse
 AFTER_MS = 10  # between two events of a round
 
 
 @dataclass(frozen=True)
 class ProofEvent:
-    """An event of the environment in the model, and the actions of a scenario that make it."""
+    """An event of the environment in the model, and the actions of a scenario that cause it."""
 
     id: str
     says: str
     actions: Sequence[str]  # none: it cannot be played
     ends: str  # action of the next round without the event
-    wait: int  # [ms] that pass when it occurs
+    wait: int  # [ms] duration of the event
 
 
 def read_properties(root: Path, entries: Entries) -> dict[str, ProofProperty]:
@@ -78,7 +78,8 @@ def readable(events: Sequence[str], known: Mapping[str, ProofEvent]) -> list[tup
 
 
 def scenario(proof: ProofProperty, events: Sequence[str], known: Mapping[str, ProofEvent]) -> str:
-    """Returns a scenario that plays a counterexample; "" when no action makes one of its events."""
+    """Returns a scenario that plays a counterexample; "" when no action causes one of its
+    events."""
     lines, at, number, lasting = [], START_MS, 0, dict[str, str]()
     ending: dict[str, str] = {}
     for line in events:

@@ -18,7 +18,7 @@ class Register:
     name: str
     address: int
     bits: int
-    access: str  # as enum Access names it
+    access: str  # name in the enumeration Access
     flags: dict[str, int] = field(default_factory=dict)  # name -> number of the bit
 
 
@@ -27,7 +27,7 @@ class RegisterBlock:
     name: str  # of its namespace
     brief: str
     registers: list[Register]
-    distance: int  # from one block of its kind to the next [byte]; 0: there is one
+    distance: int  # from one block of its kind to the next [byte]; 0: there is only one
 
 
 def read_registers(root: Path) -> list[RegisterBlock]:

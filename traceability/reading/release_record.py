@@ -11,7 +11,7 @@ RECORD = RESULTS / "release.json"
 
 
 def release_metrics(root: Path, commit: str) -> dict[str, Any]:
-    """Whether both were the same, byte by byte; nothing when it was not tried with this commit."""
+    """Whether both were equal byte by byte; None when this commit was not tested."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not commit or not record["commit"].startswith(commit):
         return {}

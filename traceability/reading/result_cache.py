@@ -14,7 +14,7 @@ Result = TypeVar("Result")
 
 
 def kept(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
-    """Returns the cached result if it was made from these parts; else makes and stores it.
+    """Returns the cached result if it was computed from these parts; else computes and stores it.
 
     The ``repr`` of each part identifies it.
     """
@@ -33,6 +33,6 @@ def kept(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Res
 
 
 def code_of(*modules: str) -> list[str]:
-    """Returns the hashes of modules such as ``reading/traces``, which made a result."""
+    """Returns the hashes of modules such as ``reading/traces``, which computed a result."""
     package = Path(__file__).parents[1]
     return [file_hash(package / f"{name}.py") for name in modules]

@@ -17,7 +17,7 @@ from traceability.sources import file_hash, source_hash
 T = TypeVar("T")
 RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
-RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that counts for a target
+RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that is used for a target
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
 TYPE = re.compile(r"/\d+$")  # of a suite of typed tests
 PLAIN = "plain"  # the run without records
@@ -46,7 +46,7 @@ class Result:
 
 
 def read_json(path: Path) -> Any:
-    """The content, or None when the file is missing or was not written to its end."""
+    """The content, or None when the file is missing or incomplete."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -54,14 +54,14 @@ def read_json(path: Path) -> Any:
 
 
 def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:
-    """The numbers that tests of a target report of an image, as their property of a name."""
+    """The numbers that tests of a target report of an image, as a property with this name."""
     content = read_json(root / RESULTS / f"{RUNS[binding]}.json") or {}
     tests = (test for suite in content.get("testsuites", []) for test in suite["testsuite"])
     return [int(test[name]) for test in tests if name in test and test.get("image") == image]
 
 
 def read_record(path: Path, kind: type[T]) -> T | None:
-    """The content as typed records, or None when it is missing, cut short or of another form."""
+    """The content as typed records, or None when it is missing, incomplete or has another form."""
     content = read_json(path)
     try:
         return RECORDS.structure(content, kind) if isinstance(content, dict) else None
@@ -81,12 +81,12 @@ def bindings_of(file: str) -> list[str]:
 
 
 def cost_of(root: Path, run_name: str) -> Path:
-    """Where a run of the tests leaves its processor time."""
+    """The file with the processor time of a run of the tests."""
     return root / RESULTS / f"{run_name}.cost.json"
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """The time of the tests with all records, of that without; both with these sources."""
+    """The time of the tests with all records and without records, both with these sources."""
     costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
         return None
@@ -95,7 +95,7 @@ def read_recording_factor(root: Path, sources: str) -> float | None:
 
 
 def run_hash(root: Path, binding: str) -> str:
-    """Names the last run of the tests: its results have its time."""
+    """Identifies the last run of the tests by its time."""
     return file_hash(root / RESULTS / f"{RUNS[binding]}.json")
 
 
@@ -113,7 +113,7 @@ def count_totals(root: Path) -> dict[str, float] | None:
 
 
 def read_results_hash(root: Path, binding: str) -> str | None:
-    """The hash of the present sources when the results belong to them; else another word."""
+    """The hash of the present sources when the results belong to them; else another text."""
     if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
         return None
     return source_hash(root) if task_record.is_fresh(root, TASKS[binding]) else "other sources"
@@ -155,7 +155,8 @@ def _together(known: Result, result: Result) -> Result:
 
 
 def plain_name(suite: str, name: str) -> str:
-    """Without the prefix and the number of a parameterised test, and the number of a type."""
+    """Removes the prefix and the number of a parameterised test, and the number of a type, from a
+    name."""
     whole = TYPE.sub("", suite)
     return f"{whole.rsplit('/', maxsplit=1)[-1]}.{name.split('/', maxsplit=1)[0]}"
 

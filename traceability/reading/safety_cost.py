@@ -36,7 +36,7 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
 
 
 def numstat(text: str) -> list[TouchedFile]:
-    """The files of ``git diff --numstat``; one that is no text has no lines."""
+    """The files of ``git diff --numstat``; a binary file has no lines."""
     rows = [line.split("\t") for line in text.splitlines()]
     return [
         TouchedFile(file, int(added) if added != "-" else 0, int(removed) if removed != "-" else 0)
@@ -45,7 +45,7 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """The entry with the longest path that the file is, or lies below."""
+    """The entry with the longest path that is the file itself or a folder of it."""
     found = [
         (len(path), correction)
         for correction in corrections

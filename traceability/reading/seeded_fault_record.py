@@ -32,7 +32,8 @@ SOURCES = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """``line`` is the expected line of the finding; ``said`` is the finding, if possible there."""
+    """``line`` is the expected line of the finding; ``said`` is the finding, preferably at this
+    line."""
 
     name: str
     check: str
@@ -45,7 +46,7 @@ class Outcome:
 
 
 def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str) -> None:
-    """``left_out`` counts the faults that need results of tests, or a site, which are not there."""
+    """``left_out`` counts the faults that need missing results of tests or a missing site."""
     record = {
         "commit": commit,
         "left_out": left_out,

@@ -41,9 +41,9 @@ class Edit:
 
 @dataclass(frozen=True)
 class Fault:
-    """``place`` is the file in which the finding is to lie, on the first line that ``at`` matches.
+    """The finding must be in the file ``place``, on the first line that ``at`` matches.
 
-    Without ``at`` it is to lie where the first change begins. A finding about a folder has no line.
+    Without ``at`` it must be where the first change begins. A finding about a folder has no line.
     """
 
     name: str
@@ -53,7 +53,7 @@ class Fault:
     place: str = ""
     at: str = ""
     stage: str = "sources"
-    compiles: bool = True  # where it does not, the compiler finds it too
+    compiles: bool = True  # if not, the compiler also finds the fault
 
     def expected_line(self, root: Path, changed: int) -> int:
         if not self.at:

@@ -35,7 +35,7 @@ class Facts:
     overriders: dict[str, list[str]]  # method -> all methods that override it
     bodies: dict[str, list[BodyFact]]
     classes: dict[str, ClassFact]
-    written_in: dict[str, str]  # file -> the class that it is named after
+    written_in: dict[str, str]  # file -> the class with its name
     bodies_of: dict[str, list[BodyFact]] = field(default_factory=dict)  # class -> all in its files
     names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> names in it
     includes_of: dict[str, list[IncludeFact]] = field(default_factory=dict)  # class -> its files'
@@ -57,13 +57,13 @@ class Facts:
 
     @property
     def with_role(self) -> set[str]:
-        """The modules that the design binds to a role."""
+        """The modules with a role in the design."""
         known = self.declared.applications.values()
         return {name for item in known for names in item.roles.values() for name in names}
 
     @property
     def builders(self) -> set[str]:
-        """The modules that build."""
+        """The builder modules."""
         return {
             name
             for item in self.declared.applications.values()
@@ -71,7 +71,7 @@ class Facts:
         }
 
     def user(self, owner: str, place: Place) -> str:
-        """The class that code belongs to: code next to a class is its detail."""
+        """The class to which code belongs: other code in the file of a class is part of it."""
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
@@ -97,7 +97,7 @@ class Facts:
 
     @functools.cached_property
     def with_file(self) -> set[str]:
-        """The classes that a file is named after."""
+        """The classes with the name of a file."""
         return set(self.written_in.values())
 
     @functools.cached_property
@@ -158,7 +158,7 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
     return Facts(root, comments, syntax, declared, heirs, overriders, bodies, classes, written_in)
 
 
-# ---- references: which objects they may refer to, and so which methods a call may reach ----
+# ---- references: their possible objects, and the methods that a call may reach ----
 
 
 @dataclass(frozen=True)
@@ -245,7 +245,7 @@ class References:
         return {one for one in found if not kind or one.kind in family}
 
     def targets(self, call: CallFact) -> list[str]:
-        """The methods that a call may reach: those of the objects that it is called on."""
+        """The methods that a call may reach: those of the objects on which it is called."""
         owner, _, name = call.target.rpartition("::")
         if not call.virtual:
             return [call.target]
@@ -260,7 +260,8 @@ class References:
     ) -> dict[str, str]:
         """Returns the methods and functions that may run below the start -> first caller of each.
 
-        ``within`` narrows a virtual method to one that overrides it. Nothing runs below ``ends``.
+        ``within`` restricts a virtual method to one of its overriding methods. Calls below ``ends``
+        are ignored.
         """
         found = dict.fromkeys(start, "")
         work = list(found)

@@ -1,4 +1,4 @@
-"""The files that a test's verdict depends on, besides the code under test."""
+"""The files on which the verdict of a test depends, in addition to the tested code."""
 
 from __future__ import annotations
 

@@ -89,7 +89,7 @@ def _is_stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bo
 
 
 def own_files(unit: str) -> tuple[str, str]:
-    """The files whose facts may be taken from a unit."""
+    """The files whose facts may be read from a unit."""
     return unit, unit.removesuffix(".cpp") + ".hpp"
 
 
@@ -118,7 +118,7 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
             file: file_hash(root / file) if file in own else code_hash(root / file)
             for file in sorted(included)
         },
-        "facts": pickle.dumps(facts),  # read only when the reader is the same
+        "facts": pickle.dumps(facts),  # read only with the same reader
     }
     path = _entry(cache, unit)
     if facts.errors:
@@ -142,7 +142,7 @@ def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax,
     for wanted in files:
         reader.facts.includes += includes_of(root, wanted)
     for problem in tree.diagnostics:
-        # With parsed headers libclang reports errors that lie in no file; they mean nothing.
+        # With parsed headers libclang reports errors without a file; they have no meaning.
         if problem.severity >= cindex.Diagnostic.Error and problem.location.file:
             file = reader.relative(problem.location.file.name)
             place = Place(file or unit, problem.location.line if file else 1)
@@ -150,7 +150,7 @@ def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax,
     return reader.facts, included
 
 
-# Also as the preprocessor lets it be written: after a comment, or with other letters for the mark.
+# Recognises all forms that the preprocessor permits: after a comment, or with digraphs.
 INCLUDE = re.compile(
     r'\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*include\s*(?:/\*.*?\*/\s*)?[<"]([^>"]+)[>"]'
 )
@@ -159,7 +159,7 @@ INCLUDE = re.compile(
 def includes_of(root: Path, file: str) -> list[IncludeFact]:
     """The files of the project that a file includes, as written.
 
-    The compiler's list lacks a header that was included before: it is not read a second time.
+    The compiler's list lacks a header that was included before: such a header is read only once.
     """
     found: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()

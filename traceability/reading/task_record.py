@@ -26,7 +26,7 @@ FIRMWARE_FAULTS = "tests (tools, firmware)"
 
 
 def is_fresh(root: Path, task: str) -> bool:
-    """Checks whether a task was done, and whether no file that it depends on changed since then."""
+    """Checks whether a task was completed and its inputs have not changed since."""
     entry = _read(root).get(task)
     if entry is None:
         return False

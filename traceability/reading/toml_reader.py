@@ -1,6 +1,6 @@
 """Reads the entries of the files in ``design/``, each with its line.
 
-An entry that cannot be read is left out and becomes a problem, so that no entry is lost silently.
+An entry that cannot be read is skipped and reported as a problem.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Entries:
     _asked: dict[Path, set[str]] = field(default_factory=dict)
 
     def whole(self, path: Path) -> dict[str, Any]:
-        """All that a file holds; nothing when there is no such file, or it is no TOML."""
+        """The content of a file; empty when it does not exist or is not TOML."""
         if path not in self._read:
             text = path.read_text(encoding="utf-8") if path.exists() else ""
             try:
@@ -72,7 +72,7 @@ class Entries:
                 continue
             if own and item[own] in seen:
                 text = f"{own} {item[own]} has an entry in line {seen[item[own]]} already"
-                self.problems.append(Problem(place, text, "leave one of the two"))
+                self.problems.append(Problem(place, text, "remove one of the two"))
                 continue
             if own:
                 seen[item[own]] = place.line
@@ -87,7 +87,7 @@ class Entries:
         return [Place(str(path.relative_to(self.root)), number) for number in numbers[:count]]
 
     def fits(self, item: dict[str, Any], place: Place, needs: Keys, may: Keys) -> bool:
-        """Whether an entry has the keys that it needs; others than it may have are a problem."""
+        """Whether an entry has the keys that it needs; unknown keys are a problem."""
         known = {*needs, *may}
         missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
         for key in missing:
@@ -104,7 +104,8 @@ class Entries:
         return not missing
 
     def line_in(self, place: Place, words: str) -> Place:
-        """Returns the line of some words in the entry that begins at a place; else the place."""
+        """Returns the line with some words in the entry that begins at a place; else the place
+        itself."""
         path = self.root / place.file
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         wanted = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
@@ -121,14 +122,14 @@ class Entries:
         """Records the tables and names of the files that no reader uses."""
         for path, asked in self._asked.items():
             for name in self._read.get(path, {}).keys() - asked:
-                text = f"nothing reads the values under {name}"
+                text = f"no reader uses the values under {name}"
                 self.problems.append(Problem(self.place_of(path, name), text, "correct the name"))
 
     def absent(self, files: Iterable[Path]) -> None:
         """Records the expected files that do not exist."""
         for path in [path for path in files if not path.exists()]:
             place = Place(str(path.relative_to(self.root)), 1)
-            text, fix = "there is no such file", "write it: a whole design has it"
+            text, fix = "there is no such file", "write it: a complete design contains it"
             self.problems.append(Problem(place, text, fix))
 
     def place_of(self, path: Path, name: str) -> Place:

@@ -35,7 +35,7 @@ SOURCES = {
     ),
 }
 EXIT = 1 << 63
-REPEAT = 1 << 62  # with the number of the event with which the same calls begin
+REPEAT = 1 << 62  # with the number of the event at which equal calls begin
 SHOWN = 60
 
 
@@ -43,7 +43,7 @@ SHOWN = 60
 class Row:
     """A call: it contains the rows before ``end``, without those of an interrupt.
 
-    Each entry of an interrupt has its own ``activation``; 0 is the code that ran from the start.
+    Each entry of an interrupt has its own ``activation``; 0 is the code outside of interrupts.
     """
 
     depth: int
@@ -60,7 +60,7 @@ class Traces:
     folder: Path
     state: str = ""  # identifies the run of the tests and the executable
     symbols: dict[int, str] = field(default_factory=dict)  # address -> method or function
-    vectors: set[str] = field(default_factory=set)  # functions that the hardware enters
+    vectors: set[str] = field(default_factory=set)  # functions that the hardware calls
     tests: set[str] = field(default_factory=set)
 
     def file(self, test: str) -> Path:
@@ -77,7 +77,7 @@ class Traces:
     ) -> Iterator[tuple[str, bool]]:
         """The calls of the named functions in order, each with whether it is entered or left.
 
-        The same calls without one of those of ``turning`` are listed again only after one of them.
+        Repeated calls that contain no call of ``turning`` are listed again only after such a call.
         """
         events = self.events(test)
         told = {address: [(name, True)] for address, name in names.items()}
@@ -114,7 +114,7 @@ class Traces:
         rows: list[Row] = []
         known = shown | self.addresses(self.vectors)
         known |= {at | EXIT for at in known}
-        # Index of the row, or -1 for a handler that is not shown; and the activation before it.
+        # Index of the row, or -1 for a handler that is not shown; and the previous activation.
         open_calls: list[tuple[int, int]] = []
         depth, parent, activation, entries = 0, -1, 0, 0
         for event in [event for event in self.events(test) if event in known]:
@@ -154,7 +154,7 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
     for binding, source in SOURCES.items():
         traces = Traces(root / source.folder)
         tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
-        done = (root / RESULTS / f"{RUNS[binding]}.json").exists()  # else they run now
+        done = (root / RESULTS / f"{RUNS[binding]}.json").exists()  # else they are running
         if tests and done and (root / source.executable).exists():
             known = cache / f"symbols-{source.names}.json"
             traces.state = _state(traces.folder, root / source.executable)
@@ -221,16 +221,17 @@ def function_of(symbol: str) -> str:
 
 @dataclass
 class Embedding:
-    """Where the nodes of a tree lie in a trace; ``failed`` is the first node without a place."""
+    """The places of the nodes of a tree in a trace; ``failed`` is the first node without a
+    place."""
 
     rows: dict[int, int] = field(default_factory=dict)  # id() of the node -> row
     failed: TreeNode | None = None
 
 
 def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str]]) -> Embedding:
-    """Looks for the tree in a trace: a child lies within the call of its parent, in order.
+    """Looks for the tree in a trace: a child is within the call of its parent, in order.
 
-    A call by an interrupt meanwhile is not a call of the parent; a post by the parent is.
+    A call by an interrupt in between is not a call of the parent, but a post by the parent is.
     """
     order = {id(node): number for number, node in enumerate(nodes_of(tree))}
     names = {id(node): accepts(node) for node in nodes_of(tree)}
@@ -274,7 +275,8 @@ def nodes_of(tree: TreeNode) -> list[TreeNode]:
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
-    """The calls around the placed rows: at most ``SHOWN``, with the new number of each row kept."""
+    """The calls around the placed rows: at most ``SHOWN``, with the new number of each remaining
+    row."""
     first = placed[0]
     last = max(rows[index].end for index in placed)
     while rows[first].parent >= 0 and rows[rows[first].parent].end - rows[first].parent <= SHOWN:

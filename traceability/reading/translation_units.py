@@ -1,6 +1,7 @@
 """The translation units of the design, and how the compiler of this machine or the K64 reads them.
 
-A header with the source file of the same name is one unit, a header without one is its own. Files
+A header and the source file of the same name are one unit; a header without a source file is a unit
+of its own. Files
 below ``src/k64``, and those in the folder ``k64`` of an extension, are read for the K64, with the
 library of its compiler.
 """
@@ -23,7 +24,7 @@ BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-
 
 
 def translation_units(root: Path) -> dict[str, list[str]]:
-    """Unit -> the files whose facts are taken from it."""
+    """Unit -> the files whose facts are read from it."""
     paths = [p for name in DESIGN for p in files_below(root, (name,), (".cpp", ".hpp"))]
     files = [str(path.relative_to(root)) for path in paths]
     units: dict[str, list[str]] = {}
@@ -77,7 +78,7 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
     parsed = standard(cache, board)
     header = parsed.with_suffix(".hpp")
     arguments = ["c++-header" if one == "c++" else one for one in clang_arguments(board)]
-    arguments.append("-fpch-instantiate-templates")  # else each unit does it again
+    arguments.append("-fpch-instantiate-templates")  # else each unit parses them again
     text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {arguments}\n"
     if header.exists() and header.read_text(encoding="utf-8") == text:
         return

@@ -2,8 +2,8 @@
 
 namespace wr {
 
-// The bytes of flash that was never written: no key. They lie at 0x410, where ./wr flash writes the
-// key.
+// These are the bytes of erased flash, which mean that there is no key. They are at 0x410, where
+// ./wr flash writes the key.
 [[gnu::section(".bluetooth_key"), gnu::used]] constinit const SipHash::Key bluetoothKey = {
     0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF};
 

@@ -4,8 +4,8 @@
 
 namespace wr {
 
-/// @brief Key that the robot shares with its Bluetooth device. It is written into the image when that is
-/// flashed.
+/// @brief Key that the robot shares with its Bluetooth device. It is written into the image when
+/// the image is flashed.
 extern const SipHash::Key bluetoothKey;
 
 }  // namespace wr

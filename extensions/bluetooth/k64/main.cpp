@@ -15,6 +15,7 @@
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 #include "safety/RetainedStop.hpp"
+#include "safety/k64/program_check.hpp"
 #include "safety/k64/stop_memory.hpp"
 
 namespace wr {
@@ -28,7 +29,7 @@ MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .pcPort = platform::pcPort,
                                          .watchdog = platform::watchdog,
                                          .start = platform::startRecord});
-// Draws from the random number generator of the microcontroller.
+// Reads numbers from the random number generator of the microcontroller.
 class BoardRandom final : public RandomSource {
  public:
   std::optional<std::uint64_t> draw() override {
@@ -59,7 +60,7 @@ BluetoothDirector director(platform::poolBuilder, controllerBuilder,
 
 }  // namespace wr
 
-// Each handler ends when its stores have ended: see those of the devices.
+// Each handler waits for its stores: see the handlers of the devices.
 
 void cycleTimerInterrupt() {
   wr::controllerBuilder.clock().expired();
@@ -84,7 +85,7 @@ void runRobot() {
   K64Thread::enable(kSecondPortErrorLine, kInterruptPriority);
   platform::enableInterrupts();
   director.start();
-  platform::sleepForever();
+  platform::checkForever();
 }
 
 }  // namespace wr

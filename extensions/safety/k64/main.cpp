@@ -7,6 +7,7 @@
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 #include "safety/SafetyDirector.hpp"
+#include "safety/k64/program_check.hpp"
 #include "safety/k64/stop_memory.hpp"
 #include "services/Pipe.hpp"
 
@@ -42,7 +43,7 @@ SafetyDirector director(platform::poolBuilder, controllerBuilder,
 
 }  // namespace wr
 
-// Each handler ends when its stores have ended: see those of the devices.
+// Each handler waits for its stores: see the handlers of the devices.
 
 void cycleTimerInterrupt() {
   wr::controllerBuilder.clock().expired();
@@ -72,7 +73,7 @@ void runRobot() {
   director.construct();
   platform::enableInterrupts();
   director.start();
-  platform::sleepForever();
+  platform::checkForever();
 }
 
 }  // namespace wr

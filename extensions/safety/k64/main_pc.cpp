@@ -6,6 +6,7 @@
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
 #include "safety/SafetyPcDirector.hpp"
+#include "safety/k64/program_check.hpp"
 #include "safety/k64/stop_memory.hpp"
 
 namespace wr {
@@ -24,7 +25,7 @@ SafetyPcDirector director(platform::poolBuilder, controllerBuilder, platform::st
 
 }  // namespace wr
 
-// Each handler ends when its stores have ended: see those of the devices.
+// Each handler waits for its stores: see the handlers of the devices.
 
 void cycleTimerInterrupt() {
   wr::controllerBuilder.clock().expired();
@@ -40,7 +41,7 @@ void runRobot() {
   director.construct();
   platform::enableInterrupts();
   director.start();
-  platform::sleepForever();
+  platform::checkForever();
 }
 
 }  // namespace wr

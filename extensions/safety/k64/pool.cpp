@@ -6,7 +6,9 @@
 #include "k64/start_up/control_systems.hpp"
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
+#include "safety/InterruptWatch.hpp"
 #include "safety/SafetyBuilder.hpp"
+#include "safety/k64/program_check.hpp"
 #include "safety/k64/stop_memory.hpp"
 
 namespace wr::platform {
@@ -18,6 +20,7 @@ SafetyBuilder safetyBuilder({.wheels = wheelBuilders,
                              .emergencyStop = emergencyStopContact,
                              .memory = protectionMemory});
 constexpr std::array<ControlSystemBuilder*, 1> kBuilders{&safetyBuilder};
+constinit InterruptWatch interruptWatch;
 
 }  // namespace
 
@@ -25,9 +28,11 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, kBuilders);
 
 }  // namespace wr::platform
 
-// The handler ends when its stores have ended: see those of the devices.
+// The handler waits for its stores: see the handlers of the devices.
 
 void tickTimerInterrupt() {
+  wr::platform::interruptWatch.tick(wr::platform::timebase.now(), wr::platform::hallEdgeWaits());
+  wr::platform::programCheck.tick();
   wr::platform::poolBuilder.timer().expired();
   wr::platform::allowEdges();
   wr::finishStores();

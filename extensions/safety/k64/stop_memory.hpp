@@ -5,10 +5,10 @@
 
 namespace wr::platform {
 
-/// @brief Stop of the PC, in memory that a reset leaves as it is.
+/// @brief Stop of the PC, in memory that a reset does not change.
 extern RetainedStop stopMemory;
 
-/// @brief Protective stop, in memory that a reset leaves as it is.
+/// @brief Protective stop, in memory that a reset does not change.
 extern RetainedProtection protectionMemory;
 
 }  // namespace wr::platform

@@ -1,4 +1,5 @@
-/* Theme, menu, search, cards of modules, letter keys, filters. The pages read well without it. */
+/* Theme, menu, search, cards of modules, letter keys, filters. The pages can be read without this
+ * script. */
 (function () {
   "use strict";
   const one = (selector, root) => (root || document).querySelector(selector);
@@ -28,7 +29,7 @@
     try {
       localStorage.setItem("theme", next);
     } catch (error) {
-      /* no storage: it lasts for this page */
+      /* no storage: the choice is valid only for this page */
     }
     sayTheme();
   });
@@ -56,7 +57,7 @@
       list.open = true;
     });
 
-  /* view keys: one stop for the tab key, arrows inside */
+  /* the tab key reaches the view keys once; the arrow keys move between them */
   const VIEWS = [
     ["F", "Diagram", "diagram"],
     ["I", "Interface", "interface"],
@@ -89,7 +90,7 @@
       event.preventDefault();
       return;
     }
-    /* from a name down into its card, and along its views */
+    /* the arrow keys move from a name into its card and along its views */
     if (card && (target === owner || inCard) && /^Arrow(Down|Up|Left|Right)$/.test(event.key)) {
       const views = all("a", card),
         step = /Down|Right/.test(event.key) ? 1 : -1,
@@ -163,7 +164,8 @@
         )
         .join("")}</div>`;
     link.setAttribute("aria-details", "card");
-    document.body.append(card); // not next to the name: the styles of its place are not for a card
+    document.body.append(card); // outside of the element of the name, whose styles do not fit a
+                                // card
     const at = link.getClientRects()[0],
       height = card.offsetHeight;
     const below = at.bottom + height + 12 < innerHeight || at.top < height + 12;
@@ -234,7 +236,7 @@
       .map((part, i) => (i % 2 ? `<mark>${escape(part)}</mark>` : escape(part)))
       .join("");
   }
-  /* what a text says around the first of the words that it was found by */
+  /* the text around the first found word */
   function around(text = "", words, length = 80) {
     const small = text.toLowerCase();
     const i = Math.min(...words.map((word) => small.indexOf(word)).filter((at) => at >= 0));
@@ -249,7 +251,7 @@
     const text = lit(`${words} ${around(more, hit.terms)}`, hit.terms);
     return `<a role="option" tabindex="-1" id="hit${number}" class="${key}" href="${base + address}">${letter}<b>${lit(title, hit.terms)}</b><span class="d">${text}</span></a>`;
   }
-  /* the group of a hit, its text, the words around those found, and where it is */
+  /* a hit: its group, its text, the words around the found ones, and its address */
   function preview(hit) {
     if (hit.group) return "";
     const [group, , title, words, address, more] = PORTAL_SEARCH.entries[hit.id];
@@ -377,11 +379,11 @@
     ),
   );
 
-  /* the current page is in sight in the side navigation */
+  /* the current page is visible in the side navigation */
   const here = one(".side [aria-current]");
   if (here) side.scrollTop = here.offsetTop - side.clientHeight / 3;
 
-  /* each section has an address of its own, a long page its contents, and code a button to copy it */
+  /* each section gets a link, a long page a table of contents, and code a button to copy it */
   const heads = all(".main .sec[id] > h2, .prose section[id] > h2, .prose section[id] > h3");
   heads.forEach((head) => {
     if (one(".headerlink", head)) return;
@@ -398,7 +400,7 @@
       .map((node) => node.textContent)
       .join("")
       .trim();
-  const CONTENTS = 3; // sections of a page that has contents
+  const CONTENTS = 3; // number of sections from which a page gets a table of contents
   if (heads.length >= CONTENTS && !one(".home, .vkbar, .rail")) {
     const list = document.createElement("nav");
     list.className = "contents";
@@ -410,7 +412,7 @@
       })
       .join("")}</details>`;
     one(".shell").append(list);
-    const beside = !one(".main.wide, .pa, .embed"); // these need the width
+    const beside = !one(".main.wide, .pa, .embed"); // these elements need the full width
     one(".shell").classList.toggle("beside", beside);
     one("details", list).open = beside && matchMedia("(min-width: 1241px)").matches;
   }
@@ -431,7 +433,7 @@
     block.parentElement.append(button);
   });
 
-  /* what scrolls can be scrolled from the keyboard */
+  /* elements that scroll can be scrolled with the keyboard */
   const reachable = () =>
     all(".prose .highlight, .prose table").forEach((part) => {
       if (part.scrollWidth > part.clientWidth) part.tabIndex = 0;
@@ -439,14 +441,14 @@
   reachable();
   addEventListener("resize", reachable);
 
-  /* a wide diagram is scrolled to what is marked in it */
+  /* a wide diagram is scrolled to its marked part */
   all(".scroll:has(> .located)").forEach((frame) => {
     const marked = one(".lit", frame).getBoundingClientRect(),
       view = frame.getBoundingClientRect();
     frame.scrollLeft += (marked.left + marked.right - view.left - view.right) / 2;
   });
 
-  /* the tour that is under way: its stop, on a bar at the foot of the page */
+  /* the active tour: its stop, in a bar at the foot of the page */
   const tours = data.tours || {};
   function read() {
     try {
@@ -498,7 +500,7 @@
   }
   showTour();
 
-  /* an address with a hash opens what hides its target */
+  /* an address with a hash opens the folded elements around its target */
   function reveal() {
     const target =
       location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
@@ -509,7 +511,7 @@
   addEventListener("hashchange", reveal);
   if (location.hash) reveal();
 
-  /* the section in view, in the bar of a module's page and in the contents */
+  /* marks the visible section in the bar of a module's page and in the contents */
   const links = new Map(
     all('.vkbar a[href^="#"], .contents a').map((link) => [link.hash.slice(1), link]),
   );
@@ -525,7 +527,8 @@
     );
     links.forEach((_, id) => {
       const section = document.getElementById(id);
-      if (section && !section.closest(".rail")) watcher.observe(section); // the rail is always seen
+      if (section && !section.closest(".rail")) watcher.observe(section); // the rail is always
+                                                                          // visible
     });
   }
 })();

@@ -7,7 +7,7 @@
       "on one or our out shall should so tell than that the their them then there these they thing this " +
       "those to was way we were what when where which who whose why will with work works would you your").split(" "),
   );
-  /* Of equal hits, the one of the earlier group is first. */
+  /* Among equal hits, the hit of the earlier group comes first. */
   const ANSWERS = "Answers";
   const GROUPS = [
     "Modules",
@@ -42,8 +42,8 @@
     Tests: 0.35,
     Source: 0.5,
   };
-  const ENOUGH = 8; // hits with all words; with fewer, those that lack one word are shown too
-  const FEW = 3; // letters that a word has at least before it may have a typing error
+  const ENOUGH = 8; // hits with all words; with fewer hits, those without one word are also shown
+  const FEW = 3; // least number of letters of a word that may contain a typing error
 
   /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15. */
   const pieces = (text) =>
@@ -80,8 +80,8 @@
     );
   }
 
-  /* The words of a text, those together that have a meaning together (safe state), each with
-     what means the same. Words are lists of their stems. */
+  /* The words of a text, terms of several words (safe state) combined, each with its synonyms.
+     Words are lists of their stems. */
   const groups = synonyms.map((group) =>
     group.map((words) => pieces(words).filter((word) => !SMALL.has(word)).map(stem)),
   );
@@ -100,8 +100,8 @@
     }
     return found;
   }
-  /* How a word is looked for: a word that is there needs no tolerance, and hits inside longer
-     words count little then; else the least number of errors that finds a word. */
+  /* How a word is searched: a word that exists needs no tolerance, and hits inside longer words
+     then have little weight; else with the least number of errors that finds a word. */
   const kept = new Map();
   function tolerance(word) {
     if (!kept.has(word)) kept.set(word, tolerated(word));
@@ -130,7 +130,7 @@
   const has = (terms, { own, others }) =>
     [own, ...others].some((words) => words.every((word) => terms.has(word)));
 
-  /* The numbers of the entries that fit a text, the best first. */
+  /* The numbers of the entries that match a text, the best first. */
   function find(text) {
     prepare();
     const all = pieces(text);
@@ -148,7 +148,7 @@
     /* Its title, or the name of the method without its class. The paper's names come later. */
     const named = ([group, , title]) =>
       group !== "Paper" && [title, title.split("::").pop()].some((name) => same(name) === whole);
-    /* A name that is written as one word, with an error in it. */
+    /* Finds a name that is written as one word with an error. */
     const joined = { queries: [whole], prefix: false, boost: { title: 12 }, ...tolerance(whole) };
     const queries = [...wanted.map(asked), ...(words.length > 1 ? [joined] : [])];
     const found = index.search({ combineWith: "OR", queries }, options).map((hit) => {
@@ -166,7 +166,8 @@
     );
   }
 
-  /* Whether a question has the words of the text, of two or more; of many, one may be missing. */
+  /* Whether a question contains the words of a text with two or more words; if there are many
+   * words, one may be missing. */
   function asks({ id, wanted }) {
     const [group, , title] = entries[id];
     const terms = pieces(title).map(stem);
@@ -181,7 +182,7 @@
     const groups = new Map();
     const written = new Set();
     const hits = find(text);
-    /* A hand-written page is there with its words. */
+    /* A hand-written page is an entry with its words. */
     hits.forEach(({ id }) => entries[id][0] === "Explanations" && written.add(entries[id][4]));
     const isName = hits.some((hit) => hit.exact && NAMES.has(entries[hit.id][0]));
     const asked = isName ? [] : hits.filter(asks);

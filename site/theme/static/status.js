@@ -1,4 +1,5 @@
-/* While ./wr portal measures: what runs, and a new page when the results are there. */
+/* While ./wr portal measures: shows the running tasks, and loads the page again when results exist.
+ * */
 (function () {
   "use strict";
   if (!location.protocol.startsWith("http")) return;
@@ -6,7 +7,7 @@
   const line = document.createElement("div");
   line.className = "status";
   line.setAttribute("role", "status");
-  let pages = null; // the version of the pages that this one belongs to
+  let pages = null; // the version of the pages to which this page belongs
   const clock = (seconds) =>
     Math.floor(seconds / 60) + ":" + String(Math.floor(seconds % 60)).padStart(2, "0");
 

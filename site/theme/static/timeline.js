@@ -1,4 +1,5 @@
-/* The time line of one cycle: zoom from 100 ms to one call. Without it the page shows a fixed figure. */
+/* The time line of one cycle: zoom from 100 ms to one call. Without this script the page shows a
+ * fixed drawing. */
 (function () {
   "use strict";
   const source = document.getElementById("timeline-data"),
@@ -139,7 +140,7 @@
     lanes.forEach((lane, number) => {
       const group = draw("g", { class: "lane" + number }, area);
       const names = new Set();
-      // A row of calls that are too short for a bar each is the last one that is drawn.
+      // The last drawn row is one in which all calls are too short for a bar.
       let depth = 0;
       while (depth < lane.rows.length) {
         const y = top + HEAD + depth * ROW;

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::size_t kBytes = 256;
 
-// Remainder of each byte that is shifted out at the top. The polynomial is x^16 + x^12 + x^5 + 1:
-// each bit is added at the places 12, 5 and 0, and the bits added in the upper 4 places are shifted
-// out once more. The bytes of the check sum are swapped here, so that no byte moves up when one is
-// shifted out.
+// Remainder of each byte that leaves the check sum at its upper end. The polynomial is x^16 + x^12
+// + x^5 + 1: each bit is added at the positions 12, 5 and 0, and the bits at the upper 4 positions
+// are shifted out once more. The bytes of the check sum are swapped here, so that no byte has to
+// move when another one is shifted out.
 consteval std::array<std::uint16_t, kBytes> remainders() {
   std::array<std::uint16_t, kBytes> table{};
   for (std::uint32_t byte = 0; byte < kBytes; ++byte) {

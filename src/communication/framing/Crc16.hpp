@@ -7,11 +7,11 @@
 namespace wr {
 
 /// @brief Check sum of the bytes of a frame.
-/// @function Computes the number by which a damaged frame is found.
+/// @function Computes the number that shows whether a frame is damaged.
 /// @secret The algorithm of the check sum: CRC-16/CCITT-FALSE, computed byte by byte with a table.
 class Crc16 final {
  public:
-  /// @brief Begins a check sum of no bytes.
+  /// @brief Constructs the check sum of zero bytes.
   Crc16() = default;
 
   /// @brief Adds bytes to the check sum.
@@ -27,7 +27,7 @@ class Crc16 final {
   [[nodiscard]] std::uint16_t value() const { return std::rotl(swapped_, 8); }
 
  private:
-  std::uint16_t swapped_ = 0xFFFF;  // the check sum, its bytes in the other order
+  std::uint16_t swapped_ = 0xFFFF;  // the check sum with swapped bytes
 };
 
 }  // namespace wr

@@ -9,7 +9,7 @@ namespace wr {
 /// @brief Kind of the payload of a frame.
 /// @datatype
 enum class FrameType : std::uint8_t {
-  Hello = 0x01,      ///< the PC asks for a connection
+  Hello = 0x01,      ///< the PC requests a connection
   Confirm = 0x02,    ///< the PC accepts a session
   KeepAlive = 0x03,  ///< the PC keeps the connection
   Order = 0x04,      ///< the PC orders
@@ -20,12 +20,12 @@ enum class FrameType : std::uint8_t {
 /// @brief A frame without its coding for the line.
 /// @datatype
 struct Frame {
-  FrameType type = FrameType::Hello;        ///< kind of the payload; may be a type without a name
-  std::uint8_t sequence = 0;                ///< number that the sender gave to the frame
-  std::span<const std::uint8_t> payload{};  ///< the bytes that the frame carries
+  FrameType type = FrameType::Hello;        ///< kind of the payload; may have no name
+  std::uint8_t sequence = 0;                ///< number of the frame from its sender
+  std::span<const std::uint8_t> payload{};  ///< the payload
 };
 
-/// @brief Version of the protocol, which every frame carries.
+/// @brief Version of the protocol, which every frame contains.
 inline constexpr std::uint8_t kProtocolVersion = 2;
 
 /// @brief Lowest version of the protocol that is accepted. Only a Hello of another version is answered.

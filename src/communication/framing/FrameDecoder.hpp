@@ -12,16 +12,18 @@ namespace wr {
 /// @datatype
 enum class Decoded : std::uint8_t {
   Nothing,        ///< no frame has ended
-  Whole,          ///< a frame that is in order
+  Whole,          ///< a frame without an error
   Damaged,        ///< a frame with bad COBS or CRC or less than 5 bytes
   TooLong,        ///< a frame with a body of more than 205 bytes
   UnknownVersion  ///< a frame of another protocol version
 };
 
-/// @brief Finds frames in the bytes from the line.
-/// @function Collects bytes until a frame ends, and checks whether the frame is in order. After any
+/// @brief Extracts frames from the bytes of the line.
+/// @function Collects bytes until a frame ends, and checks whether the frame has an error. After
+/// any
 /// damage it finds the next frame.
-/// @secret How a frame is collected and checked, and how its place is found again after damage.
+/// @secret How a frame is collected and checked, and how the decoder finds the next frame after
+/// damage.
 class FrameDecoder final {
  public:
   /// @brief Constructs a decoder that waits for the first byte of a frame.
@@ -37,33 +39,34 @@ class FrameDecoder final {
   /// @satisfies FR-43
   Decoded push(std::uint8_t byte);
 
-  /// @brief Returns the frame that was found.
+  /// @brief Returns the frame that was received.
   /// @return the frame, valid until the next push
   /// @pre The last push returned Whole or UnknownVersion.
   /// @isr{no}
   [[nodiscard]] Frame frame() const;
 
  private:
-  /// @brief Checks the bytes that were collected, as the frame has ended.
+  /// @brief Checks the collected bytes at the end of a frame.
   /// @return the result of the last byte
   /// @satisfies FR-41
   /// @satisfies FR-42
   /// @satisfies FR-43
   Decoded end();
 
-  /// @brief Turns the coded bytes into the body, in their place.
+  /// @brief Decodes the bytes in place, into the body.
   /// @return false when the COBS is bad
   /// @satisfies FR-41
   bool removeStuffing();
 
-  /// @brief Returns whether the CRC at the end of the body is that of the bytes before.
-  /// @return true when it is
+  /// @brief Returns whether the CRC at the end of the body matches the bytes before it.
+  /// @return true when it matches
   /// @satisfies FR-41
   [[nodiscard]] bool crcIsRight() const;
 
-  std::array<std::uint8_t, kMaxBody + 1> bytes_{};  // coded, and after the end the body
+  std::array<std::uint8_t, kMaxBody + 1> bytes_{};  // coded bytes; after the end of the frame, the
+                                                    // body
   std::size_t count_ = 0;                           // coded bytes since the last zero
-  std::size_t length_ = 0;                          // of the body that ended last
+  std::size_t length_ = 0;                          // of the last complete body
 };
 
 }  // namespace wr

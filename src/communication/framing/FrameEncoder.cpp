@@ -17,7 +17,7 @@ constexpr std::size_t kHead = 3;  // version, type, sequence
 std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   require(frame.payload.size() <= kMaxPayload, AssertId::FrameTooLarge);
 
-  // The body is put one byte behind the place of the first code.
+  // The body is stored one byte after the first code.
   const auto body = std::span(coded_).subspan(1);
   body[0] = kProtocolVersion;
   body[1] = static_cast<std::uint8_t>(frame.type);
@@ -33,7 +33,7 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   body[checked + 1] = static_cast<std::uint8_t>(crc.value() >> 8U);
   const std::size_t end = 1 + checked + 2;
 
-  // Each zero gives way to the distance to the next one.
+  // Each zero is replaced by the distance to the next one.
   std::size_t code = 0;
   std::size_t i = 1;
   do {

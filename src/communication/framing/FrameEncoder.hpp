@@ -10,8 +10,8 @@
 namespace wr {
 
 /// @brief Builds frames for the line.
-/// @function Turns type, sequence number and payload into the bytes to send.
-/// @secret How the bytes to send are made in one piece of storage.
+/// @function Converts type, sequence number and payload to the bytes to send.
+/// @secret How the bytes to send are built in one buffer.
 class FrameEncoder final {
  public:
   /// @brief Most bytes that encode() returns.

@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief The PC is connected.
-/// @function Accepts orders, and ends the connection when the PC is silent or begins again.
+/// @function Accepts orders, and ends the connection when the PC is silent or sends Hello again.
 /// @secret The events that keep a connection, and the data that are dropped at its end.
 /// @role{pc-mcu-connection, Concrete State}
 class Connected final : public ConnectionState {
@@ -15,14 +15,15 @@ class Connected final : public ConnectionState {
   /// @param disconnected state that follows when the PC is silent
   Connected(ConnectionState& handshaking, ConnectionState& disconnected);
 
-  /// @brief Ends the connection, drops the newest order, asks for a Welcome and begins a new handshake.
+  /// @brief Ends the connection, drops the newest order, requests a Welcome and begins a new
+  /// handshake.
   /// @param connection the connection that received the Hello
   /// @isr{no}
   /// @satisfies FR-30
   /// @satisfies FR-34
   void hello(PcConnection& connection) override;
 
-  /// @brief Accepts that the PC is alive.
+  /// @brief Accepts the sign of life of the PC.
   /// @param connection the connection that received the KeepAlive
   /// @return true
   /// @isr{no}

@@ -8,21 +8,21 @@ class PcConnection;
 struct Frame;
 
 /// @brief A state of the connection with the PC.
-/// @function Answers each frame of the PC, and looks at the time, in the way of one state.
+/// @function Handles each frame of the PC, and checks the time, as one state demands.
 /// @secret The differences between the states of the connection. A frame is unexpected unless a state
 /// defines otherwise.
 /// @role{pc-mcu-connection, State}
 ///
 /// @patternapp{pc-mcu-connection, State, PC-MCU connection}
-/// @why How the PC and the MCU communicate depends on the state of the connection between them. Each
-/// state is a module, so the rules of one state are read and changed in one place.
+/// @why How the PC and the MCU communicate depends on the state of the connection between them.
+/// Each state is a module, so the rules of one state are in one place.
 /// @changes A new state of the connection. Another behaviour of a state.
 class ConnectionState {
  public:
   ConnectionState(const ConnectionState&) = delete;
   ConnectionState& operator=(const ConnectionState&) = delete;
 
-  /// @brief Answers a Hello. It is answered in every state.
+  /// @brief Answers a Hello. A Hello is answered in every state.
   /// @param connection the connection that received it
   /// @isr{no}
   virtual void hello(PcConnection& connection) = 0;

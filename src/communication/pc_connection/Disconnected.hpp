@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief No PC is connected.
 /// @function Waits for a Hello.
-/// @secret That a Hello is all that is needed to begin a handshake.
+/// @secret That a Hello alone begins a handshake.
 /// @role{pc-mcu-connection, Concrete State}
 class Disconnected final : public ConnectionState {
  public:
@@ -14,7 +14,7 @@ class Disconnected final : public ConnectionState {
   /// @param handshaking state that follows a Hello
   explicit Disconnected(ConnectionState& handshaking);
 
-  /// @brief Asks for a Welcome and begins the handshake.
+  /// @brief Requests a Welcome and begins the handshake.
   /// @param connection the connection that received the Hello
   /// @isr{no}
   /// @satisfies FR-30

@@ -5,17 +5,17 @@
 namespace wr {
 
 /// @brief A Hello was received, and the Confirm of its Welcome has not come.
-/// @function Waits for the Confirm of the session that was offered.
-/// @secret The condition for a right Confirm, and the time until which it must arrive.
+/// @function Waits for the Confirm of the session that the Welcome offered.
+/// @secret The condition for a correct Confirm, and the time limit for it.
 /// @role{pc-mcu-connection, Concrete State}
 class Handshaking final : public ConnectionState {
  public:
   /// @brief Constructs the state.
-  /// @param connected state that follows a right Confirm
-  /// @param disconnected state that follows when no right Confirm comes
+  /// @param connected state that follows a correct Confirm
+  /// @param disconnected state that follows when no correct Confirm comes
   Handshaking(ConnectionState& connected, ConnectionState& disconnected);
 
-  /// @brief Asks for a Welcome with a new session. The handshake begins again.
+  /// @brief Requests a Welcome with a new session. The handshake begins again.
   /// @param connection the connection that received the Hello
   /// @isr{no}
   /// @satisfies FR-30

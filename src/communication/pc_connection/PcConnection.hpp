@@ -19,9 +19,9 @@
 namespace wr {
 
 /// @brief The link with the PC.
-/// @function Receives and sends the frames of the PC link, lets the state of the connection answer
+/// @function Receives and sends the frames of the PC link, lets the state of the connection handle
 /// them, and counts errors.
-/// @secret How the frames of one cycle are taken from the line and given to the state of the
+/// @secret How the frames of one cycle are read from the line and passed to the state of the
 /// connection.
 /// @hides{communication/pc_connection/FirmwareIdentity.hpp}
 /// @role{pc-mcu-connection, Context}
@@ -29,9 +29,9 @@ class PcConnection final {
  public:
   /// @brief Constructs a connection.
   /// @param port serial line to the PC
-  /// @param orders takes the orders of the PC
+  /// @param orders receives the orders of the PC
   /// @param initial state after start
-  /// @param start why the firmware started; each Welcome has it
+  /// @param start cause of the start of the firmware; each Welcome contains it
   PcConnection(SerialPort& port, SerialReader& orders, ConnectionState& initial,
                const StartRecord& start);
 
@@ -45,9 +45,9 @@ class PcConnection final {
   /// @satisfies FR-33
   void beginCycle(Instant clockPulse);
 
-  /// @brief Serves the link: reads the received bytes, but at most 4096, lets the state answer each
-  /// frame, checks the silence at the clock pulse, and sends a Welcome if a Hello asks for one. It
-  /// is called once in each cycle.
+  /// @brief Serves the link: reads the received bytes, but at most 4096, lets the state handle each
+  /// frame, checks the silence at the clock pulse, and sends a Welcome if a Hello requests one. The
+  /// caller calls it once in each cycle.
   /// @isr{no}
   /// @satisfies FR-35
   /// @satisfies FR-37
@@ -62,17 +62,17 @@ class PcConnection final {
   /// @satisfies FR-36
   [[nodiscard]] bool connected() const;
 
-  /// @brief Sends a report. Without a connection nothing is sent. A report for which the port has no
-  /// room is dropped whole and counted.
+  /// @brief Sends a report. Without a connection nothing is sent. A report for which the port has
+  /// no space is dropped whole and counted.
   /// @param report the report
-  /// @return true when the whole report was given to the port
+  /// @return true when the whole report was passed to the port
   /// @isr{no}
   /// @satisfies FR-60
   /// @satisfies FR-64
   bool sendReport(const Serializable& report);
 
   /// @brief Returns the counts of the faults on the link since start.
-  /// @return the counts, as they were at the end of the last service or report
+  /// @return the counts at the end of the last service or report
   /// @isr{no}
   /// @satisfies FR-63
   [[nodiscard]] const LinkCounts& counts() const;
@@ -82,16 +82,17 @@ class PcConnection final {
   /// @isr{no}
   void changeState(ConnectionState& next);
 
-  /// @brief Asks for a Welcome at the end of this service, and voids the session that was offered
-  /// before. States call it.
+  /// @brief Requests a Welcome at the end of this service, and makes the session of the previous
+  /// Welcome invalid. States call it.
   /// @isr{no}
   /// @satisfies FR-30
   /// @satisfies FR-245
   void welcome();
 
-  /// @brief Checks whether a session is the one that the newest Welcome offers. States call it.
+  /// @brief Checks whether a session is the session session number of the newest Welcome. States
+  /// call it.
   /// @param session number of a session
-  /// @return true when it is the one
+  /// @return true when it is this session
   /// @isr{no}
   [[nodiscard]] bool offered(std::uint8_t session) const;
 
@@ -112,16 +113,16 @@ class PcConnection final {
   /// @satisfies FR-47
   void countUnexpected();
 
-  /// @brief Returns how long no frame was accepted. States call it.
-  /// @return time from the last byte of the last accepted frame to that of the present frame, or to
-  /// the clock pulse after the frames of a cycle [us]
+  /// @brief Returns the time without an accepted frame. States call it.
+  /// @return time from the last byte of the last accepted frame to the last byte of the present
+  /// frame, or to the clock pulse after the frames of a cycle [us]
   /// @isr{no}
   /// @satisfies FR-33
   [[nodiscard]] Microseconds silence() const;
 
-  /// @brief Returns the age of the newest Welcome. States call it.
-  /// @return time from the clock pulse of the cycle that sent it, as for the silence [us]; 0 until it
-  /// is sent
+  /// @brief Returns the age session number of the newest Welcome. States call it.
+  /// @return time from the clock pulse of the cycle that sent it, to the same end as for silence()
+  /// [us]; 0 until a Welcome is sent
   /// @isr{no}
   /// @satisfies FR-32
   [[nodiscard]] Microseconds sinceWelcome() const;
@@ -138,7 +139,7 @@ class PcConnection final {
   void handleUnknownVersion(const Frame& frame);
 
   /// @brief Drops and counts a frame of unknown type or with a payload that is too short. The state
-  /// answers any other.
+  /// handles any other frame.
   /// @satisfies FR-248
   /// @satisfies FR-251
   /// @satisfies FR-44
@@ -146,7 +147,7 @@ class PcConnection final {
   /// @satisfies FR-48
   void handle(const Frame& frame);
 
-  /// @brief Lets the state answer a frame.
+  /// @brief Lets the state handle a frame.
   /// @return false when the frame was dropped
   bool answer(const Frame& frame);
 
@@ -159,8 +160,8 @@ class PcConnection final {
   /// @satisfies FR-243
   [[nodiscard]] bool isNewer(std::uint8_t sequence) const;
 
-  /// @brief Sends the Welcome that a Hello asked for, and offers its session. Without room in the port
-  /// nothing is sent and no session is offered.
+  /// @brief Sends the Welcome that a Hello requested, and offers its session. Without space in the
+  /// port nothing is sent and no session is offered.
   /// @satisfies FR-30
   /// @satisfies FR-76
   /// @satisfies FR-245
@@ -180,9 +181,9 @@ class PcConnection final {
   /// @satisfies FR-76
   void writeStart();
 
-  /// @brief Sends the payload that the writer holds. Before the first frame it sends a zero byte, which
+  /// @brief Sends the payload in the writer. Before the first frame it sends a zero byte, which
   /// ends an unfinished frame of the firmware before this start.
-  /// @return false when the port has no room: nothing is sent
+  /// @return false when the port has no space: nothing is sent
   /// @satisfies FR-247
   /// @satisfies FR-252
   bool send(FrameType type);
@@ -193,20 +194,21 @@ class PcConnection final {
   SerialReader& orders_;
   ConnectionState* state_;
   const StartRecord& start_;
-  std::array<std::uint8_t, kChunkSize> chunk_{};  // the bytes that the port read last
+  std::array<std::uint8_t, kChunkSize> chunk_{};  // the last bytes from the port
   FrameDecoder decoder_;
   FrameEncoder encoder_;
   SerialWriter writer_;
   LinkCounts counts_{};
   Instant clockPulse_{};    // of this cycle
-  Instant at_{};            // when the present frame was received, or the clock pulse
-  Instant lastAccepted_{};  // when the last accepted frame was received
+  Instant at_{};            // time at which the present frame was received, or the time of the
+                            // clock pulse
+  Instant lastAccepted_{};  // time at which the last accepted frame was received
   Instant welcomed_{};      // clock pulse of the cycle that sent the newest Welcome
   bool welcomeDue_ = false;
-  std::uint8_t session_ = 0;  // of the newest Welcome
+  std::uint8_t session_ = 0;  // session number of the newest Welcome
   std::optional<std::uint8_t> offered_;
   std::uint8_t newest_ = 0;    // sequence number of the newest accepted frame
-  bool begun_ = false;         // something was sent since start
+  bool begun_ = false;         // a frame was sent since start
   std::uint8_t nextSent_ = 0;  // sequence number of the next frame that is sent
 };
 

@@ -13,17 +13,17 @@ namespace wr {
 /// @brief The newest order of the remote control.
 /// @function Builds one order from the velocity signal and the direction signal of the remote control.
 /// The remote control has no stop.
-/// @secret How the two signals of the remote control make a complete order.
+/// @secret How the two signals of the remote control are combined in a complete order.
 /// @role{serializer, Concrete Reader}
 class BufferReader final : public Reader {
  public:
   /// @brief Connects the reader to the signals.
-  /// @param velocity velocity signal; one beyond the limit counts as the limit
-  /// @param direction direction signal; one beyond the limit counts as the limit
-  /// @param clock gives the age of the signals
+  /// @param velocity velocity signal; a greater value counts as the limit
+  /// @param direction direction signal; a greater value counts as the limit
+  /// @param clock returns the present time, for the age of the signals
   BufferReader(Pipe<Velocity>& velocity, Pipe<Angle>& direction, const Timebase& clock);
 
-  /// @brief Returns whether both signals have a fresh value that was not read.
+  /// @brief Returns whether both signals have a fresh value that was not read before.
   /// @return true when there is a complete order
   /// @isr{no}
   /// @satisfies FR-20
@@ -31,7 +31,7 @@ class BufferReader final : public Reader {
   /// @satisfies FR-56
   [[nodiscard]] bool available() const override;
 
-  /// @brief Returns whether the remote control orders stop.
+  /// @brief Returns whether the remote control orders a stop.
   /// @return false
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;
@@ -64,7 +64,7 @@ class BufferReader final : public Reader {
 
   std::int32_t readI32(Field field) override;
 
-  /// @brief Ends the read of the order. The values of both signals are consumed.
+  /// @brief Ends the read of the order. The values of both signals cannot be read again.
   /// @return false when a signal had no value, or when a field was read that the order does not have
   /// @isr{no}
   /// @satisfies FR-50
@@ -79,7 +79,7 @@ class BufferReader final : public Reader {
   Pipe<Velocity>& velocitySignal_;
   Pipe<Angle>& directionSignal_;
   const Timebase& clock_;
-  std::optional<Stamped<Velocity>> velocity_;  // taken for the order that is being read
+  std::optional<Stamped<Velocity>> velocity_;  // values of the order that is being read
   std::optional<Stamped<Angle>> direction_;
   std::optional<Instant> velocityRead_;  // times of the values of the order that was read last
   std::optional<Instant> directionRead_;

@@ -42,25 +42,25 @@ enum class FieldName : std::uint8_t {
   SteeringState,     ///< state of the steering
   SteeringEnds,      ///< which end stops of the steering are reached
   CutOffs,           ///< wheels whose driver the overcurrent trip switched off
-  BlindWheels,       ///< which wheels have voltage and give no Hall edge
+  BlindWheels,       ///< wheels with voltage but without Hall edges
   RejectedEdges,     ///< count of Hall edges of a wheel that were rejected
   ReportCost,        ///< processor cycles from a clock pulse to the report of its cycle
-  AwakeCost,         ///< processor cycles not asleep between two clock pulses
+  AwakeCost,         ///< processor cycles without sleep between two clock pulses
   StartCost,         ///< processor cycles from a clock pulse to the start of its cycle
   Inhibit,           ///< why the set-points are not followed
   StopCause,         ///< cause of a protective stop
   StopWheel,         ///< wheel that the cause concerns
   StopSources,       ///< sources that order stop
-  StaleOrders,       ///< count of orders that were not newer than the one before
+  StaleOrders,       ///< count of orders that were not newer than the previous order
   Session,           ///< number of the session
   FirmwareVersion,   ///< major, minor and patch number
   BuildId,           ///< character of the build id
   CyclePeriod,       ///< period of the control cycle
   WaitingCycles,     ///< the constant N of the operation states
   ResetCause,        ///< cause of the last reset
-  FaultKind,         ///< fault that ended the firmware before
-  FaultNumber,       ///< number that belongs to the kind of fault
-  FaultAddress,      ///< instruction at which the firmware ended
+  FaultKind,         ///< fault that ended the firmware before this start
+  FaultNumber,       ///< number with a meaning that depends on the kind of fault
+  FaultAddress,      ///< address of the instruction at which the firmware ended
   LowestVersion,     ///< lowest version of the protocol that is accepted
   HighestVersion,    ///< highest version of the protocol that is accepted
   SchemaHash         ///< hash of the layout of all payloads
@@ -70,7 +70,8 @@ enum class FieldName : std::uint8_t {
 /// @datatype
 struct Field {
   FieldName name{};       ///< meaning of the field
-  std::size_t index = 0;  ///< which wheel, or which element of a field that has several
+  std::size_t index = 0;  ///< number of the wheel, or of the element in a field with several
+                          ///< elements
 };
 
 }  // namespace wr

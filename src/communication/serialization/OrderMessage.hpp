@@ -5,8 +5,8 @@
 
 namespace wr {
 
-/// @brief One order: the set-points of the robot, and whether it is to stop.
-/// @function Stores a complete order, and checks whether the robot can obey it.
+/// @brief One order: the set-points of the robot, and whether it has to stop.
+/// @function Stores a complete order, and checks whether the robot can execute it.
 /// @secret The fields of an order, and the range of each.
 /// @role{serializer, Concrete Element}
 class OrderMessage final : public Serializable {
@@ -19,7 +19,7 @@ class OrderMessage final : public Serializable {
 
   /// @brief Constructs an order.
   /// @param setPoints set-points of the order
-  /// @param stop whether the robot is to stop
+  /// @param stop whether the robot has to stop
   OrderMessage(const SetPoints& setPoints, bool stop);
 
   /// @brief Returns the set-points of the order.
@@ -28,7 +28,8 @@ class OrderMessage final : public Serializable {
   /// @isr{yes}
   [[nodiscard]] const SetPoints& setPoints() const { return setPoints_; }
 
-  /// @brief Checks whether the order stops the robot. A stop counts whatever the other fields hold.
+  /// @brief Checks whether the order stops the robot. A stop is valid with any values of the other
+  /// fields.
   /// @return true for a stop
   /// @satisfies FR-21
   /// @satisfies FR-240
@@ -36,7 +37,7 @@ class OrderMessage final : public Serializable {
   [[nodiscard]] bool stop() const { return (commands_ & kStop) != 0; }
 
   /// @brief Checks whether the value of each wheel is 0, whatever its quantity.
-  /// @return true when no wheel is to move
+  /// @return true when no wheel shall move
   /// @satisfies FR-241
   /// @isr{yes}
   [[nodiscard]] bool neutral() const;

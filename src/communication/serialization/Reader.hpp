@@ -7,8 +7,8 @@
 namespace wr {
 
 /// @brief A source of orders.
-/// @function Checks whether its source has an order that can be read, and gives the fields of that
-/// order by their names.
+/// @function Checks whether its source has an order that can be read, and returns the fields of
+/// that order by name.
 /// @secret The source of an order, and its form.
 /// @role{serializer, Reader}
 class Reader {
@@ -16,15 +16,15 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// @brief Returns whether an order can be read: complete, the newest of its source, not older than
-  /// the lifetime of an order, and not read before.
+  /// @brief Returns whether an order can be read: it is complete, the newest of its source, not
+  /// older than the lifetime of an order, and was not read before.
   /// @return true when there is such an order
   /// @isr{no}
   [[nodiscard]] virtual bool available() const = 0;
 
-  /// @brief Checks whether a stop of this source is latched. Neither age nor the end of a connection
-  /// releases a stop.
-  /// @return true until the source orders without stop and with all wheel values 0
+  /// @brief Checks whether a stop of this source is latched. A stop has no time limit, and the end
+  /// of a connection does not release it.
+  /// @return true until the source sends an order without stop and with all wheel values 0
   /// @isr{no}
   [[nodiscard]] virtual bool stopOrdered() const = 0;
 
@@ -60,7 +60,7 @@ class Reader {
   /// @satisfies FR-170
   virtual std::int32_t readI32(Field field) = 0;
 
-  /// @brief Ends the read of one object. The object is consumed: it is not available any more.
+  /// @brief Ends the read of one object. The object cannot be read again.
   /// @return false when a field was read that the object does not have
   /// @isr{no}
   virtual bool finish() = 0;

@@ -19,22 +19,22 @@ struct LinkCounts {
   std::uint16_t wrongLength = 0;     ///< frames whose payload is too short
   std::uint16_t outOfRange = 0;      ///< orders with a field out of range
   std::uint16_t unexpected = 0;      ///< frames that the connection did not expect
-  std::uint16_t sequenceGaps = 0;    ///< accepted frames that do not follow the one before
-  std::uint16_t reportsNotSent = 0;  ///< reports for which the port had no room
-  std::uint16_t staleOrders = 0;     ///< orders that were not newer than the frame before
+  std::uint16_t sequenceGaps = 0;    ///< accepted frames that do not follow the previous frame
+  std::uint16_t reportsNotSent = 0;  ///< reports for which the port had no space
+  std::uint16_t staleOrders = 0;     ///< orders that were not newer than the previous frame
 
-  /// @brief Returns whether two sets of counts are the same.
+  /// @brief Returns whether two sets of counts are equal.
   friend constexpr bool operator==(const LinkCounts&, const LinkCounts&) = default;
 };
 
 /// @brief Costs of control cycles, in cycles of the processor; all 0 where the platform counts none.
 /// @datatype
 struct CycleCosts {
-  std::uint32_t report = 0;  ///< from the last clock pulse but one to the report of that cycle
-  std::uint32_t awake = 0;   ///< not asleep between the last two clock pulses
+  std::uint32_t report = 0;  ///< from the second last clock pulse to the report of that cycle
+  std::uint32_t awake = 0;   ///< without sleep between the last two clock pulses
   std::uint32_t start = 0;   ///< from the last clock pulse to the start of its cycle
 
-  /// @brief Returns whether two costs are the same.
+  /// @brief Returns whether two costs are equal.
   friend constexpr bool operator==(const CycleCosts&, const CycleCosts&) = default;
 };
 

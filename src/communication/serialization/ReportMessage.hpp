@@ -5,13 +5,13 @@
 
 namespace wr {
 
-/// @brief One report: what happened in one control cycle.
+/// @brief One report: the results of one control cycle.
 /// @function Stores a report for the PC and marks the values that are missing.
 /// @secret The fields of a report, and how a missing value is marked.
 /// @role{serializer, Concrete Element}
 class ReportMessage final : public Serializable {
  public:
-  /// @brief Constructs a report in which everything is zero or missing.
+  /// @brief Constructs a report in which all values are zero or missing.
   ReportMessage() = default;
 
   /// @brief Constructs a report.
@@ -26,10 +26,10 @@ class ReportMessage final : public Serializable {
 
   [[nodiscard]] bool readFrom(Reader& reader) override;
 
-  /// @brief Writes the report. A missing value is written as 0 and its bit of validity is 0. A value
-  /// that its field cannot hold is written as the nearest one that it can.
+  /// @brief Writes the report. A missing value is written as 0 and its bit of validity is 0. A
+  /// value out of the range of its field is written as the nearest value in the range.
   /// @param writer the destination
-  /// @return false when the destination has no room for the whole report
+  /// @return false when the destination has no space for the whole report
   /// @isr{no}
   /// @satisfies FR-61
   /// @satisfies FR-62

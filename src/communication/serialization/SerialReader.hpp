@@ -11,9 +11,9 @@
 namespace wr {
 
 /// @brief The newest order of the PC.
-/// @function Keeps the newest order that came over the serial line until it is read, replaced,
-/// dropped or too old. Latches a stop until an order releases it.
-/// @secret That the newest order is kept as raw bytes and decoded when it is read.
+/// @function Stores the newest order from the serial line until it is read, replaced, dropped or
+/// too old. Latches a stop until an order releases it.
+/// @secret That the newest order is stored as raw bytes and decoded when it is read.
 /// @role{serializer, Concrete Reader}
 class SerialReader final : public Reader {
  public:
@@ -29,7 +29,7 @@ class SerialReader final : public Reader {
   /// @satisfies FR-20
   void beginCycle(Instant clockPulse);
 
-  /// @brief Latches the stop if an order has it, whatever its other fields hold.
+  /// @brief Latches the stop if an order contains one, for any values of its other fields.
   /// @param payload the bytes of the order
   /// @isr{no}
   /// @satisfies FR-240
@@ -40,11 +40,11 @@ class SerialReader final : public Reader {
   /// @satisfies FR-21
   void latchStop();
 
-  /// @brief Stores an order in place of the one before. An order with a field out of range is
-  /// refused, and changes nothing. An order without stop whose wheel values are all 0 releases the
+  /// @brief Stores an order and replaces the previous one. An order with a field out of range is
+  /// rejected and changes nothing. An order without stop whose wheel values are all 0 releases the
   /// stop.
   /// @param payload the bytes of the order
-  /// @param receivedAt when the last byte of its frame was received
+  /// @param receivedAt time at which the last byte of its frame was received
   /// @return false when a field is out of its range
   /// @isr{no}
   /// @satisfies FR-20
@@ -54,7 +54,7 @@ class SerialReader final : public Reader {
   /// @satisfies FR-241
   bool offer(std::span<const std::uint8_t, kOrderLength> payload, Instant receivedAt);
 
-  /// @brief Drops the order that is kept. A stop stays.
+  /// @brief Drops the stored order. A stop stays.
   /// @isr{no}
   /// @satisfies FR-33
   /// @satisfies FR-34
@@ -80,14 +80,14 @@ class SerialReader final : public Reader {
   std::uint32_t readU32(Field field) override;
   std::int32_t readI32(Field field) override;
 
-  /// @brief Ends the read of the order. The order is consumed.
-  /// @return false when more was read than the order holds
+  /// @brief Ends the read of the order. The order cannot be read again.
+  /// @return false when more was read than the order contains
   /// @isr{no}
   /// @satisfies FR-20
   bool finish() override;
 
  private:
-  /// @brief An order, when its last byte was received, and whether it was read.
+  /// @brief An order, the time at which its last byte was received, and whether it was read.
   struct Kept {
     std::array<std::uint8_t, kOrderLength> bytes{};
     Instant at{};

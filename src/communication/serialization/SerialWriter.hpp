@@ -10,18 +10,18 @@
 namespace wr {
 
 /// @brief The bytes of one object for the serial line.
-/// @function Turns the fields of an object into the payload of a frame.
-/// @secret How a field becomes bytes on the serial line, and where they are stored.
+/// @function Converts the fields of an object to the payload of a frame.
+/// @secret How a field is converted to bytes on the serial line, and where they are stored.
 /// @role{serializer, Concrete Writer}
 class SerialWriter final : public Writer {
  public:
-  /// @brief Most bytes that an object can have.
+  /// @brief Greatest number of bytes of an object.
   static constexpr std::size_t kCapacity = 200;
 
   /// @brief Constructs a writer without bytes.
   SerialWriter() = default;
 
-  /// @brief Begins a new object: forgets all bytes.
+  /// @brief Begins a new object: clears all bytes.
   /// @isr{no}
   /// @satisfies FR-170
   void clear();
@@ -40,7 +40,7 @@ class SerialWriter final : public Writer {
   bool finish() override;
 
  private:
-  /// @brief Appends a number, all of it or, without room, nothing.
+  /// @brief Appends a number, or nothing if there is no space for all of it.
   /// @param value the number
   template <class Value>
   void put(Value value);

@@ -6,13 +6,13 @@
 namespace wr {
 
 /// @brief An object that can be read from a source and written to a destination.
-/// @function Reads and writes orders and reports, whatever their source or destination is.
+/// @function Reads and writes orders and reports, for any source or destination.
 /// @secret The fields of an object, their sizes and their order.
 /// @role{serializer, Serializable}
 ///
 /// @patternapp{serializer, Serializer, Receiving and sending information}
-/// @why The MCU takes data from the PC and from the RC and gives data to the PC. Each object names
-/// its fields once, and each source or destination gives them its own form.
+/// @why The MCU receives data from the PC and from the RC and sends data to the PC. Each object
+/// lists its fields once, and each source or destination has its own form for them.
 /// @changes The way to reach the data. The format of the data. A new source or a new destination.
 class Serializable {
  public:
@@ -24,7 +24,7 @@ class Serializable {
 
   /// @brief Writes the object, and ends the write.
   /// @param writer the destination
-  /// @return false when the destination has no room for the whole object
+  /// @return false when the destination has no space for the whole object
   /// @isr{no}
   [[nodiscard]] virtual bool writeTo(Writer& writer) const = 0;
 

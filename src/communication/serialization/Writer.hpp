@@ -51,7 +51,7 @@ class Writer {
   virtual void writeI32(Field field, std::int32_t value) = 0;
 
   /// @brief Ends the write of one object.
-  /// @return false when a field of the object found no room
+  /// @return false when there was no space for a field of the object
   /// @isr{no}
   /// @satisfies FR-170
   virtual bool finish() = 0;

@@ -19,14 +19,14 @@ enum class ArgumentId : std::uint8_t {
 
 /// @brief The arguments of a function.
 /// @function Returns the value of each argument by name.
-/// @secret Which arguments there are for one calculation.
+/// @secret The arguments of a calculation.
 /// @role{function-arguments, Component}
 ///
 /// @patternapp{function-arguments, Decorator, Function arguments}
-/// @why All functions need the same few arguments, and each needs some others. An addition to the
+/// @why All functions need the same few arguments, and each needs some more. An addition to the
 /// basic ones is wrapped around them, so that a function gets only the arguments that it needs.
-/// @changes Arguments may be added or dropped as a function comes to need them, without change to
-/// the others.
+/// @changes Arguments may be added or dropped when a function needs them, without change to the
+/// other functions.
 class Arguments {
  public:
   Arguments(const Arguments&) = delete;
@@ -34,7 +34,7 @@ class Arguments {
 
   /// @brief Returns the value of an argument.
   /// @param id name of the argument
-  /// @return its value; nothing when it was not given
+  /// @return its value; nothing when it is missing
   /// @isr{yes}
   [[nodiscard]] virtual std::optional<std::int32_t> value(ArgumentId id) const = 0;
 

@@ -8,8 +8,9 @@
 namespace wr {
 
 /// @brief Arguments that extend other arguments.
-/// @function Asks the arguments that it wraps. Subclasses answer for the names that they add.
-/// @secret How a name reaches the arguments that have a value for it.
+/// @function Returns the values of the wrapped arguments. Subclasses return the values that they
+/// add.
+/// @secret How the arguments that contain a value are found.
 /// @role{function-arguments, Decorator}
 class ArgumentsDecorator : public Arguments {
  public:

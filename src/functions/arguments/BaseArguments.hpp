@@ -9,14 +9,14 @@
 namespace wr {
 
 /// @brief The arguments that all functions have.
-/// @function Stores a raw value and the time that belongs to it.
+/// @function Stores a raw value and its time.
 /// @secret That every calculation begins with one raw value and one time.
 /// @role{function-arguments, Concrete Component}
 class BaseArguments final : public Arguments {
  public:
   /// @brief Constructs arguments of a raw value and a time.
   /// @param raw raw value, in the unit of the function
-  /// @param elapsed time that belongs to it [us]; beyond 2147483647 it counts as that, below 0 as 0
+  /// @param elapsed time that belongs to it [us]; limited to 0 to 2147483647
   BaseArguments(std::int32_t raw, Microseconds elapsed);
 
   /// @brief Returns Raw and Elapsed.

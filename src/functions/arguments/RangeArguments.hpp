@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief Adds a range of accepted values.
 /// @function Stores the least and the greatest value that a function accepts.
-/// @secret The form in which a range is given.
+/// @secret The form of a range.
 /// @role{function-arguments, Concrete Decorator}
 class RangeArguments final : public ArgumentsDecorator {
  public:
@@ -21,7 +21,7 @@ class RangeArguments final : public ArgumentsDecorator {
 
   /// @brief Returns Lowest and Highest, and the values of the wrapped arguments.
   /// @param id name of the argument
-  /// @return its value; nothing when it was not given
+  /// @return its value; nothing when it is missing
   /// @isr{yes}
   /// @satisfies FR-124
   [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override;

@@ -8,23 +8,23 @@
 namespace wr {
 
 /// @brief Adds the scale of a sensor.
-/// @function Stores the parameters of the line from a raw value to a physical one: factor, divisor
-/// and zero.
-/// @secret The form in which a linear scale is given.
+/// @function Stores the parameters of the linear function from a raw value to a physical value:
+/// factor, divisor and zero.
+/// @secret The form of a linear scale.
 /// @role{function-arguments, Concrete Decorator}
 class ScaleArguments final : public ArgumentsDecorator {
  public:
   /// @brief Extends arguments by a scale.
   /// @param wrapped the extended arguments
   /// @param scale factor
-  /// @param divisor number to divide by; with 0 no function gives a result
+  /// @param divisor number to divide by; with 0 no function returns a result
   /// @param offset raw value of zero
   ScaleArguments(const Arguments& wrapped, std::int32_t scale, std::int32_t divisor,
                  std::int32_t offset);
 
   /// @brief Returns Scale, Divisor and Offset, and the values of the wrapped arguments.
   /// @param id name of the argument
-  /// @return its value; nothing when it was not given
+  /// @return its value; nothing when it is missing
   /// @isr{yes}
   /// @satisfies FR-120
   [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override;

@@ -45,7 +45,7 @@ constinit const std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilder
 
 }  // namespace wr::platform
 
-// Each handler ends when its stores have ended: see those of the devices.
+// Each handler waits for its stores: see the handlers of the devices.
 
 void hallSensorInterrupt() {
   // bound: kWheelCount

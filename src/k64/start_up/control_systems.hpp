@@ -15,8 +15,8 @@ extern std::array<WheelSystemBuilder, kWheelCount> wheelBuilders;
 /// @brief Builders of all control systems: those of the wheels, and that of the steering.
 extern const std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilders;
 
-/// @brief Builds the control systems of the product, and handles their ticks. A product has it with or
-/// without safety functions.
+/// @brief Builds the control systems of the product, and handles their ticks. A product uses one
+/// pool, with or without safety functions.
 extern ControlSystemPoolBuilder poolBuilder;
 
 }  // namespace wr::platform

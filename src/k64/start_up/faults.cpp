@@ -12,7 +12,7 @@ extern "C" {
 extern const std::uint32_t stackBottom[];
 extern const std::uint32_t stackTop[];
 
-/// @brief Records what happened, and ends the firmware.
+/// @brief Records the fault, and ends the firmware.
 /// @param frame registers that the core has pushed on the stack; outside the stack when the stack overflowed
 [[noreturn, gnu::used]] void endOfProgram(const std::uint32_t* frame) {
   constexpr std::size_t kProgramCounter = 6;  // in the frame [word]
@@ -26,14 +26,14 @@ extern const std::uint32_t stackTop[];
 }
 
 /// @brief A pure virtual function was called: the instruction that follows is none.
-// The ABI of the compiler gives the name.
+// The ABI of the compiler defines the name.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 [[noreturn]] void __cxa_pure_virtual() {
   __builtin_trap();
 }
 }
 
-// The stack may have overflowed, and it is not needed any more: it begins again.
+// The stack may have overflowed. Its content is not needed any more, so the stack pointer is reset.
 [[gnu::naked]] void unexpected() {
   asm volatile(
       "mov r0, sp\n\t"
@@ -55,7 +55,7 @@ extern const std::uint32_t stackTop[];
 namespace wr {
 
 void assertionFailed(AssertId id) {
-  // The return address is odd, as all addresses of code; 3 before it lies the call.
+  // The return address is odd, like all addresses of code; the call is 3 bytes before it.
   const auto after = reinterpret_cast<std::uint32_t>(__builtin_return_address(0));
   K64Board::endWithFault(FaultKind::Assertion, static_cast<std::uint16_t>(id), after - 3);
 }

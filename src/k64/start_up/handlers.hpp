@@ -10,10 +10,10 @@ extern "C" {
 /// @brief Brings the microcontroller from the reset to its full clock, and runs the robot.
 [[noreturn]] void resetHandler();
 
-/// @brief Ends the firmware: for each fault, and for each interrupt that nothing handles.
+/// @brief Ends the firmware: for each fault, and for each interrupt without a handler.
 void unexpected();
 
-/// @brief The serial port of the PC has a byte, room for one, or lost one.
+/// @brief The serial port of the PC has a received byte, space for a byte to send, or a lost byte.
 void pcPortInterrupt();
 
 /// @brief Converter 0 has a result.
@@ -43,21 +43,22 @@ void tickTimerInterrupt();
 /// @brief A Hall sensor has an edge.
 void hallSensorInterrupt();
 
-/// @brief A period of the cycle timer has passed. Each product handles it.
+/// @brief A period of the cycle timer has passed. Each product defines this handler.
 void cycleTimerInterrupt();
 
-/// @brief A signal of the remote control has an edge. Unexpected in a product that does not handle it.
+/// @brief A signal of the remote control has an edge. The interrupt is unexpected in a product
+/// without this handler.
 void remoteControlInterrupt();
 
-/// @brief The second serial port has a byte, room for one, or lost one. Unexpected in a product that
-/// does not handle it.
+/// @brief The second serial port has a received byte, space for a byte to send, or a lost byte.
+/// The interrupt is unexpected in a product without this handler.
 void secondPortInterrupt();
 }
 
 namespace wr {
 
-/// @brief Builds the robot, starts its control cycles, and sleeps between the interrupts. Each product
-/// has its own.
+/// @brief Builds the robot, starts its control cycles, and sleeps between the interrupts. Each
+/// product has its own definition.
 [[noreturn]] void runRobot();
 
 // Interrupt lines.
@@ -68,7 +69,7 @@ inline constexpr std::uint8_t kCycleTimerLine = 48;        // PIT channel 0
 inline constexpr std::uint8_t kTickTimerLine = 49;         // PIT channel 1
 inline constexpr std::uint8_t kRemoteControlLine = 60;     // PORTB
 inline constexpr std::uint8_t kHallSensorLine = 62;        // PORTD
-inline constexpr std::uint8_t kMainThreadLine = 64;        // software interrupt: no device has it
+inline constexpr std::uint8_t kMainThreadLine = 64;        // software interrupt: no device uses it
 inline constexpr std::uint8_t kSecondPortLine = 66;        // UART4 receive and transmit
 inline constexpr std::uint8_t kSecondPortErrorLine = 67;   // UART4 error
 inline constexpr std::uint8_t kSecondConverterLine = 73;   // ADC1

@@ -1,5 +1,7 @@
 #include "k64/start_up/platform.hpp"
 
+#include <algorithm>
+
 #include "k64/K64Board.hpp"
 #include "k64/core.hpp"
 #include "k64/pins.hpp"
@@ -75,6 +77,11 @@ RcEdges enterRcInterrupt() {
           .enable = rcEnablePin.hasEdge()};
 }
 
+bool hallEdgeWaits() {
+  return std::ranges::any_of(wheels,
+                             [](const WheelDevices& wheel) { return wheel.hallA.hasEdge(); });
+}
+
 void allowEdges() {
   for (WheelDevices& wheel : wheels) {
     wheel.hallA.allowEdges();
@@ -111,9 +118,13 @@ void enableInterrupts() {
   K64Thread::enable(kMainThreadLine, kMainThreadPriority);
 }
 
-void sleepForever() {
+void showRunning() {
   redLight.set(false);
   greenLight.set(true);
+}
+
+void sleepForever() {
+  showRunning();
   for (;;) {
     timebase.sleep();
   }
@@ -121,8 +132,8 @@ void sleepForever() {
 
 }  // namespace wr::platform
 
-// An interrupt may be entered again when the store that ends it is still under way (erratum 838869
-// of the core), so each handler ends when its stores have ended.
+// An interrupt may be entered again when the store that ends it has not completed (erratum 838869
+// of the core), so each handler waits for its stores before it returns.
 
 void pcPortInterrupt() {
   wr::platform::pcPort.serve();

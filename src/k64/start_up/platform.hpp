@@ -17,8 +17,7 @@
 
 namespace wr::platform {
 
-// The devices of the board: all products have them. Their use is in the product's own
-// composition.
+// The devices of the board: all products have them. The composition of the product uses them.
 
 /// @brief Devices of one wheel.
 /// @datatype
@@ -49,16 +48,16 @@ extern K64Port rcVelocityPin;
 extern K64Port rcDirectionPin;
 extern K64Port rcEnablePin;
 
-/// @brief Time of the edges of the remote control: that at which their interrupt was entered.
+/// @brief Time of the edges of the remote control: the time at which their interrupt was entered.
 extern K64Timebase::EntryTime rcEdgeTime;
 
 /// @brief Contact of the emergency stop: low while it is released.
 extern K64Port emergencyStopContact;
 
-/// @brief On from the reset on until control cycles run. Then it is free for the product.
+/// @brief On from reset until control cycles run. Afterwards the product may use it.
 extern K64Gpio redLight;
 
-/// @brief Why the firmware started.
+/// @brief Cause of the start of the firmware.
 extern StartRecord startRecord;
 
 /// @brief Signals of the remote control that have an edge.
@@ -75,27 +74,36 @@ struct RcEdges {
 /// @isr{yes}
 RcEdges enterRcInterrupt();
 
+/// @brief Returns whether a Hall edge waits for its interrupt. All Hall sensors have the same one.
+/// @return true if an edge is not acknowledged yet
+/// @isr{yes}
+[[nodiscard]] bool hallEdgeWaits();
+
 /// @brief Enables the interrupts of inputs that had too many edges. The handler of the tick calls it.
 /// @isr{yes}
 void allowEdges();
 
-/// @brief Opens the gates of the devices and calibrates the converters.
-/// @pre The core still runs from the clock after reset: the full clock is too fast for the calibration.
+/// @brief Opens the clock gates of the devices and calibrates the converters.
+/// @pre The core still uses the clock after reset: the full clock is too fast for the calibration.
 /// @isr{no}
 void calibrateConverters();
 
-/// @brief Starts the devices. The outputs for the voltage leave their safe level for the timer, which
-/// holds them low.
+/// @brief Starts the devices. The outputs for the voltage change from their safe level to the
+/// timer, which keeps them low.
 /// @pre The converters are calibrated, and the core runs at its full clock.
 /// @isr{no}
 void startDevices();
 
 /// @brief Enables the interrupts of the devices and the threads.
-/// @pre All that their handlers call is made.
+/// @pre All objects that their handlers call are constructed.
 /// @isr{no}
 void enableInterrupts();
 
-/// @brief Shows that control cycles run, and sleeps between the interrupts.
+/// @brief Switches on the light for running control cycles.
+/// @isr{no}
+void showRunning();
+
+/// @brief Switches on the light for running control cycles, and sleeps between the interrupts.
 /// @isr{no}
 [[noreturn]] void sleepForever();
 

@@ -11,7 +11,7 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, systemBuilders);
 
 }  // namespace wr::platform
 
-// The handler ends when its stores have ended: see those of the devices.
+// The handler waits for its stores: see the handlers of the devices.
 
 void tickTimerInterrupt() {
   wr::platform::poolBuilder.timer().expired();

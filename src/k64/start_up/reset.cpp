@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cstdint>
 
 #include "k64/K64Board.hpp"
@@ -7,22 +6,10 @@
 #include "k64/core.hpp"
 #include "k64/start_up/handlers.hpp"
 #include "k64/start_up/platform.hpp"
+#include "k64/start_up/program.hpp"
 
-// The linker script defines where things begin and end.
+// The linker script defines the beginning and the end of the constructors.
 extern "C" {
-// Four words: the core loads and stores them with two instructions.
-using Words = std::array<std::uint32_t, 4>;
-extern Words codeBegin[];
-extern Words codeEnd[];
-extern const Words codeInitial[];
-extern Words ramVectors[];
-extern Words ramVectorsEnd[];
-extern const Words vectors[];
-extern Words dataBegin[];
-extern Words dataEnd[];
-extern const Words dataInitial[];
-extern Words bssBegin[];
-extern Words bssEnd[];
 using Constructor = void (*)();
 extern const Constructor constructorsBegin[];
 extern const Constructor constructorsEnd[];
@@ -39,8 +26,8 @@ namespace {
   }
 }
 
-// No function may help that is copied itself, as those of the library. The linker script refuses
-// such a call from its section.
+// No function that is copied here may be called, for example of the library. The linker script
+// rejects such a call from its section.
 [[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
   copy(codeInitial, codeBegin, codeEnd);
   copy(vectors, ramVectors, ramVectorsEnd);
@@ -62,7 +49,7 @@ void constructObjects() {
 }  // namespace wr
 
 void resetHandler() {
-  // No object of the program may be touched before memory is initialised.
+  // No object of the program may be accessed before memory is initialised.
   wr::K64Watchdog::configure();
   wr::K64Board::makeOutputsSafe();
   wr::K64Board::connectInputs();

@@ -10,13 +10,14 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kExceptions = 16;  // of the core; the interrupt lines follow
+constexpr std::size_t kExceptions = 16;  // number of vectors of the core; the interrupt lines
+                                         // follow
 constexpr std::size_t kLines = 86;
 
 using Handler = void (*)();
 
-// The hardware reads the table at reset: the first word is the stack, then come the handlers, the
-// first of which is that of the reset.
+// The hardware reads the table at reset: the first word is the initial stack pointer, the second
+// the reset handler, and the other handlers follow.
 struct Vectors {
   const std::uint32_t* stack;
   std::array<Handler, kExceptions - 1 + kLines> handlers;

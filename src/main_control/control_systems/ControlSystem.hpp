@@ -17,8 +17,8 @@ namespace wr {
 /// @role{control-system-orders, Abstract Class}
 ///
 /// @patternapp{control-system-orders, Template Method, Main controller orders for control sub-systems}
-/// @why The main controller gives the same sequence of orders to all control systems. Each carries out
-/// an order in its own way.
+/// @why The main controller sends the same sequence of orders to all control systems. Each control
+/// system carries out an order in its own way.
 /// @changes The way in which one system carries out an order may change. A new order is one more step of
 /// the sequence.
 class ControlSystem {
@@ -49,8 +49,8 @@ class ControlSystem {
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 
   /// @brief Adds the measured and applied values of the system.
-  /// @param measurements takes the measured values; values of other systems stay
-  /// @param outputs takes the applied values; values of other systems stay
+  /// @param measurements receives the measured values; values of other systems do not change
+  /// @param outputs receives the applied values; values of other systems do not change
   /// @isr{no}
   virtual void collect(Measurements& measurements, Outputs& outputs) const = 0;
 

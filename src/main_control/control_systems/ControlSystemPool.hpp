@@ -13,15 +13,15 @@ namespace wr {
 
 /// @brief All control systems of the robot.
 ///
-/// @function Passes each order of the main controller to every control system, in the order in which
-/// they were added, and gathers their measured and applied values.
+/// @function Passes each order of the main controller to every control system, in the order in
+/// which they were added, and collects their measured and applied values.
 ///
-/// @secret How the control systems are stored, and in which sequence they are ordered.
+/// @secret How the control systems are stored, and the sequence in which they get orders.
 ///
 /// @role{pool-construction, Product}
 class ControlSystemPool {
  public:
-  /// @brief Largest number of control systems: four wheels, the steering, and room for a few more.
+  /// @brief Largest number of control systems: four wheels, the steering, and some spare entries.
   static constexpr std::size_t kCapacity = 8;
 
   /// @brief Constructs an empty pool.
@@ -54,14 +54,15 @@ class ControlSystemPool {
 
   /// @brief Returns whether all control systems have done the work of a cycle.
   /// @param cycle number of the control cycle, from 1
-  /// @return true if every control system has; true for an empty pool.
+  /// @return true if every control system has done it, also for an empty pool.
   /// @satisfies FR-5
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const;
 
-  /// @brief Gathers the measured and applied values of the control systems.
-  /// @param measurements takes the measured values; a value that no system gives stays missing
-  /// @param outputs takes the applied values; a value that no system gives stays missing
+  /// @brief Collects the measured and applied values of the control systems.
+  /// @param measurements receives the measured values; a value that no system measures stays
+  /// missing
+  /// @param outputs receives the applied values; a value that no system applies stays missing
   /// @satisfies FR-62
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const;

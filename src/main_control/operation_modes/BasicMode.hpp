@@ -10,36 +10,36 @@ namespace wr {
 /// @function Reads one order from a Reader and saves its set-points. The modes wrap it and add the
 /// particular behaviour of their source.
 ///
-/// @secret That the set-points of every source travel as one OrderMessage.
+/// @secret That the set-points of every source are passed as one OrderMessage.
 ///
 /// @role{mode-extensions, Concrete Component}
 class BasicMode final : public Mode {
  public:
   /// @brief Binds the mode to the reader of its source.
-  /// @param reader where the orders of the source are read
+  /// @param reader reader of the orders of the source
   explicit BasicMode(Reader& reader);
 
-  /// @brief Does nothing: the reader of the basic task has its input at once.
+  /// @brief Does nothing: the reader of the basic task needs no service.
   /// @isr{no}
   void serve() override;
 
-  /// @brief Returns whether the reader holds an order that can be read now.
-  /// @return true if the order is the newest of its source, young enough, and was not read before.
+  /// @brief Returns whether the reader has an order that can be read now.
+  /// @return true if the order is the newest of its source, not too old, and was not read before.
   /// @satisfies FR-20
   /// @isr{no}
   [[nodiscard]] bool newMessage() const override;
 
   /// @brief Reads the order and saves its set-points in the data of the controller.
-  /// @param mCtrl controller whose data takes the set-points
+  /// @param mCtrl controller whose data receive the set-points
   /// @pre newMessage() was true in this cycle.
-  /// @post The order is consumed.
-  /// @errors An order that cannot be read whole leaves the set-points as they were.
+  /// @post The order cannot be read again.
+  /// @errors An order that cannot be read completely does not change the set-points.
   /// @satisfies FR-20
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Changes nothing: the basic part has no other mode.
-  /// @param mCtrl controller, left as it is
+  /// @brief Does nothing: the basic part has no successor.
+  /// @param mCtrl controller, which is not changed
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 

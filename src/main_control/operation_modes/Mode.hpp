@@ -14,10 +14,10 @@ enum class ModeId : std::uint8_t {
   None = 255  ///< no source
 };
 
-/// @brief A reading mode: the source that orders are read from.
+/// @brief A reading mode: the source from which orders are read.
 ///
-/// @function Provides one way to test for a message, to read it and to change to the
-/// other source. It also returns whether the source ordered a stop, in whatever mode the system is.
+/// @function Provides one interface to check for a message, to read it and to change to the other
+/// source. It also returns whether the source ordered a stop, in every mode.
 ///
 /// @secret Which source belongs to a reading mode.
 ///
@@ -25,17 +25,16 @@ enum class ModeId : std::uint8_t {
 /// @role{mode-extensions, Component}
 ///
 /// @patternapp{reading-modes, State, Reading modes}
-/// @why How an order is read depends on whether the system takes orders from the PC or from the remote
-/// control. Each mode is a state, so no other module asks which mode it is.
-/// @changes The way a mode reads may change. A new source of orders, such as a Bluetooth device, is a
-/// new subclass of this class and touches no other module of Main Control.
+/// @why How an order is read depends on whether the system reads orders from the PC or from the
+/// remote control. Each mode is a state, so no other module has to compare modes.
+/// @changes The way a mode reads may change. A new source of orders, such as a Bluetooth device, is
+/// a new subclass of this class and changes no other module of Main Control.
 class Mode {
  public:
   Mode(const Mode&) = delete;
   Mode& operator=(const Mode&) = delete;
 
-  /// @brief Processes the input of the source. It is called once in each cycle, whichever mode the
-  /// system is in.
+  /// @brief Processes the input of the source. It is called once in each cycle, in every mode.
   /// @isr{no}
   virtual void serve() = 0;
 
@@ -45,29 +44,29 @@ class Mode {
   [[nodiscard]] virtual bool newMessage() const = 0;
 
   /// @brief Reads the order into the data of the controller.
-  /// @param mCtrl controller whose data takes the set-points and the source
+  /// @param mCtrl controller whose data receive the set-points and the source
   /// @pre newMessage() was true in this cycle.
-  /// @post The order is consumed.
+  /// @post The order cannot be read again.
   /// @isr{no}
   virtual void read(MainController& mCtrl) = 0;
 
-  /// @brief Lets the controller read from the mode that follows this one.
+  /// @brief Lets the controller read from the successor of this mode.
   /// @param mCtrl controller whose mode changes
   /// @isr{no}
   virtual void changeMode(MainController& mCtrl) = 0;
 
   /// @brief Returns whether the source ordered a stop and has not released it.
-  /// @return true from a stop order until the same source orders without stop.
+  /// @return true from a stop order until the same source sends an order without stop.
   /// @isr{no}
   [[nodiscard]] virtual bool stopOrdered() const = 0;
 
-  /// @brief The number of this mode.
+  /// @brief Returns the number of this mode.
   /// @return number of the mode, as in reports.
   /// @isr{yes}
   [[nodiscard]] ModeId id() const;
 
  protected:
-  /// @brief Numbers the mode.
+  /// @brief Constructs a mode with a number.
   /// @param id number of the mode, as in reports
   explicit Mode(ModeId id);
   ~Mode() = default;

@@ -9,13 +9,13 @@ namespace wr {
 /// @function Forwards the operations that a mode does not extend to the mode that it wraps.
 /// Subclasses define the operations that they extend.
 ///
-/// @secret Which operations of the wrapped mode are passed on as they are.
+/// @secret Which operations of the wrapped mode are forwarded unchanged.
 ///
 /// @role{mode-extensions, Decorator}
 ///
 /// @patternapp{mode-extensions, Decorator, Operation modes as extensions of a basic task}
-/// @why The source of the orders determines the mode. Reading has the same basic actions in each mode,
-/// and each mode adds actions of its own to them.
+/// @why The source of the orders determines the mode. Reading has the same basic actions in each
+/// mode, and each mode adds its own actions to them.
 /// @changes The additions of a mode to reading may change without change to the basic task. A new
 /// reading mode is one more decorator around it.
 class ModeDecorator : public Mode {

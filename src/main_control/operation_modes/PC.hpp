@@ -7,11 +7,12 @@ namespace wr {
 
 /// @brief The reading mode in which the PC on the robot commands it.
 ///
-/// @function Extends the basic mode: an order counts only while the PC is connected, and its set-points
-/// are marked as given by the PC. Changes to the other mode on demand.
+/// @function Extends the basic mode: an order is valid only while the PC is connected, and its
+/// set-points are marked as given by the PC. Changes to the other mode when the operation state
+/// demands it.
 ///
-/// @secret That an order of the PC is void without a connection, and how set-points are marked as given
-/// by the PC.
+/// @secret That an order of the PC is invalid without a connection, and how set-points are marked
+/// as given by the PC.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}
@@ -35,9 +36,9 @@ class PC final : public ModeDecorator {
   [[nodiscard]] bool newMessage() const override;
 
   /// @brief Saves the mode id of the PC, then reads as the wrapped mode does.
-  /// @param mCtrl controller whose data takes the set-points and the source
+  /// @param mCtrl controller whose data receive the set-points and the source
   /// @pre newMessage() was true in this cycle.
-  /// @post The order is consumed.
+  /// @post The order cannot be read again.
   /// @satisfies FR-12
   /// @satisfies FR-19
   /// @isr{no}

@@ -6,8 +6,8 @@ namespace wr {
 
 /// @brief The reading mode in which a person commands the robot with the remote control.
 ///
-/// @function Extends the basic mode: marks the set-points as given by the remote control, and changes to
-/// the other mode on demand.
+/// @function Extends the basic mode: marks the set-points as given by the remote control, and
+/// changes to the other mode when the operation state demands it.
 ///
 /// @secret How set-points are marked as given by the remote control.
 ///
@@ -21,9 +21,9 @@ class RC final : public ModeDecorator {
   RC(Mode& wrapped, Mode& other);
 
   /// @brief Saves the mode id of the remote control, then reads as the wrapped mode does.
-  /// @param mCtrl controller whose data takes the set-points and the source
+  /// @param mCtrl controller whose data receive the set-points and the source
   /// @pre newMessage() was true in this cycle.
-  /// @post The order is consumed.
+  /// @post The order cannot be read again.
   /// @satisfies FR-11
   /// @satisfies FR-19
   /// @isr{no}

@@ -18,8 +18,9 @@ enum class OperationStateId : std::uint8_t {
 
 /// @brief A state of Main Control: decides the steps of a cycle.
 ///
-/// @function Reads orders in the same steps in every state, and leaves the reaction to a message,
-/// or to none, to its subclasses. Orders the control systems and the report of the cycle.
+/// @function Reads orders in the same steps in every state, and lets its subclasses define the
+/// reaction to a message or to a missing message. Orders the control systems and the report of the
+/// cycle.
 ///
 /// @secret The steps of reading an order that all operation states share.
 ///
@@ -29,21 +30,21 @@ enum class OperationStateId : std::uint8_t {
 /// @patternapp{operation-states, State, Operation states of the main controller}
 /// @why The steps of the main controller, and its orders to the control systems, depend on its
 /// operation state.
-/// @changes The behaviour of a state may change. A new state, such as one that warns after some failed
-/// reads, is a new subclass of this class and leaves the other states as they are.
+/// @changes The behaviour of a state may change. A new state, such as one that warns after some
+/// failed reads, is a new subclass of this class and does not change the other states.
 ///
 /// @patternapp{read-orders, Template Method, Read orders in the operation states}
-/// @why Reading an order has the same steps in every state: ask for a message, then act with it or
-/// without it. Only the two actions differ.
+/// @why Reading an order has the same steps in every state: check for a message, then act with or
+/// without a message. Only the two actions differ.
 /// @changes How one state acts with or without a message may change without change to the steps.
 class OperationState {
  public:
   OperationState(const OperationState&) = delete;
   OperationState& operator=(const OperationState&) = delete;
 
-  /// @brief Asks the present mode for a message, then acts with it or without it.
+  /// @brief Checks whether the present mode has a message, then acts with or without a message.
   /// @param mCtrl controller that reads
-  /// @post The state that this read leads to is current.
+  /// @post The current state is the result of this read.
   /// @satisfies FR-13
   /// @satisfies FR-15
   /// @isr{no}
@@ -61,14 +62,14 @@ class OperationState {
   /// @isr{no}
   virtual void write(MainController& mCtrl);
 
-  /// @brief The number of this state.
+  /// @brief Returns the number of this state.
   /// @return number of the state, as in reports.
   /// @isr{yes}
   /// @satisfies FR-61
   [[nodiscard]] OperationStateId id() const;
 
  protected:
-  /// @brief Numbers the state.
+  /// @brief Constructs a state with a number.
   /// @param id number of the state, as in reports
   explicit OperationState(OperationStateId id);
   ~OperationState() = default;

@@ -4,12 +4,13 @@
 
 namespace wr {
 
-/// @brief Nobody commands: the system is at rest and looks for orders in turn at each source.
+/// @brief No source sends orders: the system is at rest and tries to read from each source in turn.
 ///
 /// @function Holds the control systems. Each failed read changes the reading mode; a message ends the
 /// search.
 ///
-/// @secret How the system looks for a source of orders, and the behaviour of the robot while nobody commands it.
+/// @secret How the system looks for a source of orders, and the behaviour of the robot in the
+/// meantime.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}
@@ -33,7 +34,7 @@ class Reconnecting final : public OperationState {
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Changes the reading mode and stays.
+  /// @brief Changes the reading mode and keeps the state.
   /// @param mCtrl controller that reads
   /// @satisfies FR-17
   void actionNoMsg(MainController& mCtrl) override;

@@ -6,9 +6,9 @@
 
 namespace wr {
 
-/// @brief A few reads failed: the system goes on and counts.
+/// @brief Some reads failed: the system continues and counts the failed reads.
 ///
-/// @function Counts failed reads up to a number, then hands over to the state after it. A message ends
+/// @function Counts failed reads up to a number, then sets the next state. A message ends
 /// the wait. Meanwhile the control systems follow the set-points that were read last.
 ///
 /// @secret How failed reads are counted, and when this state ends.
@@ -21,8 +21,8 @@ class Waiting final : public OperationState {
   /// @brief Binds the state to its successors.
   /// @param working state after a message; only its address is used before the first read()
   /// @param next state after the failed reads; only its address is used before the first read()
-  /// @param failedReads which failed read in a row, counted from the one that led here, sets the next
-  /// state [2 to 255]
+  /// @param failedReads number of the successive failed read that sets the next state, counted from
+  /// the read that led to this state [2 to 255]
   Waiting(OperationState& working, OperationState& next, std::uint8_t failedReads);
 
  private:
@@ -32,7 +32,7 @@ class Waiting final : public OperationState {
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Counts the failed read, and sets the next state after the last one.
+  /// @brief Counts the failed read, and sets the next state after the last permitted one.
   /// @param mCtrl controller that reads
   /// @satisfies FR-15
   /// @satisfies FR-16
@@ -42,7 +42,7 @@ class Waiting final : public OperationState {
   OperationState& working_;
   OperationState& next_;
   std::uint8_t limit_;
-  std::uint8_t failedReads_ = 1;  // the read that led here is the first
+  std::uint8_t failedReads_ = 1;  // the read that led to this state is the first
 };
 
 }  // namespace wr

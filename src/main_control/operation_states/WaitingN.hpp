@@ -29,7 +29,7 @@ class WaitingN final : public OperationState {
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Sets the state that looks for another source.
+  /// @brief Sets the state Reconnecting, which looks for another source.
   /// @param mCtrl controller that reads
   /// @satisfies FR-16
   void actionNoMsg(MainController& mCtrl) override;

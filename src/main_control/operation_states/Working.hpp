@@ -4,9 +4,9 @@
 
 namespace wr {
 
-/// @brief Orders come: the last read found one.
+/// @brief Orders arrive: the last read found one.
 ///
-/// @function Reads a message when there is one. Otherwise it hands over to the state that waits.
+/// @function Reads a message when there is one. Otherwise it sets the waiting state.
 ///
 /// @secret The reaction to the first failed read.
 ///
@@ -20,13 +20,13 @@ class Working final : public OperationState {
   explicit Working(OperationState& waiting);
 
  private:
-  /// @brief Reads the message and stays.
+  /// @brief Reads the message and keeps the state.
   /// @param mCtrl controller that reads
   /// @param md present mode
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Sets the state that waits.
+  /// @brief Sets the waiting state.
   /// @param mCtrl controller that reads
   /// @satisfies FR-15
   void actionNoMsg(MainController& mCtrl) override;

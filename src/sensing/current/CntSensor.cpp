@@ -11,11 +11,11 @@ namespace wr {
 
 namespace {
 
-// The range of 4096 is 3300 mV, and the sensor gives 0.1 mV a mA: 33000 mA over the range.
+// The range of 4096 is 3300 mV, and the sensor outputs 0.1 mV per mA: 33000 mA over the range.
 constexpr std::int32_t kMilliamperes = 33000;
 constexpr std::int32_t kRange = 4096;
 
-// The sensor ends at 16.5 A: a mean beyond this is no measurement [mA].
+// The range of the sensor ends at 16.5 A: a mean beyond this value is not a measurement [mA].
 constexpr std::int32_t kMaxCurrent = 16000;
 
 }  // namespace

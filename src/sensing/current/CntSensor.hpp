@@ -14,16 +14,16 @@ namespace wr {
 class CntSensor final {
  public:
   /// @brief Binds the sensor.
-  /// @param collector gives the samples
-  /// @param function calculates the current; it refuses one that cannot be
-  /// @param current takes the current, with the time of its newest sample
+  /// @param collector returns the samples
+  /// @param function calculates the current; it rejects an impossible one
+  /// @param current receives the current, with the time of its newest sample
   CntSensor(ValueCollector& collector, const Function& function, Pipe<Current>& current);
 
   CntSensor(const CntSensor&) = delete;
   CntSensor& operator=(const CntSensor&) = delete;
 
-  /// @brief Writes the mean of the samples that the collector gave since the last call to the pipe.
-  /// @pre No more than 500000 samples came since the last call.
+  /// @brief Writes the mean of the samples since the last call to the pipe.
+  /// @pre No more than 500000 samples were taken since the last call.
   /// @errors Without samples, or with a mean beyond 16 A, nothing is written: the value in the pipe
   /// grows old.
   /// @isr{no}
@@ -34,7 +34,7 @@ class CntSensor final {
   ValueCollector& collector_;
   const Function& function_;
   Pipe<Current>& pipe_;
-  CurrentRecord before_;  // record at the measurement before
+  CurrentRecord before_;  // record at the previous measurement
 };
 
 }  // namespace wr

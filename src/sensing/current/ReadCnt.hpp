@@ -7,8 +7,8 @@
 namespace wr {
 
 /// @brief Command of a tick: samples the current of a wheel.
-/// @function Reads the sample that the tick before requested, passes it to the collector, and
-/// asks for the next.
+/// @function Reads the sample that the previous tick requested, passes it to the collector, and
+/// requests the next one.
 /// @secret How sampling is spread over two ticks, so that no interrupt waits for a conversion.
 /// @role{wheel-timer-interrupt, Concrete Command}
 ///
@@ -22,10 +22,10 @@ class ReadCnt final : public Command {
  public:
   /// @brief Binds the command.
   /// @param input converts the voltage of the sensor
-  /// @param collector takes the samples
+  /// @param collector receives the samples
   ReadCnt(AnalogInput& input, ValueCollector& collector);
 
-  /// @brief Passes a sample on, if one is ready, and asks for the next.
+  /// @brief Passes a sample to the collector, if one is ready, and requests the next one.
   /// @isr{yes}
   /// @satisfies FR-100
   /// @satisfies FR-125

@@ -14,7 +14,7 @@ constexpr std::int32_t kFullScale = AnalogInput::kFullScale;
 constexpr std::int32_t kMiddleCount = (kFullScale + 1) / 2;
 constexpr std::int32_t kZeroTolerance = kFullScale / 20;
 
-// The sensor gives 0.1 mV a mA, and the range is 3300 mV. 1861 is 14.993 A, 1862 is 15.002 A.
+// The sensor outputs 0.1 mV per mA, and the range is 3300 mV. 1861 is 14.993 A, 1862 is 15.002 A.
 constexpr std::int32_t kGreatest = 15000 * 4096 / 33000;
 
 constexpr std::uint32_t kTripSamples = 5;

@@ -9,13 +9,13 @@
 
 namespace wr {
 
-/// @brief Record of the samples of a current. Sum and number count from start, and wrap: a reader
-/// subtracts two records to get the values of a time. The difference is right for at most 500000
-/// samples, with the sum read as a signed number.
+/// @brief Record of the samples of a current. Sum and number count from start and can overflow: a
+/// reader subtracts two records to get the values between them. The difference is correct for at
+/// most 500000 samples, with the sum read as a signed number.
 /// @datatype
 struct CurrentRecord {
   std::uint32_t sum =
-      0;  ///< sum of the samples, each less the zero of the sensor [1/4096 of the range]
+      0;  ///< sum of the samples, each minus the zero of the sensor [1/4096 of the range]
   std::uint32_t number = 0;  ///< number of samples in the sum
   Instant at{};              ///< time of the newest sample
 };
@@ -30,35 +30,36 @@ struct CurrentRecord {
 /// @role{wheel-timer-interrupt, Receiver}
 class ValueCollector final {
  public:
-  /// @brief Number of samples from which the zero is taken.
+  /// @brief Number of samples from which the zero is computed.
   static constexpr std::int32_t kZeroSamples = 64;
 
   /// @brief Number of samples after which the record is written again.
   static constexpr std::uint32_t kGroupSize = 8;
 
   /// @brief Binds the command that ends an overcurrent.
-  /// @param overcurrent is executed, in the interrupt, at each sample from the fifth in a row that
-  /// is too high
-  /// @param timebase gives the time of a sample
+  /// @param overcurrent is executed in the interrupt, at the fifth successive sample that is too
+  /// high and at each one that follows
+  /// @param timebase returns the time of a sample
   ValueCollector(Command& overcurrent, const Timebase& timebase);
 
   ValueCollector(const ValueCollector&) = delete;
   ValueCollector& operator=(const ValueCollector&) = delete;
 
-  /// @brief Processes a sample. The mean of the first 64 is the zero of the sensor; when it lies more
-  /// than 5 % of the range off the middle, no sample counts ever after. Later samples are added to
+  /// @brief Processes a sample. The mean of the first 64 is the zero of the sensor; when it is more
+  /// than 5 % of the range from the middle, all later samples are ignored. Later samples are added
+  /// to
   /// the record. A sample beyond 15 A, or at an end of the range, is too high.
-  /// @param raw sample [1/4096 of the range, 0 to 4095], of now
-  /// @pre The motor has no current until the zero is taken.
+  /// @param raw present sample [1/4096 of the range, 0 to 4095]
+  /// @pre The motor has no current until the zero is computed.
   /// @isr{yes}
   /// @satisfies FR-125
   /// @satisfies FR-126
   /// @satisfies FR-128
   void collect(std::uint16_t raw);
 
-  /// @brief Returns all that is known of the samples, as of the last of 8.
+  /// @brief Returns the record of the samples, up to the last complete group of 8.
   /// @return the record; empty before the eighth sample after the zero
-  /// @pre No other call of record() is under way: only the thread of the wheel calls it.
+  /// @pre No other call of record() is active: only the thread of the wheel calls it.
   /// @isr{no}
   /// @satisfies FR-125
   [[nodiscard]] CurrentRecord record();
@@ -67,7 +68,7 @@ class ValueCollector final {
   /// @brief Adds a sample to the zero, during its calibration.
   void learnZero(std::int32_t raw);
 
-  /// @brief Acts when the samples are too high.
+  /// @brief Executes the command when the samples are too high.
   void guard(std::int32_t raw);
 
   /// @brief Writes the samples up to now for the thread.
@@ -75,11 +76,11 @@ class ValueCollector final {
 
   Command& overcurrent_;
   const Timebase& timebase_;
-  std::int32_t learned_ = 0;   // samples in zero_ while it is learned
-  std::int32_t zero_ = 0;      // sum of samples while it is learned, then the zero
-  bool plausible_ = false;     // the zero is learned and can be
-  std::int32_t least_ = 0;     // sample that is not too high
-  std::int32_t greatest_ = 0;  // sample that is not too high
+  std::int32_t learned_ = 0;   // number of samples in zero_ during the calibration
+  std::int32_t zero_ = 0;      // sum of samples during the calibration, then the zero
+  bool plausible_ = false;     // the zero is computed and plausible
+  std::int32_t least_ = 0;     // greatest sample that is not too high
+  std::int32_t greatest_ = 0;  // greatest sample that is not too high
   std::uint32_t tooHigh_ = 0;  // samples in a row
   std::uint32_t sum_ = 0;
   std::uint32_t number_ = 0;

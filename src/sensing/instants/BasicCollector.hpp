@@ -6,23 +6,23 @@
 
 namespace wr {
 
-/// @brief The collector that every other extends.
+/// @brief The collector that all other collectors extend.
 /// @function Records the time of the last edge.
-/// @secret That of all edges only the last is kept.
+/// @secret That only the last edge is stored.
 /// @role{instant-collectors, Concrete Component}
 class BasicCollector final : public InstantCollector {
  public:
   /// @brief Constructs a collector without an edge.
   BasicCollector() = default;
 
-  /// @brief Keeps the instant of the edge.
+  /// @brief Stores the time of the edge.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-120
   void collect(const Edge& edge) override;
 
   /// @brief Adds to the record the time of the last edge.
-  /// @param instants takes `last`; nothing before the first edge
+  /// @param instants receives `last`; unchanged before the first edge
   /// @isr{yes}
   /// @satisfies FR-120
   void fill(Instants& instants) const override;

@@ -5,9 +5,8 @@
 namespace wr {
 
 /// @brief A collector that extends another collector.
-/// @function Forwards edges and questions to the collector that it wraps. Subclasses add a value of
-/// their own.
-/// @secret Which operations of the wrapped collector are passed on as they are.
+/// @function Forwards each call to the wrapped collector. Each subclass adds a value.
+/// @secret Which operations of the wrapped collector are forwarded unchanged.
 /// @role{instant-collectors, Decorator}
 class CollectorDecorator : public InstantCollector {
  public:

@@ -7,8 +7,8 @@
 namespace wr {
 
 /// @brief Adds the number of edges.
-/// @function Counts the edges that came forwards, less those that came backwards.
-/// @secret How edges are counted, and what happens when the count reaches its end.
+/// @function Counts the forward edges minus the backward edges.
+/// @secret How edges are counted, and the overflow of the count.
 /// @role{instant-collectors, Concrete Decorator}
 class CountCollector final : public CollectorDecorator {
  public:
@@ -16,15 +16,15 @@ class CountCollector final : public CollectorDecorator {
   /// @param wrapped the extended collector
   explicit CountCollector(InstantCollector& wrapped);
 
-  /// @brief Passes the edge on and adds its direction to the count. The count wraps from its
-  /// greatest number to its least, so that differences stay right.
+  /// @brief Forwards the edge and adds its direction to the count. The count overflows from its
+  /// greatest number to its least, so that differences stay correct.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-121
   void collect(const Edge& edge) override;
 
-  /// @brief Adds to the record of the wrapped collector the count.
-  /// @param instants takes `count` [edges since start]
+  /// @brief Adds the count to the record of the wrapped collector.
+  /// @param instants receives `count` [edges since start]
   /// @isr{yes}
   /// @satisfies FR-121
   void fill(Instants& instants) const override;

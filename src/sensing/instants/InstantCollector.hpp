@@ -18,20 +18,20 @@ struct Edge {
 /// @brief Record of the edges of a signal. An absent value was not collected.
 /// @datatype
 struct Instants {
-  std::optional<Instant> last;         ///< when the last edge came
+  std::optional<Instant> last;         ///< time of the last edge
   std::optional<Microseconds> period;  ///< time between the two last rising edges
   std::optional<Microseconds> width;   ///< length of the last pulse, from rising to falling edge
-  std::int32_t count = 0;              ///< edges forwards less edges backwards
+  std::int32_t count = 0;              ///< forward edges minus backward edges
 };
 
 /// @brief Collects instants of the edges of a signal.
-/// @function Processes each edge of a signal, and computes the values that follow from all of them.
-/// @secret Which instants are kept of the edges, and the values that follow from them.
+/// @function Processes each edge of a signal, and computes values from all of them.
+/// @secret The stored times of the edges, and the values that are computed from them.
 /// @role{instant-collectors, Component}
 ///
 /// @patternapp{instant-collectors, Decorator, Collectors of time instants}
-/// @why The signals of the remote control and of the Hall sensors are measured by the instants of
-/// their edges. Each signal needs other values of them, and all extend a basic one.
+/// @why The signals of the remote control and of the Hall sensors are measured by the times of
+/// their edges. Each signal needs different values, and all of them extend a basic collector.
 /// @changes A value that is calculated may change. A new value is one more decorator, and only the
 /// signals that need it are wrapped in it.
 class InstantCollector {
@@ -40,12 +40,12 @@ class InstantCollector {
   InstantCollector& operator=(const InstantCollector&) = delete;
 
   /// @brief Processes an edge.
-  /// @param edge the edge; none of them is earlier than the one before
+  /// @param edge the edge; not earlier than the previous edge
   /// @isr{yes}
   virtual void collect(const Edge& edge) = 0;
 
   /// @brief Writes the values of this collector, and no others.
-  /// @param instants where it is put
+  /// @param instants receives the values
   /// @isr{yes}
   virtual void fill(Instants& instants) const = 0;
 

@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief Adds the period of the signal.
 /// @function Measures the time between the two last rising edges.
-/// @secret Between which edges a period is taken.
+/// @secret The edges that begin and end a period.
 /// @role{instant-collectors, Concrete Decorator}
 class PeriodCollector final : public CollectorDecorator {
  public:
@@ -16,14 +16,14 @@ class PeriodCollector final : public CollectorDecorator {
   /// @param wrapped the extended collector
   explicit PeriodCollector(InstantCollector& wrapped);
 
-  /// @brief Passes the edge on; a rising one ends a period and begins the next.
+  /// @brief Forwards the edge; a rising edge ends a period and begins the next one.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-55
   void collect(const Edge& edge) override;
 
-  /// @brief Adds to the record of the wrapped collector the period.
-  /// @param instants takes `period` [us]; nothing before the second rising edge
+  /// @brief Adds the period to the record of the wrapped collector.
+  /// @param instants receives `period` [us]; unchanged before the second rising edge
   /// @isr{yes}
   /// @satisfies FR-55
   void fill(Instants& instants) const override;

@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief Adds the width of a pulse.
 /// @function Measures the width of the last pulse.
-/// @secret When a rising and a falling edge are the two ends of one pulse.
+/// @secret The condition for a rising and a falling edge to form one pulse.
 /// @role{instant-collectors, Concrete Decorator}
 class WidthCollector final : public CollectorDecorator {
  public:
@@ -16,21 +16,21 @@ class WidthCollector final : public CollectorDecorator {
   /// @param wrapped the extended collector
   explicit WidthCollector(InstantCollector& wrapped);
 
-  /// @brief Passes the edge on; a rising one begins a pulse, the next falling one ends it. A
-  /// falling edge without a rising one before it ends no pulse: then no width is known.
+  /// @brief Forwards the edge; a rising edge begins a pulse, and the next falling edge ends it. A
+  /// falling edge without a rising one before it ends no pulse: the width is then unknown.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-52
   void collect(const Edge& edge) override;
 
-  /// @brief Adds to the record of the wrapped collector the width.
-  /// @param instants takes `width` [us]; nothing without a whole pulse
+  /// @brief Adds the width to the record of the wrapped collector.
+  /// @param instants receives `width` [us]; unchanged without a complete pulse
   /// @isr{yes}
   /// @satisfies FR-52
   void fill(Instants& instants) const override;
 
  private:
-  std::optional<Instant> rise_;  // of the pulse that has not ended
+  std::optional<Instant> rise_;  // beginning of the pulse that has not ended
   std::optional<Microseconds> width_;
 };
 

@@ -12,7 +12,7 @@ constexpr std::int32_t kFullAngle = 8000;  // over the whole range [0.01 degree]
 constexpr std::int32_t kRange = 4096;
 constexpr std::int32_t kMiddleCount = 2048;
 
-// A broken or shorted cable pulls the sample beyond these: 2 % of the range at each end.
+// A broken or shorted cable moves the sample beyond these limits: 2 % of the range at each end.
 constexpr std::int32_t kLowestCount = 82;
 constexpr std::int32_t kHighestCount = 4013;
 

@@ -13,7 +13,7 @@ namespace wr {
 
 /// @brief Sensor for the position of the steering device.
 /// @function Samples the angle at each tick, and writes the mean of each 8 samples to a pipe.
-/// @secret The scale of the sensor, the samples that it cannot give, and how noise is smoothed.
+/// @secret The scale of the sensor, the invalid samples, and how noise is smoothed.
 /// @role{functions, Context}
 /// @role{steering-timer-interrupt, Receiver}
 class DirSensor final {
@@ -21,19 +21,19 @@ class DirSensor final {
   /// @brief Binds the sensor.
   /// @param input converts the voltage of the sensor
   /// @param function calculates the angle of 8 samples
-  /// @param timebase gives the time
-  /// @param position takes the angle, with the time of the measurement
+  /// @param timebase returns the time
+  /// @param position receives the angle, with the time of the measurement
   DirSensor(AnalogInput& input, const Function& function, const Timebase& timebase,
             Pipe<Angle>& position);
 
   DirSensor(const DirSensor&) = delete;
   DirSensor& operator=(const DirSensor&) = delete;
 
-  /// @brief Reads the sample that the last call requested, and requests the next. Each 8th
+  /// @brief Reads the sample that the last call requested, and requests the next one. Each 8th
   /// call ends a measurement: the mean of its samples is written to the pipe.
   /// @return true when this call ended a measurement, also when nothing was written
-  /// @errors Of a measurement with a sample that cannot be, or without one of its samples, nothing
-  /// is written: the value in the pipe grows old.
+  /// @errors A measurement with an invalid or a missing sample is not written: the value in the
+  /// pipe becomes old.
   /// @isr{yes}
   /// @satisfies FR-129
   /// @satisfies FR-130
@@ -42,10 +42,11 @@ class DirSensor final {
  private:
   static constexpr std::int32_t kSamples = 8;  // of a measurement
 
-  /// @brief Writes the mean of the samples, if they are all there.
+  /// @brief Writes the mean of the samples, if none is missing.
   void finish();
 
-  /// @brief Mean angle of the samples, rounded to the nearest number, if the function gives one.
+  /// @brief Returns the mean angle of the samples, rounded to the nearest number, if the function
+  /// returns one.
   [[nodiscard]] std::optional<Angle> mean() const;
 
   AnalogInput& input_;
@@ -54,7 +55,7 @@ class DirSensor final {
   Pipe<Angle>& pipe_;
   std::int32_t calls_ = 0;  // since the measurement began
   std::int32_t good_ = 0;   // samples in sum_
-  std::int32_t sum_ = 0;    // of the samples that can be
+  std::int32_t sum_ = 0;    // of the valid samples
 };
 
 }  // namespace wr

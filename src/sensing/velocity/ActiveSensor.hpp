@@ -8,9 +8,9 @@
 namespace wr {
 
 /// @brief The two Hall sensors of a wheel.
-/// @function Interrupts at each edge of either sensor, executes the command that it was given, and
-/// gives the present levels of both.
-/// @secret The hardware that senses the turning of a wheel.
+/// @function Causes an interrupt at each edge of either sensor, executes its command, and returns
+/// the present levels of both.
+/// @secret The hardware that detects the rotation of a wheel.
 /// @role{hall-interrupt, Invoker}
 class ActiveSensor final {
  public:
@@ -23,14 +23,14 @@ class ActiveSensor final {
   ActiveSensor(const ActiveSensor&) = delete;
   ActiveSensor& operator=(const ActiveSensor&) = delete;
 
-  /// @brief Enables the interrupts of both sensors. Executes the command once
-  /// before, so that the counter has the position of the wheel.
+  /// @brief Enables the interrupts of both sensors. First executes the command once, so that the
+  /// counter has the position of the wheel.
   /// @isr{no}
   /// @satisfies FR-120
   void start();
 
   /// @brief Serves an interrupt: acknowledges each sensor that had an edge, and executes the
-  /// command once if any had. The vector of the port calls it.
+  /// command once if any sensor had one. The vector of the port calls it.
   /// @isr{yes}
   /// @satisfies FR-120
   void serve();

@@ -7,22 +7,23 @@
 
 namespace wr {
 
-/// @brief Command of an edge of a Hall sensor: collects it.
-/// @function Passes the levels after an edge, with their time, on to the collector.
+/// @brief Command of an edge of a Hall sensor: collects the edge.
+/// @function Passes the levels after an edge, with their time, to the collector.
 /// @secret Which module acts on an edge of a Hall sensor, and the values that it gets.
 /// @role{hall-interrupt, Concrete Command}
 ///
 /// @patternapp{hall-interrupt, Command, Process Hall sensor interruptions}
-/// @why An edge of a Hall sensor interrupts. The sensor executes a command object, so it names no
+/// @why An edge of a Hall sensor causes an interrupt. The sensor executes a command object, so it
+/// names no
 /// module that acts on the edge.
 /// @changes The actions at an edge, or the modules that they affect, may change without change to
 /// the sensor.
 class CountSignal final : public Command {
  public:
   /// @brief Binds the command to sensor and collector.
-  /// @param collector takes the edges
-  /// @param sensor gives the levels
-  /// @param timebase gives the time of an edge
+  /// @param collector receives the edges
+  /// @param sensor returns the levels
+  /// @param timebase returns the time of an edge
   CountSignal(SensorCollector& collector, const ActiveSensor& sensor, const Timebase& timebase);
 
   /// @brief Passes the present levels and the time to the collector.

@@ -6,7 +6,8 @@ namespace wr {
 
 namespace {
 
-// Direction of an edge, by the levels before and after it; 0 when none or both changed.
+// Returns the direction of an edge from the levels before and after it; 0 when none or both
+// changed.
 constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
     {0, 1, -1, 0},
     {-1, 0, 0, 1},
@@ -14,7 +15,7 @@ constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
     {0, -1, 1, 0},
 }};
 
-// A wheel that turns needs more time than this to pass an edge, to stop and to pass it again.
+// A turning wheel needs more time than this to pass an edge, stop, and pass it again.
 constexpr Microseconds kMinReversalTime = milliseconds(25);
 
 }  // namespace

@@ -9,20 +9,20 @@
 
 namespace wr {
 
-/// @brief Record of the Hall edges of a wheel. All numbers count from start and wrap: a reader takes
-/// the difference of two records.
+/// @brief Record of the Hall edges of a wheel. All numbers count from start and can overflow: a
+/// reader subtracts two records.
 /// @datatype
 struct HallRecord {
-  Instants instants;            ///< instants and number of the steps
+  Instants instants;            ///< times and number of the steps
   std::uint32_t unclear = 0;    ///< interrupts since start in which no level or both changed
-  std::uint32_t reversals = 0;  ///< steps since start that reversed faster than a wheel can
+  std::uint32_t reversals = 0;  ///< steps since start that reversed faster than a turning wheel can
 };
 
 /// @brief Collects the edges of the two Hall sensors of a wheel.
-/// @function Finds the direction of each edge and gives it to a collector of instants. Counts
-/// separately the edges that a turning wheel cannot give. Passes the whole record from the
+/// @function Determines the direction of each edge and passes it to a collector of instants. Counts
+/// separately the edges that a turning wheel cannot cause. Passes the whole record from the
 /// interrupt to the thread of the wheel.
-/// @secret The sequence of levels that a turning wheel gives, and which edges are implausible.
+/// @secret The sequence of levels of a turning wheel, and which edges are implausible.
 /// @role{hall-interrupt, Receiver}
 class SensorCollector final {
  public:
@@ -33,10 +33,11 @@ class SensorCollector final {
   SensorCollector(const SensorCollector&) = delete;
   SensorCollector& operator=(const SensorCollector&) = delete;
 
-  /// @brief Records the levels after an edge. The first call only records the levels. An edge at which
-  /// exactly one level changed is a step and is counted, however soon it comes. An edge is unclear
+  /// @brief Records the levels after an edge. The first call only records the levels. An edge at
+  /// which exactly one level changed is a step and is counted, at any time after the previous edge.
+  /// An edge is unclear
   /// when no level or both changed. A step that reverses the direction within 25 ms is counted as a
-  /// step and as a reversal: a wheel that turns cannot do it, one at rest on an edge can.
+  /// step and as a reversal: a turning wheel cannot cause this, but a wheel at rest on an edge can.
   /// @param phase levels of the sensors, bit 0 the first, bit 1 the second [0 to 3]; forwards they
   /// are 0, 1, 3, 2
   /// @param at time of the edge
@@ -46,9 +47,9 @@ class SensorCollector final {
   /// @satisfies FR-220
   void collect(std::uint8_t phase, Instant at);
 
-  /// @brief Returns the record of the edges, as of the last one.
+  /// @brief Returns the record of the edges, up to the last one.
   /// @return the record; empty before the first edge
-  /// @pre No other call of record() is under way: only the thread of the wheel calls it.
+  /// @pre No other call of record() is active: only the thread of the wheel calls it.
   /// @isr{no}
   /// @satisfies FR-120
   [[nodiscard]] HallRecord record();

@@ -13,23 +13,24 @@ namespace wr {
 
 namespace {
 
-// Greatest velocity that is measured. Without load 24 V turn a motor of the assumed constant with
-// 460 rpm.
+// Greatest velocity that is measured. Without load a motor with the assumed constant turns at 460
+// rpm with 24 V.
 constexpr Velocity kMaxVelocity{6000};
 
-// From this velocity on a wheel does not come to rest within a cycle.
+// A wheel that turns at least this fast cannot come to rest within a cycle.
 constexpr Velocity kMoving{300};
 
-// Implausible edges in a cycle: one short disturbance of a line gives two.
+// Implausible edges in a cycle: one short disturbance of a line causes two.
 constexpr std::uint32_t kMaxImplausible = 3;
 
 // One turn in one microsecond [0.1 rpm].
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;
 
-// A wheel that gave no edge for this time counts as standing.
+// A wheel without an edge for this time counts as being at rest.
 constexpr Microseconds kStandstill = milliseconds(500);
 
-// Edges from one count to another. Counts wrap; their difference does not, for it is small.
+// Returns the number of edges between two counts. Counts can overflow; their difference cannot,
+// because it is small.
 std::int32_t difference(std::int32_t later, std::int32_t earlier) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(later) -
                                    static_cast<std::uint32_t>(earlier));

@@ -12,33 +12,33 @@
 namespace wr {
 
 /// @brief Sensor for velocity and position of a wheel.
-/// @function Measures the velocity once a cycle from the edges since the last time and writes it to
-/// a pipe; returns position and implausible edges of the same moment.
-/// @secret Over which time the velocity is measured, its value without edges, and how many
-/// implausible edges make it invalid.
+/// @function Measures the velocity once per cycle from the edges since the last measurement and
+/// writes it to a pipe; returns position and implausible edges of the same time.
+/// @secret The time interval of a measurement, the velocity without edges, and the number of
+/// implausible edges that makes it invalid.
 /// @role{functions, Context}
 class VelSensor final {
  public:
   /// @brief Binds the sensor.
-  /// @param collector gives the edges
-  /// @param function calculates the velocity; it refuses one that cannot be
-  /// @param timebase gives the time
-  /// @param velocity takes the velocity, with the time of the measurement
+  /// @param collector returns the edges
+  /// @param function calculates the velocity; it rejects an impossible one
+  /// @param timebase returns the time
+  /// @param velocity receives the velocity, with the time of the measurement
   VelSensor(SensorCollector& collector, const Function& function, const Timebase& timebase,
             Pipe<Velocity>& velocity);
 
   VelSensor(const VelSensor&) = delete;
   VelSensor& operator=(const VelSensor&) = delete;
 
-  /// @brief Reads the record of the edges, measures the velocity and writes it to the pipe. With new
-  /// edges it is their number,
-  /// less those backwards, over the time from the edge before them to the newest; after a
-  /// standstill, half an edge less over the time since the measurement before.
-  /// Without new edges it is the velocity before. In all cases it is at most the velocity whose
-  /// next edge would come now, so that an edge at the moment of the measurement changes a falling
-  /// velocity by nothing. It is 0 once no edge came for 500 ms.
-  /// @errors The velocity is not written, and the value in the pipe grows old, when the function
-  /// refuses it, when more than 3 edges of the cycle were unclear, and when a wheel that turned
+  /// @brief Reads the record of the edges, measures the velocity and writes it to the pipe. With
+  /// new edges the velocity is the number of forward edges minus backward edges, divided by the
+  /// time from the last old edge to the newest one. After a standstill it is half an edge less,
+  /// divided by the time since the previous measurement.
+  /// Without new edges it is the previous velocity. In all cases it is at most the velocity at
+  /// which the next edge would come now, so that a falling velocity does not jump when an edge
+  /// comes at the moment of the measurement. It is 0 when no edge came for 500 ms.
+  /// @errors The velocity is not written, and the value in the pipe becomes old, when the function
+  /// rejects it, when more than 3 edges of the cycle were unclear, and when a wheel that turned
   /// with 30 rpm or more had more than 3 edges that were unclear or reversed its direction.
   /// @isr{no}
   /// @satisfies FR-120
@@ -60,25 +60,26 @@ class VelSensor final {
   [[nodiscard]] std::uint16_t rejectedEdges() const;
 
  private:
-  /// @brief Checks whether the edges since a record let a velocity be measured.
+  /// @brief Checks whether the edges since a record are sufficient to measure a velocity.
   [[nodiscard]] bool plausible(const HallRecord& before) const;
 
-  /// @brief Velocity of a number of edges in a time, if the function gives one.
+  /// @brief Returns the velocity of a number of edges in a time, if the function returns one.
   [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
 
-  /// @brief Velocity when edges came since the measurement before.
+  /// @brief Returns the velocity when edges came since the previous measurement.
   [[nodiscard]] std::optional<Velocity> withEdges(const Instants& instants, Instant now);
 
-  /// @brief Velocity when the wheel was at rest at the measurement before. It rested somewhere between two
-  /// edges: the way to the first edge is half of one to the next, on average.
+  /// @brief Returns the velocity when the wheel was at rest at the previous measurement. It rested
+  /// somewhere between two edges: on average the distance to the first edge is half of the distance
+  /// between two edges.
   [[nodiscard]] std::optional<Velocity> fromStandstill(std::int32_t edges,
                                                        Microseconds elapsed) const;
 
-  /// @brief Velocity when no edge came since the measurement before.
+  /// @brief Returns the velocity when no edge came since the previous measurement.
   [[nodiscard]] Velocity withoutEdges(Instant now);
 
-  /// @brief A velocity, but at most that of one edge more than came in a time: a faster wheel would
-  /// have given that edge.
+  /// @brief Limits a velocity to that of one edge more than the number that came: a faster wheel
+  /// would have caused this edge.
   [[nodiscard]] Velocity bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const;
 
   SensorCollector& collector_;
@@ -86,11 +87,11 @@ class VelSensor final {
   const Timebase& timebase_;
   Pipe<Velocity>& pipe_;
   HallRecord record_{};          // of the last measurement
-  bool standing_ = true;         // no edge for so long that the wheel counts as standing
-  Instant measuredAt_{};         // time of the measurement before
-  std::optional<Instant> edge_;  // newest edge at the measurement before
-  std::int32_t count_ = 0;       // count of edges then
-  Velocity velocity_{};          // velocity of the measurement before
+  bool standing_ = true;         // no edge for so long that the wheel counts as being at rest
+  Instant measuredAt_{};         // time of the previous measurement
+  std::optional<Instant> edge_;  // newest edge at the previous measurement
+  std::int32_t count_ = 0;       // count of edges at the previous measurement
+  Velocity velocity_{};          // velocity of the previous measurement
 };
 
 }  // namespace wr

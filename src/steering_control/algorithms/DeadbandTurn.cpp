@@ -11,7 +11,7 @@ namespace {
 constexpr StepRate kFullRate = SystemConstants::instance().steeringRate();
 
 // Braking from v steps/s with a steps/s^2 takes v^2 / 2a steps. Braking begins when half of the
-// acceleration would do, so that the motor can follow whatever the noise of the position is.
+// acceleration is sufficient, so that the motor can follow in spite of the noise of the position.
 // v^2 = 2 * (a / 2) * steps = a / step * angle = 200 * angle.
 constexpr std::int32_t kBraking = SystemConstants::instance().steeringAcceleration() /
                                   SystemConstants::instance().steeringStep().count();

@@ -7,8 +7,8 @@ namespace wr {
 /// @brief Turns when the position is out of a dead band, and brakes in time.
 ///
 /// @function Starts to turn when the position differs from the target by more than the dead band, at the
-/// full rate; brakes so that the steering is slow when it arrives; stops just before the target. A
-/// position that only trembles starts nothing.
+/// full rate; brakes so that the steering is slow when it arrives; stops just before the target.
+/// Noise of the position alone does not start a turn.
 ///
 /// @secret The widths of the dead band, and the curve along which the steering brakes.
 /// @hides{DeadbandTurn::kDeadband}
@@ -24,18 +24,18 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// about one step later.
   static constexpr Angle kArrived{10};
 
-  /// @brief Constructs the rule. It has no state.
+  /// @brief Constructs the rule. The rule has no state.
   DeadbandTurn() = default;
 
   /// @brief Computes the turn: none within the dead band, none while the motor is too fast to brake
   /// in time, else the full rate towards the target. The motor follows with its limited
-  /// acceleration, so it keeps to the curve along which it brakes.
+  /// acceleration, so it stays on the braking curve.
   /// @satisfies FR-101
   /// @satisfies FR-102
   /// @satisfies FR-103
   /// @satisfies FR-118
-  /// @param target where the steering shall be [0.01 degree], -4000 to 4000
-  /// @param position where it is [0.01 degree], -4000 to 4000
+  /// @param target target angle [0.01 degree], -4000 to 4000
+  /// @param position present angle [0.01 degree], -4000 to 4000
   /// @param now present speed of the motor [steps/s], -500 to 500
   /// @return full rate to the left, full rate to the right, or 0 [steps/s]
   /// @isr{yes}

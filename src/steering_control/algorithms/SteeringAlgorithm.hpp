@@ -4,15 +4,14 @@
 
 namespace wr {
 
-/// @brief A rule that leads the steering to an angle.
-/// @function Computes the turn of the steering from where it shall be, where it is and how fast it
-/// turns.
-/// @secret How the turn follows from target and position.
+/// @brief A rule that turns the steering to an angle.
+/// @function Computes the turn of the steering from its target, its position and its speed.
+/// @secret How the turn is computed from target and position.
 /// @role{steering-control-algorithm, Strategy}
 ///
 /// @patternapp{steering-control-algorithm, Strategy, Control algorithm for the steering device}
-/// @why The rule that decides in which direction the steering turns can be improved without any other
-/// change to the controller, so it is an object that the controller is given.
+/// @why The rule that decides in which direction the steering turns can be improved without any
+/// other change to the controller, so it is an object that is passed to the controller.
 /// @changes The rule, or its constants. A second rule, for example for another motor.
 class SteeringAlgorithm {
  public:
@@ -20,10 +19,10 @@ class SteeringAlgorithm {
   SteeringAlgorithm& operator=(const SteeringAlgorithm&) = delete;
 
   /// @brief Computes the turn.
-  /// @param target where the steering shall be [0.01 degree], positive to the left
-  /// @param position where it is [0.01 degree], positive to the left
+  /// @param target target angle [0.01 degree], positive to the left
+  /// @param position present angle [0.01 degree], positive to the left
   /// @param now present speed of the motor [steps/s], -500 to 500, positive to the left
-  /// @return speed that the motor shall take on [steps/s], -500 to 500, positive to the left; 0 at rest
+  /// @return target speed of the motor [steps/s], -500 to 500, positive to the left; 0 at rest
   /// means that the steering has arrived
   /// @isr{yes}
   [[nodiscard]] virtual StepRate turn(Angle target, Angle position, StepRate now) = 0;

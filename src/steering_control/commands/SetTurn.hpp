@@ -7,7 +7,7 @@ namespace wr {
 class SteeringDevice;
 
 /// @brief The order to turn the steering.
-/// @function Passes the speed that the motor shall have to the steering device.
+/// @function Passes the target speed of the motor to the steering device.
 /// @secret The steps that turn the steering device.
 /// @role{steering-commands, Concrete Command}
 class SetTurn final : public SteeringCommand {
@@ -16,7 +16,7 @@ class SetTurn final : public SteeringCommand {
   /// @param device steering device that it acts on
   explicit SetTurn(SteeringDevice& device);
 
-  /// @brief Sets the speed that the motor shall have.
+  /// @brief Sets the target speed of the motor.
   /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left
   /// @isr{yes}
   /// @satisfies FR-101

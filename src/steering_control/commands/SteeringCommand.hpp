@@ -4,21 +4,22 @@
 
 namespace wr {
 
-/// @brief One action on the steering, which the controller orders without the name of the device.
-/// @function Lets the steering controller order an action that may take a rate.
-/// @secret Which element of the steering a command acts on.
+/// @brief One action on the steering, which the controller orders without naming the device.
+/// @function Lets the steering controller order an action that may need a rate.
+/// @secret The element of the steering on which a command acts.
 /// @role{steering-commands, Command}
 ///
 /// @patternapp{steering-commands, Command, Commands to control the steering device}
-/// @why To switch the steering on or off, or to set its turn, takes actions on several elements. The
+/// @why To switch the steering on or off, or to set its turn, needs actions on several elements.
+/// The
 /// controller executes command objects, so it does not depend on these elements.
-/// @changes The elements that a command acts on, or the actions. A new command.
+/// @changes The elements on which a command acts, or the actions. A new command.
 class SteeringCommand {
  public:
   SteeringCommand(const SteeringCommand&) = delete;
   SteeringCommand& operator=(const SteeringCommand&) = delete;
 
-  /// @brief Does the action.
+  /// @brief Executes the action.
   /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left; a command that needs
   /// none ignores it
   /// @isr{yes}

@@ -15,25 +15,25 @@ class PoweredOff final : public SteeringPower {
   explicit PoweredOff(SteeringPower& on);
 
   /// @brief Switches the motor on.
-  /// @param device device whose motor it is
+  /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-106
   void enable(SteeringDevice& device) override;
 
   /// @brief Does nothing: the motor is off.
-  /// @param device device whose motor it is
+  /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-113
   void disable(SteeringDevice& device) override;
 
   /// @brief Does nothing: a motor that is off makes no step.
-  /// @param device device whose motor it is
+  /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-113
   void tick(SteeringDevice& device) override;
 
   /// @brief Returns false: the motor cannot step.
-  /// @param device device whose motor it is
+  /// @param device steering device
   /// @return false
   /// @isr{yes}
   /// @satisfies FR-113

@@ -15,26 +15,26 @@ class PoweredOn final : public SteeringPower {
   explicit PoweredOn(SteeringPower& off);
 
   /// @brief Does nothing: the motor is on.
-  /// @param device device whose motor it is
+  /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-107
   void enable(SteeringDevice& device) override;
 
   /// @brief Switches the motor off.
-  /// @param device device whose motor it is
+  /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-113
   void disable(SteeringDevice& device) override;
 
   /// @brief Lets the motor settle, then move.
-  /// @param device device whose motor it is
+  /// @param device steering device
   /// @isr{yes}
   /// @satisfies FR-107
   void tick(SteeringDevice& device) override;
 
   /// @brief Returns whether the motor has settled.
-  /// @param device device whose motor it is
-  /// @return true when it has
+  /// @param device steering device
+  /// @return true when it has settled
   /// @isr{yes}
   /// @satisfies FR-107
   [[nodiscard]] bool ready(const SteeringDevice& device) const override;

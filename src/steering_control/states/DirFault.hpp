@@ -4,9 +4,8 @@
 
 namespace wr {
 
-/// @brief The steering could not be controlled: its motor stays off.
-/// @function Keeps the motor off, whatever is ordered, until an order to hold shows that somebody
-/// noticed.
+/// @brief The steering cannot be controlled: its motor stays off.
+/// @function Keeps the motor off, with any order, until an order releases the fault.
 /// @secret The event that ends a fault.
 /// @role{steering-controller-states, Concrete State}
 class DirFault final : public DirState {
@@ -15,7 +14,7 @@ class DirFault final : public DirState {
   /// @param off state after the fault; only its address is used before the first tick
   explicit DirFault(DirState& off);
 
-  /// @brief Ends the fault when an order to hold came after it.
+  /// @brief Ends the fault when an order released it after it began.
   /// @param controller controller that ticks
   /// @isr{yes}
   /// @satisfies FR-112

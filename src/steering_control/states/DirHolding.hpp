@@ -5,8 +5,7 @@
 namespace wr {
 
 /// @brief The motor is on, and the steering keeps its position.
-/// @function Begins a turn when the algorithm wants one, and leaves the steering where it is until
-/// then.
+/// @function Begins a turn when the algorithm demands one, and keeps the position until then.
 /// @secret The event that begins a turn.
 /// @role{steering-controller-states, Concrete State}
 class DirHolding final : public DirState {

@@ -13,7 +13,7 @@ class DirController;
 ///
 /// @patternapp{steering-controller-states, State, Operation states of the steering device controller}
 /// @why The work of the steering controller at a tick depends on the state of the steering. Each
-/// state is a module, so the rules of one state are read and changed in one place.
+/// state is a module, so the rules of one state are in one place.
 /// @changes The actions of a state, or its transitions. A new state, such as one that
 /// searches the middle after start.
 class DirState {
@@ -21,25 +21,25 @@ class DirState {
   DirState(const DirState&) = delete;
   DirState& operator=(const DirState&) = delete;
 
-  /// @brief Runs one tick, and changes the state when that is due.
+  /// @brief Runs one tick, and changes the state when necessary.
   /// @param controller controller that ticks
   /// @isr{yes}
   virtual void tick(DirController& controller) = 0;
 
-  /// @brief The name of this state.
+  /// @brief Returns the identifier of this state.
   /// @return state, as in reports
   /// @isr{yes}
   /// @satisfies FR-116
   [[nodiscard]] SteeringState id() const;
 
  protected:
-  /// @brief Names the state.
+  /// @brief Constructs a state with its identifier.
   /// @param id state, as in reports
   explicit DirState(SteeringState id);
   ~DirState() = default;
 
-  /// @brief Leaves a state in which the motor is on, when it must be left: to one state without orders,
-  /// to the other when the steering cannot be controlled.
+  /// @brief Leaves a state with the motor on when necessary: without orders the next state is off,
+  /// and when the steering cannot be controlled it is fault.
   /// @param controller controller that ticks
   /// @param off state after the orders ended
   /// @param fault state after a fault

@@ -5,9 +5,9 @@
 namespace wr {
 
 /// @brief The steering turns towards its target.
-/// @function Lets the motor turn as the algorithm demands, until it has come to rest; watches whether
-/// the steering moves.
-/// @secret How a turn is led and watched, and the event that ends it.
+/// @function Lets the motor turn as the algorithm demands, until it has come to rest; monitors
+/// whether the steering moves.
+/// @secret How a turn is controlled and monitored, and the event that ends it.
 /// @role{steering-controller-states, Concrete State}
 class DirTurning final : public DirState {
  public:

@@ -8,12 +8,12 @@
 
 namespace wr {
 
-/// @brief Brings the current of a wheel to its set-point: a set torque.
+/// @brief Controls the current of a wheel to its set-point, which is a torque.
 ///
 /// @function Computes the voltage that drives the current through the winding, plus the voltage
 /// that the turning motor induces against it, and regulates the error of this model.
 ///
-/// @secret The model of the motor's winding, and how its velocity is foreseen.
+/// @secret The model of the motor's winding, and how its velocity is predicted.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentAlgorithm final : public WheelAlgorithm {
@@ -30,18 +30,18 @@ class CurrentAlgorithm final : public WheelAlgorithm {
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
   /// @brief Receives the applied voltage.
-  /// @param tension voltage that is at the wheel [mV], positive forwards
+  /// @param tension voltage of the wheel [mV], positive forwards
   /// @satisfies FR-301
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Clears the velocity of the cycle before and the errors.
+  /// @brief Clears the velocity of the previous cycle and the errors.
   /// @isr{no}
   void reset() override;
 
  private:
   PiRegulator regulator_;
-  std::optional<Velocity> before_;  // velocity of the cycle before; nothing after a reset
+  std::optional<Velocity> before_;  // velocity of the previous cycle; nothing after a reset
   Current setPoint_{};              // set-point of the cycle that ends
   Tension calculated_{};            // result of the last calculation
 };

@@ -16,27 +16,27 @@ struct PiGains {
 
 /// @brief Regulates an error to zero.
 ///
-/// @function Adds a share of the present error and a share of each error before it to one voltage. An error
-/// that comes from a voltage that could not be applied is not kept.
+/// @function Computes a voltage from a part of the present error and a part of each earlier error.
+/// An error that comes from a voltage that could not be applied is not added to the integral.
 ///
-/// @secret How the integral is limited while the voltage is limited, how fractions of a millivolt are
-/// kept, and how a bit that changes in the memory of the integral is corrected: the wheels of a
-/// robot would work against each other for a long time.
+/// @secret How the integral is limited while the voltage is limited, how fractions of a millivolt
+/// are stored, and how a bit that changes in the memory of the integral is corrected. Otherwise the
+/// wheels of a robot would work against each other for a long time.
 class PiRegulator final {
  public:
   /// @brief Three copies of a number, so that a bit that changes in one of them has no effect.
   /// @datatype
   using Copies = std::array<std::int32_t, 3>;
 
-  /// @brief Returns a number of which three copies are kept.
+  /// @brief Returns a number from its three copies.
   /// @param copies the copies
-  /// @return the number, each bit as at least two of the copies have it, in the unit of the copies
+  /// @return the number, in the unit of the copies; each bit is that of at least two copies
   /// @satisfies FR-224
   /// @isr{no}
   [[nodiscard]] static std::int32_t majority(const Copies& copies);
 
   /// @brief Constructs a regulator without memory.
-  /// @param gains how strongly it acts
+  /// @param gains gains of the regulator
   explicit PiRegulator(const PiGains& gains);
 
   PiRegulator(const PiRegulator&) = delete;
@@ -53,8 +53,9 @@ class PiRegulator final {
   /// @isr{no}
   Tension regulate(std::int32_t error);
 
-  /// @brief Learns by how much the wheel will miss its voltage in the cycle that begins. An error of that
-  /// cycle that the missing voltage explains is not kept. Less than 0.1 V explains nothing.
+  /// @brief Records the voltage that the wheel will lack in the cycle that begins. An error of that
+  /// cycle that the missing voltage explains is not added to the integral. A missing voltage of
+  /// less than 0.1 V does not explain an error.
   /// @param shortfall calculated less applied voltage [mV]
   /// @satisfies FR-301
   /// @isr{no}
@@ -67,7 +68,7 @@ class PiRegulator final {
  private:
   PiGains gains_;
   Copies integral_{};    // [uV]
-  Tension shortfall_{};  // of the cycle whose error comes next
+  Tension shortfall_{};  // missing voltage of the cycle whose error comes next
 };
 
 }  // namespace wr

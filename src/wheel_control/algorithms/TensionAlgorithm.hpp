@@ -13,7 +13,7 @@ namespace wr {
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class TensionAlgorithm final : public WheelAlgorithm {
  public:
-  /// @brief Constructs the algorithm. It has no state.
+  /// @brief Constructs the algorithm. The algorithm has no state.
   TensionAlgorithm() = default;
 
   /// @brief Calculates the voltage of the set-point.
@@ -24,7 +24,7 @@ class TensionAlgorithm final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Needs nothing to learn.
+  /// @brief Does nothing: the algorithm needs no applied voltage.
   /// @param tension is not used
   /// @isr{no}
   void applied(Tension tension) override;

@@ -12,22 +12,23 @@ namespace {
 
 // docs/wheel_control.rst derives these values.
 constexpr std::int32_t kThousand = 1000;
-constexpr std::int32_t kDecay = 637;  // [1/1000] part of a deviation that is left after a cycle
+constexpr std::int32_t kDecay = 637;  // [1/1000] remaining part of a deviation after a cycle
 constexpr std::int32_t kMean = 806;   // [1/1000] mean of a deviation during a cycle
 constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 
-// Edges that are lost make the measured velocity too low. It is doubtful when the motor makes more
-// voltage than it would make at this velocity, by more than supply, winding and motor constant can
-// differ from the assumed values.
+// Lost edges make the measured velocity too low. The velocity is doubtful when the motor induces
+// more voltage than at this velocity, and the tolerances of supply, winding and motor constant do
+// not explain the difference.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
-constexpr std::int32_t kModelToleranceDivisor = 3;  // and this part of the voltage
+constexpr std::int32_t kModelToleranceDivisor = 3;  // plus this part of the voltage
 constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // cycles in a row
 
-// In place of a model that has not begun.
+// Used before the model has begun.
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
 
-// Part of a deviation. The product would have more than 32 bits, which the core divides slowly; the
-// thousands and the rest of it do not. A set-point has 16 bits, and no measured velocity has more.
+// Part of a deviation. The product would have more than 32 bits, which the core divides slowly;
+// therefore thousands and remainder are computed separately. A set-point has 16 bits, and no
+// measured velocity has more.
 std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
   return deviation / kThousand * thousandths + deviation % kThousand * thousandths / kThousand;
 }

@@ -8,13 +8,13 @@
 
 namespace wr {
 
-/// @brief Brings a wheel to a velocity, and keeps it there.
+/// @brief Controls the velocity of a wheel.
 ///
 /// @function Computes the voltage that the wheel needs at the set-point without load, and regulates
 /// the effect of a load.
 ///
-/// @secret The model of a wheel that follows its set-point, the gains that correct a difference from it,
-/// and how a measured velocity is checked by voltage and current.
+/// @secret The model of a wheel that follows its set-point, the gains that correct a difference
+/// from it, and how voltage and current verify a measured velocity.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class VelocityAlgorithm final : public WheelAlgorithm {
@@ -36,9 +36,9 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Receives the applied voltage. After another voltage than the calculated one the model goes on from
-  /// the measured velocity.
-  /// @param tension voltage that is at the wheel [mV], positive forwards
+  /// @brief Receives the applied voltage. After another voltage than the calculated one the model
+  /// continues from the measured velocity.
+  /// @param tension voltage of the wheel [mV], positive forwards
   /// @satisfies FR-301
   /// @isr{no}
   void applied(Tension tension) override;

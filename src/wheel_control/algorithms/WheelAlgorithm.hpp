@@ -13,17 +13,17 @@ struct WheelFeedback {
   Current current{};    ///< mean current of the cycle that ends
 };
 
-/// @brief How the voltage of a wheel follows from its set-point.
+/// @brief A rule for the voltage of a wheel.
 ///
 /// @function Calculates a voltage in each cycle, and receives the applied voltage.
 ///
-/// @secret Which quantity is set, and the control law that reaches it.
+/// @secret The quantity that is set, and its control law.
 ///
 /// @role{wheel-control-algorithms, Strategy}
 ///
 /// @patternapp{wheel-control-algorithms, Strategy, Control algorithms for wheels}
-/// @why An order sets a voltage, a current or a velocity of a wheel. Each of them needs an
-/// algorithm of its own to calculate the voltage.
+/// @why An order sets a voltage, a current or a velocity of a wheel. Each of them needs its own
+/// algorithm to calculate the voltage.
 /// @changes An algorithm may change, or a new one may be needed.
 class WheelAlgorithm {
  public:
@@ -38,12 +38,12 @@ class WheelAlgorithm {
   virtual Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) = 0;
 
   /// @brief Receives the voltage that was applied after the last calculation.
-  /// @param tension voltage that is at the wheel [mV], positive forwards
+  /// @param tension voltage of the wheel [mV], positive forwards
   /// @pre calculate() was called in this cycle.
   /// @isr{no}
   virtual void applied(Tension tension) = 0;
 
-  /// @brief Clears all state: another algorithm, or none, has controlled the wheel.
+  /// @brief Clears all state, because another algorithm, or none, has controlled the wheel.
   /// @isr{no}
   virtual void reset() = 0;
 

@@ -9,7 +9,7 @@ namespace wr {
 ///
 /// @function Applies the demand at once.
 ///
-/// @secret That nothing is between demand and wheel.
+/// @secret That the demand is not changed.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Component}
@@ -19,7 +19,7 @@ class Advance final : public WheelBehaviour {
   /// @param setTension sets the voltage of the wheel
   explicit Advance(WheelCommand& setTension);
 
-  /// @brief Sets the voltage that is demanded.
+  /// @brief Sets the demanded voltage.
   /// @param demand voltage [mV], in the present orientation of the wheel
   /// @param velocity is not used
   /// @return the demand
@@ -27,7 +27,7 @@ class Advance final : public WheelBehaviour {
   /// @isr{no}
   Tension apply(Tension demand, Velocity velocity) override;
 
-  /// @brief Does nothing: the voltage applied before does not matter.
+  /// @brief Does nothing: the previous voltage has no influence.
   /// @param applied is not used
   /// @satisfies FR-80
   /// @isr{no}

@@ -8,7 +8,7 @@ namespace wr {
 ///
 /// @function Forwards the operations that a behaviour does not extend to the behaviour that it wraps.
 ///
-/// @secret Which operations of the wrapped behaviour are passed on as they are.
+/// @secret Which operations of the wrapped behaviour are forwarded unchanged.
 ///
 /// @role{behaviour-extensions, Decorator}
 ///

@@ -8,11 +8,12 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kReverseDeadband(100);  // least voltage that is worth a change of orientation
+constexpr Tension kReverseDeadband(100);  // least voltage for which the orientation changes
 
-constexpr std::uint8_t kSlowCycles = 2;  // slow cycles in a row that show that a wheel is slow
+constexpr std::uint8_t kSlowCycles = 2;  // number of successive slow cycles that show that a wheel
+                                         // is slow
 
-// A short-circuited wheel that a slope keeps turning becomes no slower.
+// A short-circuited wheel that a slope turns does not get slower.
 constexpr std::uint8_t kBrakedCycles = 10;
 constexpr Velocity kCreepVelocity(800);
 
@@ -21,7 +22,7 @@ bool isSlow(Velocity velocity, bool braked) {
   return velocity < slow && velocity > -slow;
 }
 
-// A wheel that turns the way of a demand needs no time to change its direction.
+// A wheel that turns in the direction of a demand need not slow down first.
 bool turnsAlong(Tension demand, Velocity velocity) {
   return demand > Tension() ? velocity > Velocity() : velocity < Velocity();
 }

@@ -7,18 +7,18 @@
 
 namespace wr {
 
-/// @brief Lets a wheel turn the other way, once it is slow.
+/// @brief Changes the orientation of a wheel when it is slow.
 ///
-/// @function Extends a behaviour: when the demand opposes the present orientation the wheel is stopped,
-/// then its orientation changes, and then the extended behaviour goes on.
+/// @function Extends a behaviour: when the demand opposes the present orientation the wheel is
+/// stopped, then its orientation changes, and then the extended behaviour continues.
 ///
-/// @secret How it is found that a wheel is slow, and the conditions under which its orientation changes.
+/// @secret How a slow wheel is detected, and the conditions for a change of its orientation.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Decorator}
 class Reverse final : public BehaviourDecorator {
  public:
-  /// @brief Binds the behaviour to its parts. The wheel is oriented forwards.
+  /// @brief Binds the behaviour to its parts. The orientation of the wheel is forwards.
   /// @param wrapped behaviour within one orientation
   /// @param stop stops the wheel
   /// @param setOrientation changes the orientation
@@ -26,10 +26,10 @@ class Reverse final : public BehaviourDecorator {
 
   /// @brief Applies the demand when it agrees with the orientation. Otherwise the wheel is stopped
   /// until, in two cycles in a row, its velocity was below 40 rpm, or below 80 rpm after ten cycles
-  /// without voltage, or had the direction of the demand, and no voltage is left; then the
-  /// orientation changes. A demand of less than 0.1 V the
-  /// other way is taken as 0: the noise of a measurement must not turn a wheel that rests.
-  /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
+  /// without voltage, or had the direction of the demand, and it has no voltage; then the
+  /// orientation changes. A demand of less than 0.1 V against the orientation counts as 0: the
+  /// noise of a measurement must not turn a wheel that rests.
+  /// @param demand demanded voltage [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards
   /// @satisfies FR-87
@@ -37,7 +37,7 @@ class Reverse final : public BehaviourDecorator {
   Tension apply(Tension demand, Velocity velocity) override;
 
   /// @brief Records a voltage that must fall to 0 before the orientation changes.
-  /// @param applied voltage that is at the wheel [mV], positive forwards
+  /// @param applied voltage of the wheel [mV], positive forwards
   /// @satisfies FR-87
   /// @isr{no}
   void resume(Tension applied) override;

@@ -4,10 +4,10 @@
 
 namespace wr {
 
-/// @brief Lets the voltage of a wheel rise step by step.
+/// @brief Limits the rise of the voltage of a wheel.
 ///
-/// @function Extends a behaviour: limits how much the magnitude of the voltage rises in a cycle. A lower
-/// magnitude passes at once.
+/// @function Extends a behaviour: limits how much the magnitude of the voltage rises in a cycle. A
+/// lower magnitude is applied at once.
 ///
 /// @secret How fast the voltage of a wheel may rise.
 ///
@@ -20,7 +20,7 @@ class SoftStart final : public BehaviourDecorator {
 
   /// @brief Applies the demand, and raises its magnitude by at most 12 V per cycle. A demand of the
   /// other sign starts again from 0.
-  /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
+  /// @param demand demanded voltage [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards
   /// @satisfies FR-81
@@ -28,7 +28,7 @@ class SoftStart final : public BehaviourDecorator {
   Tension apply(Tension demand, Velocity velocity) override;
 
   /// @brief Records the voltage from which the next one rises.
-  /// @param applied voltage that is at the wheel [mV], positive forwards
+  /// @param applied voltage of the wheel [mV], positive forwards
   /// @satisfies FR-81
   /// @isr{no}
   void resume(Tension applied) override;

@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kMaxFallPerCycle(2400);  // most that the voltage falls in a cycle
+constexpr Tension kMaxFallPerCycle(2400);  // greatest decrease of the voltage in a cycle
 
 }  // namespace
 

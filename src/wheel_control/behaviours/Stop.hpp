@@ -20,16 +20,16 @@ class Stop final : public WheelBehaviour {
   /// @param stopWheel stops the wheel
   Stop(WheelCommand& setTension, WheelCommand& stopWheel);
 
-  /// @brief Lowers the magnitude of the voltage by at most 2.4 V, and stops the wheel when nothing is
-  /// left.
-  /// @param applied voltage that is at the wheel [mV], positive forwards
+  /// @brief Lowers the magnitude of the voltage by at most 2.4 V, and stops the wheel when the
+  /// voltage is 0.
+  /// @param applied voltage of the wheel [mV], positive forwards
   /// @param velocity is not used
-  /// @return voltage that is at the wheel now [mV]
+  /// @return new voltage of the wheel [mV]
   /// @satisfies FR-88
   /// @isr{no}
   Tension apply(Tension applied, Velocity velocity) override;
 
-  /// @brief Stores nothing: each call gets the voltage that is at the wheel.
+  /// @brief Stores nothing: each call gets the voltage of the wheel.
   /// @param applied is not used
   /// @satisfies FR-88
   /// @isr{no}

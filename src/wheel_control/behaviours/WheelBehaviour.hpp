@@ -8,7 +8,7 @@ namespace wr {
 ///
 /// @function Applies a voltage in each cycle through commands of the wheel, and returns the applied voltage.
 ///
-/// @secret The steps of a cycle by which a wheel moves as demanded.
+/// @secret The steps in a cycle that make a wheel move as demanded.
 ///
 /// @role{wheel-behaviours, Strategy}
 /// @role{behaviour-extensions, Component}
@@ -23,14 +23,14 @@ class WheelBehaviour {
   WheelBehaviour& operator=(const WheelBehaviour&) = delete;
 
   /// @brief Applies a voltage for one cycle.
-  /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
+  /// @param demand demanded voltage [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards
   /// @isr{no}
   virtual Tension apply(Tension demand, Velocity velocity) = 0;
 
-  /// @brief Records the voltage that another behaviour applied, to go on from it.
-  /// @param applied voltage that is at the wheel [mV], positive forwards
+  /// @brief Records the voltage that another behaviour applied, to continue from it.
+  /// @param applied voltage of the wheel [mV], positive forwards
   /// @isr{no}
   virtual void resume(Tension applied) = 0;
 

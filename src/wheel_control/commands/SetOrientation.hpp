@@ -9,7 +9,7 @@ namespace wr {
 ///
 /// @function Sets the wheel to turn forwards or backwards, by the sign of a voltage.
 ///
-/// @secret How the orientation follows from a voltage.
+/// @secret How the orientation is determined from a voltage.
 ///
 /// @role{wheel-commands, Concrete Command}
 class SetOrientation final : public WheelCommand {

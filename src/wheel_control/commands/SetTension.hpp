@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief Sets the voltage of a wheel.
 ///
-/// @function Sets the magnitude of the wheel's voltage; its orientation stays.
+/// @function Sets the magnitude of the wheel's voltage; its orientation does not change.
 ///
 /// @secret That the voltage of a wheel has no sign.
 ///

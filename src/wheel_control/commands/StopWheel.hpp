@@ -7,7 +7,7 @@ namespace wr {
 
 /// @brief Stops a wheel.
 ///
-/// @function Sets the voltage of the wheel to 0, whatever its argument is.
+/// @function Sets the voltage of the wheel to 0, and ignores its argument.
 ///
 /// @secret The steps that stop a wheel.
 ///

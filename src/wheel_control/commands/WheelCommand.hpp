@@ -21,7 +21,7 @@ class WheelCommand {
   WheelCommand(const WheelCommand&) = delete;
   WheelCommand& operator=(const WheelCommand&) = delete;
 
-  /// @brief Does the action.
+  /// @brief Executes the action.
   /// @param tension voltage that the action needs [mV], -24000 to 24000, positive forwards
   /// @isr{no}
   virtual void execute(Tension tension) = 0;

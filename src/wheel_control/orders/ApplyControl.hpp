@@ -21,8 +21,8 @@ class ApplyControl final : public WheelOrder {
   /// @param wheel wheel with the overcurrent trip
   ApplyControl(WheelController& controller, Wheel& wheel);
 
-  /// @brief Controls the wheel. A position that is missing counts as one that does not change.
-  /// @param work gives set-point and position; takes voltage and state of the wheel
+  /// @brief Controls the wheel. A missing position counts as an unchanged position.
+  /// @param work contains set-point and position; receives voltage and state of the wheel
   /// @satisfies FR-80
   /// @satisfies FR-89
   /// @satisfies FR-94

@@ -8,9 +8,10 @@ namespace wr {
 
 /// @brief The order to stand still.
 ///
-/// @function Lets the controller stop the wheel, and releases its latched faults when that is ordered.
+/// @function Lets the controller stop the wheel, and releases its latched faults when the order
+/// demands it.
 ///
-/// @secret When a driver may be used again after its overcurrent trip.
+/// @secret The condition for the use of a driver after its overcurrent trip.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class HaltWheel final : public WheelOrder {

@@ -18,11 +18,11 @@ class ReadCurrent final : public WheelOrder {
  public:
   /// @brief Binds the order to sensor and controller.
   /// @param sensor measures the current
-  /// @param controller has the value that it uses
+  /// @param controller returns the value that it uses
   ReadCurrent(CntSensor& sensor, WheelController& controller);
 
   /// @brief Reads the current.
-  /// @param work takes the current; nothing when it is missing
+  /// @param work receives the current; nothing when it is missing
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

@@ -18,11 +18,11 @@ class ReadVelocity final : public WheelOrder {
  public:
   /// @brief Binds the order to sensor and controller.
   /// @param sensor measures the velocity
-  /// @param controller has the value that it uses
+  /// @param controller returns the value that it uses
   ReadVelocity(VelSensor& sensor, WheelController& controller);
 
   /// @brief Reads the velocity.
-  /// @param work takes the velocity; nothing when it is missing
+  /// @param work receives the velocity; nothing when it is missing
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

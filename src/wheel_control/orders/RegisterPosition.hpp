@@ -20,7 +20,7 @@ class RegisterPosition final : public WheelOrder {
   explicit RegisterPosition(VelSensor& sensor);
 
   /// @brief Registers the position.
-  /// @param work takes position and rejected edges
+  /// @param work receives position and rejected edges
   /// @satisfies FR-93
   /// @isr{no}
   void execute(WheelWork& work) override;

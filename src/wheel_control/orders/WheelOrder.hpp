@@ -14,12 +14,12 @@ struct WheelWork {
   WheelSetPoint setPoint{};        ///< target of the wheel
   WheelMeasurements measured{};    ///< measured values of the wheel
   std::optional<Tension> applied;  ///< voltage of the wheel; nothing while none is applied
-  bool release = false;            ///< latched faults of the wheel are to be released
+  bool release = false;            ///< the order releases latched faults of the wheel
 };
 
-/// @brief One thing that a wheel system can be ordered to do.
+/// @brief An order that a wheel system can execute.
 ///
-/// @function Carries out an order of the main controller at one wheel.
+/// @function Carries out an order of the main controller for one wheel.
 ///
 /// @secret How an order is carried out.
 ///

@@ -28,7 +28,7 @@ std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   return said;
 }
 
-/// @brief A frame that is in order is found with its last byte.
+/// @brief A frame without an error is detected at its last byte.
 /// @verifies FR-40
 TEST(FrameDecoder, FR40_FindsAFrame) {
   FrameDecoder decoder;
@@ -39,7 +39,7 @@ TEST(FrameDecoder, FR40_FindsAFrame) {
   EXPECT_THAT(decoder.frame().payload, ElementsAreArray(payload));
 }
 
-/// @brief Frames of the least and the greatest length are found.
+/// @brief Frames of the least and the greatest length are detected.
 /// @verifies FR-40
 TEST(FrameDecoder, FR40_FindsTheShortestAndTheLongestFrame) {
   FrameDecoder decoder;
@@ -58,8 +58,8 @@ TEST(FrameDecoder, FR40_ZeroBytesBetweenFramesAreIgnored) {
   EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {})), ElementsAre(Decoded::Whole));
 }
 
-/// @brief A frame of which any one bit is wrong is not found. The bit may also make two frames of
-/// it: then both are damaged.
+/// @brief A frame with any single wrong bit is not accepted. The bit may also split the frame into
+/// two: then both are damaged.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_AFrameWithOneWrongBitIsDamaged) {
   const Bytes whole = test::lineBytes(4, 7, {1, 0, 2, 0, 0, 3, 255, 254});
@@ -92,7 +92,7 @@ TEST(FrameDecoder, FR41_ABodyOfFewerThanFiveBytesIsDamaged) {
   EXPECT_THAT(push(decoder, {1, 0}), ElementsAre(Decoded::Damaged));
 }
 
-/// @brief Each of the two bytes of the CRC counts.
+/// @brief Each of the two bytes of the CRC is checked.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_ABadCrcIsDamaged) {
   for (const std::size_t wrong : {3U, 4U}) {
@@ -103,7 +103,8 @@ TEST(FrameDecoder, FR41_ABadCrcIsDamaged) {
   }
 }
 
-/// @brief A body of 206 bytes or more is too long. This is returned once, when the frame ends.
+/// @brief A body of 206 bytes or more is too long. The decoder returns this result once, when the
+/// frame ends.
 /// @verifies FR-42
 TEST(FrameDecoder, FR42_ABodyOfMoreThan205BytesIsTooLong) {
   static_assert(kMaxPayload == 200 && kMaxBody == 205);
@@ -129,7 +130,7 @@ TEST(FrameDecoder, FR43_AFrameOfAnotherVersionIsNotDamaged) {
   EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {}, 0)), ElementsAre(Decoded::UnknownVersion));
 }
 
-/// @brief Whatever was dropped before, the next frame is found.
+/// @brief After any dropped bytes the next frame is detected.
 /// @verifies FR-48
 TEST(FrameDecoder, FR48_TheFrameAfterADroppedOneIsFound) {
   const Bytes good = test::lineBytes(2, 3, {4});
@@ -149,8 +150,8 @@ TEST(FrameDecoder, FR48_TheFrameAfterADroppedOneIsFound) {
   }
 }
 
-/// @brief After random bytes a frame behind a zero byte is always found, and random bytes are hardly
-/// ever a frame.
+/// @brief After random bytes a frame after a zero byte is always detected, and random bytes are
+/// hardly ever accepted as a frame.
 /// @verifies FR-41
 /// @verifies FR-48
 TEST(FrameDecoder, FR48_FindsItsPlaceInRandomBytes) {

@@ -23,7 +23,7 @@ TEST(FrameEncoder, FR40_MakesAFrameAsTheProtocolSays) {
               ElementsAreArray(test::fromHex("0702020101d82400")));
 }
 
-/// @brief The only zero byte of a frame is its last, whatever the payload holds.
+/// @brief The only zero byte of a frame is its last, for any payload.
 /// @verifies FR-40
 TEST(FrameEncoder, FR40_OnlyTheLastByteIsZero) {
   FrameEncoder encoder;
@@ -34,7 +34,7 @@ TEST(FrameEncoder, FR40_OnlyTheLastByteIsZero) {
   EXPECT_EQ(coded.back(), 0);
 }
 
-/// @brief Random frames of each length are those that an independent encoder makes.
+/// @brief Random frames of each length are those of an independent encoder.
 /// @verifies FR-40
 TEST(FrameEncoder, FR40_AgreesWithTheReference) {
   std::mt19937 random(test::seed());
@@ -52,7 +52,7 @@ TEST(FrameEncoder, FR40_AgreesWithTheReference) {
   }
 }
 
-/// @brief A payload that no frame can carry is a fault of the program.
+/// @brief A payload that is too large for a frame ends the program.
 /// @verifies FR-176
 TEST(FrameEncoderDeathTest, RefusesAPayloadThatIsTooLarge) {
   FrameEncoder encoder;

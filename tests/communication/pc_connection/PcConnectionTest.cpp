@@ -36,10 +36,10 @@ constexpr std::uint8_t kOrder = 0x04;
 constexpr std::uint8_t kWelcome = 0x81;
 constexpr std::uint8_t kReport = 0x82;
 
-/// @brief A connection whose PC is the test.
+/// @brief A connection in which the test is the PC.
 struct PcConnectionTest : testing::Test {
-  /// @brief Puts bytes on the line at this time, which is also that of the clock pulse, and serves the
-  /// link.
+  /// @brief Puts bytes on the line at the present time, which is also the time of the clock pulse,
+  /// and serves the link.
   void receive(const Bytes& line) {
     arrive(line);
     service();
@@ -89,7 +89,7 @@ struct PcConnectionTest : testing::Test {
 
   [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
 
-  /// @brief Does something that must change no count but the one that it returns.
+  /// @brief Executes an action, and checks that it changes only one count, which is returned.
   template <class Action>
   void expectCounted(std::uint16_t LinkCounts::*count, int times, Action action) {
     LinkCounts expected = connection.counts();
@@ -184,7 +184,7 @@ TEST_F(PcConnectionTest, FR30_TheSessionIsNeverZero) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief The Confirm of the session that was offered connects the PC.
+/// @brief A Confirm of the offered session connects the PC.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_TheRightConfirmConnects) {
   send(kHello);
@@ -218,8 +218,8 @@ TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A session that no Welcome has offered cannot be confirmed: neither the one to come in the cycle of
-/// its Hello, nor that of a Welcome for which the port had no room.
+/// @brief A session that no Welcome has offered cannot be confirmed: neither a session in the cycle
+/// of its Hello, nor the session of a Welcome for which the port had no space.
 /// @verifies FR-245
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR245_OnlyASessionThatWasSentIsOffered) {
@@ -271,7 +271,7 @@ TEST_F(PcConnectionTest, FR246_AHelloNeedsNoPayload) {
   EXPECT_EQ(connection.counts(), LinkCounts());
 }
 
-/// @brief A Confirm of another session is unexpected, and the handshake goes on.
+/// @brief A Confirm of another session is unexpected, and the handshake continues.
 /// @verifies FR-31
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR31_AWrongConfirmChangesNothing) {
@@ -283,7 +283,7 @@ TEST_F(PcConnectionTest, FR31_AWrongConfirmChangesNothing) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A second Hello makes the session of the first one void.
+/// @brief A second Hello makes the session of the first Hello invalid.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_OnlyTheLastSessionIsOffered) {
   send(kHello);
@@ -339,7 +339,7 @@ TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief The order that is dropped with the connection cannot be read, even if it is young.
+/// @brief The order that is dropped with the connection cannot be read, even if it is not old.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   handshake();
@@ -352,8 +352,9 @@ TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief The silence counts from the last byte of the last accepted frame to the last byte of the next one,
-/// whenever both are read: after 1 s the connection has ended, and the frame is unexpected.
+/// @brief The silence counts from the last byte of the last accepted frame to the last byte of the
+/// next one, independent of the cycles that read them: after 1 s the connection has ended, and the
+/// frame is unexpected.
 /// @verifies FR-33
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR33_TheSilenceEndsWithTheLastByteOfTheNextFrame) {
@@ -439,7 +440,7 @@ TEST_F(PcConnectionTest, FR34_AHelloBeginsANewHandshake) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A stop outlives the connection.
+/// @brief A stop lasts after the end of the connection.
 /// @verifies FR-21
 TEST_F(PcConnectionTest, FR21_AStopOutlivesTheConnection) {
   handshake();
@@ -477,7 +478,7 @@ TEST_F(PcConnectionTest, FR240_AStopActsWhenDisconnected) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A stop acts while the handshake goes on.
+/// @brief A stop acts during the handshake.
 /// @verifies FR-240
 TEST_F(PcConnectionTest, FR240_AStopActsInTheHandshake) {
   send(kHello);
@@ -510,8 +511,8 @@ TEST_F(PcConnectionTest, FR240_AStopActsInAStaleOrder) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop does not act in a frame that is damaged, that has another version or type, or that is too
-/// short to hold it.
+/// @brief A stop does not act in a frame that is damaged, that has another version or type, or that
+/// is too short to contain it.
 /// @verifies FR-240
 TEST_F(PcConnectionTest, FR240_AStopNeedsAGoodFrame) {
   handshake();
@@ -524,7 +525,8 @@ TEST_F(PcConnectionTest, FR240_AStopNeedsAGoodFrame) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief Neither an order out of range nor a stale one nor one without connection releases a stop.
+/// @brief An order out of range, a stale order and an order without connection do not release a
+/// stop.
 /// @verifies FR-241
 TEST_F(PcConnectionTest, FR241_ADroppedOrderDoesNotReleaseAStop) {
   sendOrder(1, 1);
@@ -560,7 +562,7 @@ TEST_F(PcConnectionTest, FR243_AnOrderMustBeNewerThanTheFrameBefore) {
   }
 }
 
-/// @brief A stale order does not keep the connection, and does not take the place of the order before.
+/// @brief A stale order does not keep the connection, and does not replace the previous order.
 /// @verifies FR-243
 /// @verifies FR-48
 TEST_F(PcConnectionTest, FR243_AStaleOrderChangesNothing) {
@@ -677,7 +679,7 @@ TEST_F(PcConnectionTest, FR248_LongerPayloadsAreAccepted) {
   EXPECT_EQ(connection.counts(), LinkCounts());
 }
 
-/// @brief An order out of range is counted, and the order before stays.
+/// @brief An order out of range is counted, and the previous order stays valid.
 /// @verifies FR-46
 /// @verifies FR-48
 TEST_F(PcConnectionTest, FR46_OrdersOutOfRangeAreCounted) {
@@ -688,7 +690,7 @@ TEST_F(PcConnectionTest, FR46_OrdersOutOfRangeAreCounted) {
   EXPECT_EQ(orders.readU16({FieldName::OrderId}), 1);
 }
 
-/// @brief The sequence number of a dropped frame is not looked at.
+/// @brief The sequence number of a dropped frame is ignored.
 /// @verifies FR-48
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR48_TheSequenceOfADroppedFrameIsNotLookedAt) {
@@ -700,7 +702,7 @@ TEST_F(PcConnectionTest, FR48_TheSequenceOfADroppedFrameIsNotLookedAt) {
   EXPECT_EQ(connection.counts().sequenceGaps, 0);
 }
 
-/// @brief A frame that does not follow the one before is a gap, and is not dropped.
+/// @brief A frame that does not follow the previous frame is a gap, and is not dropped.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_SequenceGapsAreCounted) {
   handshake();
@@ -757,7 +759,7 @@ TEST_F(PcConnectionTest, FR251_CountsSaturate) {
   EXPECT_EQ(connection.counts().damaged, 65535);
 }
 
-/// @brief Counts survive the connection.
+/// @brief The end of a connection does not clear the counts.
 /// @verifies FR-251
 TEST_F(PcConnectionTest, FR251_CountsSurviveTheConnection) {
   receive({7, 0});
@@ -767,7 +769,7 @@ TEST_F(PcConnectionTest, FR251_CountsSurviveTheConnection) {
   EXPECT_EQ(connection.counts().damaged, 1);
 }
 
-/// @brief At most 1280 bytes are taken in one cycle. The others are taken in the next.
+/// @brief At most 1280 bytes are read in one cycle. The others are read in the next cycle.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   receive(Bytes(2000, 0));
@@ -802,8 +804,8 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
   EXPECT_EQ(connection.counts().reportsNotSent, 0);
 }
 
-/// @brief A report for which the port has no room is dropped whole and counted; its sequence number
-/// is used by the next one.
+/// @brief A report for which the port has no space is dropped whole and counted; its sequence
+/// number is used by the next one.
 /// @verifies FR-64
 /// @verifies FR-252
 TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
@@ -838,7 +840,8 @@ TEST_F(PcConnectionTest, FR64_AReportThatFitsInNoFrameIsDroppedAndCounted) {
   EXPECT_EQ(port.sent.size(), before);
 }
 
-/// @brief A Welcome for which the port has no room is not sent in part; the next Hello is answered.
+/// @brief A Welcome for which the port has no space is not sent in part; the next Hello is
+/// answered.
 /// @verifies FR-30
 TEST_F(PcConnectionTest, FR30_AWelcomeWithoutRoomIsDropped) {
   port.room = 3;
@@ -862,7 +865,7 @@ TEST_F(PcConnectionTest, FR247_TheFirstFrameFollowsAZeroByte) {
   EXPECT_NE(port.sent[first], 0);
 }
 
-/// @brief The zero byte is not sent alone when the port has no room for the frame after it.
+/// @brief The zero byte is not sent alone when the port has no space for the frame after it.
 /// @verifies FR-247
 TEST_F(PcConnectionTest, FR247_WithoutRoomNoZeroByteIsSent) {
   constexpr std::size_t kWelcomeOnLine = 29 + 7;
@@ -912,7 +915,7 @@ std::vector<Example> examples() {
   return found;
 }
 
-/// @brief The codec makes each worked example of the protocol, and finds it again.
+/// @brief The codec encodes and decodes each worked example of the protocol.
 /// @verifies FR-40
 TEST(ProtocolExamples, FR40_TheCodecAgreesWithEachExample) {
   const std::vector<Example> all = examples();
@@ -946,7 +949,7 @@ Bytes withThisBuild(Bytes body) {
 }
 
 /// @brief The connection accepts each example of the PC, in the order of the examples. Its Welcome
-/// is that of the examples but for the build id.
+/// equals that of the examples, except for the build id.
 /// @verifies FR-30
 /// @verifies FR-31
 /// @verifies FR-40

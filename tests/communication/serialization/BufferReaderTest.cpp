@@ -26,7 +26,7 @@ struct BufferReaderTest : testing::Test {
   BufferReader reader{velocity, direction, clock};
 };
 
-/// @brief One signal alone is no order.
+/// @brief One signal alone is not an order.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_OneSignalIsNoOrder) {
   EXPECT_FALSE(reader.available());
@@ -36,7 +36,7 @@ TEST_F(BufferReaderTest, FR50_OneSignalIsNoOrder) {
   EXPECT_TRUE(reader.available());
 }
 
-/// @brief The direction signal alone is no order either.
+/// @brief The direction signal alone is not an order either.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_DirectionAloneIsNoOrder) {
   directionSignal(1);
@@ -130,7 +130,7 @@ TEST_F(BufferReaderTest, FR50_AReadWithoutBothSignalsFails) {
   EXPECT_FALSE(order.readFrom(reader));
 }
 
-/// @brief A read of the direction signal alone fails, and its value is consumed.
+/// @brief A read of the direction signal alone fails, and its value cannot be read again.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
   directionSignal(1);
@@ -140,7 +140,7 @@ TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A field that such an order does not have is read as 0, and reported at the finish.
+/// @brief A field that such an order does not have is read as 0, and finish() reports it.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, UnknownFieldsFail) {
   velocitySignal(1);

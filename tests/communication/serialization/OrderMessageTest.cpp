@@ -83,7 +83,7 @@ TEST(OrderMessage, FR46_OnlyTheTwoCommandsAreInRange) {
   }
 }
 
-/// @brief The other fields of an order that stops must be in range too.
+/// @brief The other fields of an order with stop must also be in range.
 /// @verifies FR-46
 TEST(OrderMessage, FR46_TheFieldsOfAStopOrderCount) {
   SerialReader reader;
@@ -102,7 +102,7 @@ TEST(OrderMessage, FR241_NeutralMeansThatEachWheelValueIsZero) {
   }
 }
 
-/// @brief An order is written as the protocol demands, and is read back the same.
+/// @brief An order is written as the protocol demands, and is read back unchanged.
 /// @verifies FR-170
 TEST(OrderMessage, IsReadAsItWasWritten) {
   SetPoints setPoints;
@@ -127,7 +127,7 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
   EXPECT_TRUE(copy.stop());
 }
 
-/// @brief An order of which the source holds only a part is not read.
+/// @brief An order of which the source contains only a part is not read.
 /// @verifies FR-45
 TEST(OrderMessage, AnIncompleteOrderIsNotRead) {
   SerialReader reader;

@@ -55,7 +55,7 @@ unsigned u16(const Bytes& bytes, std::size_t offset) {
   return bytes[offset] + 256U * bytes[offset + 1];
 }
 
-/// @brief Number with random bits, among them often those of the limits.
+/// @brief Random number, often one of the limits.
 template <class Number>
 Number number(std::mt19937& random) {
   switch (random() % 4) {
@@ -129,7 +129,7 @@ ReportData randomData(std::mt19937& random) {
   return data;
 }
 
-/// @brief Two reports are equal only when each of their values is the same.
+/// @brief Two reports are equal only when each of their values is equal.
 TEST(ReportData, DiffersInEachValue) {
   SetPoints setPoints;
   setPoints.orderId = 1;
@@ -149,7 +149,7 @@ TEST(ReportData, DiffersInEachValue) {
       std::uint16_t{1}, &ReportData::link, link, &ReportData::costs, kCosts);
 }
 
-/// @brief Two sets of counts are the same only when each count is the same.
+/// @brief Two sets of counts are equal only when each count is equal.
 TEST(LinkCounts, DifferInEachCount) {
   constexpr std::uint16_t kOne = 1;
   test::expectDifference(
@@ -159,7 +159,7 @@ TEST(LinkCounts, DifferInEachCount) {
       kOne, &LinkCounts::reportsNotSent, kOne, &LinkCounts::staleOrders, kOne);
 }
 
-/// @brief Two costs are the same only when each count is the same.
+/// @brief Two costs are equal only when each count is equal.
 TEST(CycleCosts, DifferInEachCount) {
   test::expectDifference(&CycleCosts::report, 1U, &CycleCosts::awake, 1U, &CycleCosts::start, 1U);
 }
@@ -206,7 +206,7 @@ TEST(ReportMessage, FR62_EachValueHasItsBitAndItsPlace) {
   }
 }
 
-/// @brief The turn direction is -1, 0 or 1, and has its bit also when it is 0.
+/// @brief The turn direction is -1, 0 or 1, and its bit is set also when it is 0.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_TheTurnDirectionHasItsBit) {
   for (const int turn : {-1, 0, 1}) {
@@ -237,8 +237,8 @@ TEST(ReportMessage, FR175_EachFlagHasItsBit) {
   EXPECT_EQ(written(armed)[11], 16);
 }
 
-/// @brief Why the robot does not follow its set-points, the cause of a protective stop, its wheel and
-/// the sources that order stop have one byte each.
+/// @brief The reason why the robot does not follow its set-points, the cause of a protective stop,
+/// its wheel and the sources that order stop have one byte each.
 /// @verifies FR-242
 TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   ReportData data;
@@ -353,7 +353,7 @@ TEST(ReportMessage, FR160_EachCountOfCyclesHasItsPlace) {
   EXPECT_EQ(costs, (Bytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
 }
 
-/// @brief A value that its field cannot hold is sent as the nearest one that it can.
+/// @brief A value out of the range of its field is sent as the nearest value in the range.
 /// @verifies FR-177
 TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
   ReportData data;
@@ -394,7 +394,7 @@ TEST(ReportMessage, IsReadAsItWasWritten) {
   }
 }
 
-/// @brief A report of which the source holds only a part is not read.
+/// @brief A report of which the source contains only a part is not read.
 /// @verifies FR-170
 TEST(ReportMessage, AnIncompleteReportIsNotRead) {
   Bytes bytes = written({});
@@ -404,7 +404,7 @@ TEST(ReportMessage, AnIncompleteReportIsNotRead) {
   EXPECT_FALSE(report.readFrom(reader));
 }
 
-/// @brief The writer returns false for a report for which there is no room.
+/// @brief The writer returns false for a report for which there is no space.
 /// @verifies FR-64
 TEST(ReportMessage, AReportWithoutRoomIsTold) {
   SerialWriter writer;

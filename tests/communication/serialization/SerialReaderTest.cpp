@@ -74,7 +74,8 @@ TEST_F(SerialReaderTest, FR20_AnOrderIsReadUntilItIs200MillisecondsOld) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief An order whose last byte came after the clock pulse of the cycle that reads is young.
+/// @brief An order whose last byte came after the clock pulse of the cycle that reads is not too
+/// old.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_AnOrderMayComeAfterTheClockPulse) {
   reader.beginCycle(Instant(100'000));
@@ -82,7 +83,7 @@ TEST_F(SerialReaderTest, FR20_AnOrderMayComeAfterTheClockPulse) {
   EXPECT_TRUE(reader.available());
 }
 
-/// @brief A newer order takes the place of one that was not read.
+/// @brief A newer order replaces an order that was not read.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_OnlyTheNewestOrderIsRead) {
   offer(orderBytes(1, 0, 0, 0));
@@ -91,7 +92,7 @@ TEST_F(SerialReaderTest, FR20_OnlyTheNewestOrderIsRead) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief An order out of range is refused. The order before and its age stay.
+/// @brief An order out of range is rejected. The previous order and its age do not change.
 /// @verifies FR-46
 /// @verifies FR-48
 TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeChangesNothing) {
@@ -105,7 +106,7 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeChangesNothing) {
   EXPECT_EQ(read().setPoints().orderId, 1);
 }
 
-/// @brief An order out of range after a read one does not bring the read one back.
+/// @brief An order out of range after a read one does not make the read order available again.
 /// @verifies FR-20
 /// @verifies FR-46
 TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {
@@ -115,7 +116,8 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A stop stays when its order was read, is old, or was dropped, until an order releases it.
+/// @brief A stop stays in force when its order was read, is old, or was dropped, until an order
+/// releases it.
 /// @verifies FR-21
 TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderReleasesIt) {
   offer(orderBytes(1, 0, 0, 0, 1));
@@ -128,8 +130,8 @@ TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderReleasesIt) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief Only an order without stop whose four wheel values are 0 releases a stop, whatever it sets at the
-/// wheels and wherever it steers.
+/// @brief Only an order without stop whose four wheel values are 0 releases a stop, for all
+/// quantities of the wheels and all steering angles.
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR241_OnlyANeutralOrderReleasesAStop) {
   offer(orderBytes(1, 0, 0, 0, 1));
@@ -155,7 +157,7 @@ TEST_F(SerialReaderTest, FR241_AnOrderThatMovesDoesNotStop) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief An order that is refused neither stops nor releases; the stop in it is heeded apart.
+/// @brief A rejected order neither stops nor releases; the stop in it is handled separately.
 /// @verifies FR-240
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR240_TheStopOfARefusedOrderIsHeeded) {
@@ -171,7 +173,7 @@ TEST_F(SerialReaderTest, FR240_TheStopOfARefusedOrderIsHeeded) {
   EXPECT_TRUE(reader.stopOrdered());
 }
 
-/// @brief A stop that is latched from elsewhere is released as one that was ordered.
+/// @brief A stop that was latched without an order is released like an ordered stop.
 /// @verifies FR-21
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR21_ALatchedStopIsReleasedByANeutralOrder) {
@@ -206,7 +208,8 @@ TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
   EXPECT_TRUE(reader.finish());
 }
 
-/// @brief A read beyond the end gives 0, is reported at the finish, and does not spoil the next read.
+/// @brief A read beyond the end gives 0, is reported at the finish, and does not affect the next
+/// read.
 /// @verifies FR-45
 TEST_F(SerialReaderTest, AReadBeyondTheEndFails) {
   offer(orderBytes(1, 0, 0, 0, 1));

@@ -25,7 +25,7 @@ TEST(Arguments, FR120_BaseHasRawAndElapsed) {
   }
 }
 
-/// @brief A time that an argument cannot hold counts as the nearest one that it can.
+/// @brief A time out of the range of an argument counts as the nearest time in the range.
 /// @verifies FR-120
 TEST(Arguments, FR120_TimeIsLimited) {
   EXPECT_EQ(BaseArguments(0, Microseconds(std::int64_t{kMost} + 1)).value(ArgumentId::Elapsed),
@@ -34,8 +34,8 @@ TEST(Arguments, FR120_TimeIsLimited) {
   EXPECT_EQ(BaseArguments(0, Microseconds(-1)).value(ArgumentId::Elapsed), 0);
 }
 
-/// @brief Each decorator answers for its own names and asks the wrapped arguments for the others, in any
-/// order of wrapping.
+/// @brief Each decorator returns the values of its own names and gets the others from the wrapped
+/// arguments, in any order of wrapping.
 /// @verifies FR-120
 /// @verifies FR-124
 TEST(Arguments, FR120_DecoratorsAddUp) {
@@ -58,7 +58,7 @@ TEST(Arguments, FR120_DecoratorsAddUp) {
   EXPECT_FALSE(range.value(ArgumentId::Scale));
 }
 
-/// @brief The outermost of two scales counts.
+/// @brief Of two scales the outermost one is used.
 /// @verifies FR-120
 TEST(Arguments, FR120_OutermostCounts) {
   const BaseArguments base(1, Microseconds(2));

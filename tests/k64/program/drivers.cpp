@@ -1,5 +1,5 @@
 // A composition without a robot: bytes from the PC are orders to the devices of the board. Each
-// answer is a row of numbers of 16 bits, the low byte first.
+// answer is a sequence of numbers of 16 bits, the low byte first.
 
 #include <algorithm>
 #include <array>
@@ -59,7 +59,7 @@ class WheelBody final : public Command {
 std::array<WheelBody, kWheelCount> wheelBodies{WheelBody(0), WheelBody(1), WheelBody(2),
                                                WheelBody(3)};
 
-// Has the threads of all wheels run, the last one first.
+// Runs the threads of all wheels, the last one first.
 class MainBody final : public Command {
  public:
   MainBody() = default;
@@ -91,8 +91,8 @@ struct Numbered {
   std::array<std::uint32_t, 32> words{};
 };
 
-// Hands numbers over a pipe, and checks the numbers that come. While one side works the other one
-// may interrupt it.
+// Passes numbers through a pipe, and checks the received numbers. Each side may interrupt the other
+// one.
 class Handover {
  public:
   Handover() = default;
@@ -163,7 +163,7 @@ void Handover::answerCounts() const {
   }
 }
 
-// Reads and writes for some time, in which the edges of Hall sensors interrupt.
+// Reads and writes for some time, while edges of Hall sensors cause interrupts.
 void handOver(Microseconds duration) {
   const Instant begin = platform::timebase.now();
   while (platform::timebase.now() - begin < duration) {
@@ -178,7 +178,7 @@ struct Pulse {
 };
 std::array<Pulse, 3> pulses{};
 
-// Serves an input of the remote control, and computes as long as a product may do that.
+// Serves an input of the remote control, and computes as long as the handler of a product may.
 void servePulse(std::size_t input) {
   constexpr std::uint32_t kRounds = 400;
   countEdges(kHallCount + input, kHallCount + input + 1);
@@ -199,7 +199,7 @@ void takeSamples() {
     if (const auto value = analogInputs[input]->sample()) {
       samples[input] = {static_cast<std::uint16_t>(samples[input].count + 1), *value};
     }
-    // One is asked for already: nothing happens.
+    // One is already requested: nothing happens.
     static_cast<void>(analogInputs[input]->sample());
   }
 }
@@ -233,7 +233,7 @@ void obey(std::uint8_t order, std::uint8_t first, std::uint8_t second, std::uint
         answer(pulse.width);
       }
       break;
-    case 'H':  // for so many ms
+    case 'H':  // duration in ms
       handOver(milliseconds(first));
       break;
     case 'N':

@@ -19,7 +19,7 @@ class ControlSystemPoolTest : public testing::Test {
   SpySystem two;
 };
 
-/// @brief Control reaches each system: it measures, takes the set-points, and works.
+/// @brief Control reaches each system: it measures, receives the set-points, and works.
 /// @verifies FR-14
 TEST_F(ControlSystemPoolTest, FR14_ControlReachesEachSystem) {
   addBoth();
@@ -57,7 +57,7 @@ TEST_F(ControlSystemPoolTest, FR5_CompletedWhenEachSystemIs) {
   EXPECT_FALSE(pool.completed(1));
 }
 
-/// @brief An empty pool gives no value.
+/// @brief An empty pool has no value.
 /// @verifies FR-62
 TEST_F(ControlSystemPoolTest, FR62_EmptyPoolGivesNoValue) {
   Measurements measurements;
@@ -67,7 +67,7 @@ TEST_F(ControlSystemPoolTest, FR62_EmptyPoolGivesNoValue) {
   EXPECT_EQ(outputs, Outputs{});
 }
 
-/// @brief The pool gathers the values of its systems.
+/// @brief The pool collects the values of its systems.
 /// @verifies FR-62
 TEST_F(ControlSystemPoolTest, FR62_PoolGathersValues) {
   pool.add(one);
@@ -80,7 +80,7 @@ TEST_F(ControlSystemPoolTest, FR62_PoolGathersValues) {
   EXPECT_EQ(outputs.turn, 1);
 }
 
-/// @brief A system too many ends the program.
+/// @brief A system beyond the capacity ends the program.
 /// @verifies FR-176
 TEST_F(ControlSystemPoolTest, SystemTooManyEndsTheProgram) {
   for (std::size_t i = 0; i < ControlSystemPool::kCapacity; ++i) {

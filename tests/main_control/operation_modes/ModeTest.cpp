@@ -9,7 +9,7 @@
 namespace wr::test {
 namespace {
 
-// A source whose order lacks fields.
+// A source with an incomplete order.
 class BrokenReader final : public Reader {
  public:
   [[nodiscard]] bool available() const override { return true; }
@@ -56,7 +56,7 @@ TEST_F(ModeTest, FR20_BasicModeAsksItsReader) {
   EXPECT_FALSE(basicPc.newMessage());
 }
 
-/// @brief The basic mode reads the order into the data of the controller and consumes it.
+/// @brief The basic mode reads the order into the data of the controller and cannot read it again.
 /// @verifies FR-20
 TEST_F(ModeTest, FR20_BasicModeReadsTheOrderOnce) {
   connect();
@@ -66,7 +66,7 @@ TEST_F(ModeTest, FR20_BasicModeReadsTheOrderOnce) {
   EXPECT_FALSE(basicPc.newMessage());
 }
 
-/// @brief An order that cannot be read whole leaves the set-points in force.
+/// @brief An incomplete order does not change the set-points.
 /// @verifies FR-20
 TEST_F(ModeTest, FR20_OrderThatCannotBeReadWholeChangesNothing) {
   data.saveSetPoints({.orderId = 8});
@@ -76,7 +76,7 @@ TEST_F(ModeTest, FR20_OrderThatCannotBeReadWholeChangesNothing) {
   EXPECT_EQ(data.setPoints()->orderId, 8);
 }
 
-/// @brief The basic mode is no mode to change from: the controller keeps its mode.
+/// @brief A change of the mode from the basic mode has no effect.
 /// @verifies FR-17
 TEST_F(ModeTest, FR17_BasicModeChangesNothing) {
   basicRc.changeMode(controller);
@@ -112,7 +112,7 @@ TEST_F(ModeTest, FR19_PcMarksTheSource) {
   EXPECT_EQ(mode.id(), ModeId::PC);
 }
 
-/// @brief The mode PC has no message without a connection, whatever its reader holds.
+/// @brief The mode PC has no message without a connection, even if its reader has an order.
 /// @verifies FR-36
 TEST_F(ModeTest, FR36_PcHasNoMessageWithoutConnection) {
   FakeMode wrapped(ModeId::None);
@@ -125,7 +125,7 @@ TEST_F(ModeTest, FR36_PcHasNoMessageWithoutConnection) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief Each mode changes to the mode that it was given.
+/// @brief Each mode changes to its successor.
 /// @verifies FR-17
 TEST_F(ModeTest, FR17_ModesChangeToTheOther) {
   RC rc(basicRc, second);
@@ -136,7 +136,8 @@ TEST_F(ModeTest, FR17_ModesChangeToTheOther) {
   EXPECT_EQ(&controller.getMode(), &first);
 }
 
-/// @brief A stop of the PC is seen through its mode, also when the order is old and the link is lost.
+/// @brief A stop of the PC is reported by its mode, also when the order is old and the link is
+/// lost.
 /// @verifies FR-21
 TEST_F(ModeTest, FR21_ModePassesTheStopOn) {
   PC mode(basicPc, second, connection);

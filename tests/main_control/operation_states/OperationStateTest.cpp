@@ -53,7 +53,8 @@ TEST_F(OperationStateTest, FR15_WorkingSetsWaiting) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting stays until the N-th failed read, the one before it included, and then sets WaitingN.
+/// @brief Waiting stays until the N-th failed read, including the read before this state, and then
+/// sets WaitingN.
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {

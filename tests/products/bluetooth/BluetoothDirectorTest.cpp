@@ -100,8 +100,8 @@ TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief While the PC orders, the device does not command; when the PC is silent, it does, and when the
-/// device is silent, the PC does again.
+/// @brief While the PC orders, the device does not command the robot; when the PC is silent the
+/// device does, and when the device is silent the PC does again.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {
   for (std::uint16_t order = 1; order <= 3 * kN; ++order) {
@@ -175,7 +175,7 @@ class BluetoothRobotAfterAStop : public BluetoothRobot {
   BluetoothRobotAfterAStop() : BluetoothRobot(true) {}
 };
 
-/// @brief A stop of the device outlives the reset: orders of the PC do not move the robot.
+/// @brief A stop of the device lasts over the reset: orders of the PC do not move the robot.
 /// @verifies FR-290
 TEST_F(BluetoothRobotAfterAStop, FR290_OrderOfThePcDoesNotEndIt) {
   for (std::uint16_t order = 1; order <= 2 * kN; ++order) {
@@ -199,7 +199,7 @@ TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
   EXPECT_FALSE(deviceStop.value);
 }
 
-/// @brief Noise, and orders and stops without a right tag, change nothing, and the PC goes on.
+/// @brief Noise, and orders and stops without a right tag, change nothing, and the PC continues.
 /// @verifies FR-151
 /// @verifies FR-262
 TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {
@@ -227,7 +227,7 @@ TEST_F(BluetoothRobot, FR262_ReplayedOrderIsNotRead) {
   }
 }
 
-/// @brief The robot is made without a remote control, and all the same runs its cycles.
+/// @brief The robot is built without a remote control, and runs its cycles.
 /// @verifies NFR-1
 TEST_F(BluetoothRobot, NFR1_HasNoRemoteControl) {
   EXPECT_DEATH(static_cast<void>(builder.velocityPin()), "assertion 1 failed");
@@ -235,7 +235,7 @@ TEST_F(BluetoothRobot, NFR1_HasNoRemoteControl) {
   EXPECT_EQ(watchdog.refreshes(), 4U);
 }
 
-/// @brief A robot is made once.
+/// @brief A robot is built only once.
 /// @verifies FR-78
 TEST_F(BluetoothRobot, FR78_ConstructionTwiceEndsTheProgram) {
   EXPECT_DEATH(director.construct(), "assertion 5 failed");

@@ -46,7 +46,7 @@ class BluetoothTest : public ControllerFixture {
   scenario::PcSender frames;
 };
 
-/// @brief An order counts only while the device is connected.
+/// @brief An order is valid only while the device is connected.
 /// @verifies FR-260
 TEST_F(BluetoothTest, FR260_OrderWithoutConnectionIsNoMessage) {
   order(1);
@@ -101,7 +101,7 @@ TEST_F(BluetoothTest, FR151_ServesTheWrappedMode) {
   EXPECT_EQ(served, 1);
 }
 
-/// @brief A stop of the device is seen through the mode, also when the order is old.
+/// @brief A stop of the device is reported by the mode, also when the order is old.
 /// @verifies FR-151
 TEST_F(BluetoothTest, FR151_PassesTheStopOn) {
   EXPECT_FALSE(mode.stopOrdered());

@@ -23,7 +23,7 @@ SipHash::Key erased() {
 
 class SignedPortTest : public testing::Test {
  protected:
-  // The frames that the port gives now.
+  // The frames that the port returns now.
   std::vector<scenario::Bytes> given(SignedPort& from) {
     std::vector<scenario::Bytes> taken;
     std::array<std::uint8_t, 64> bytes{};
@@ -45,7 +45,7 @@ class SignedPortTest : public testing::Test {
   scenario::PcSender frames;
 };
 
-/// @brief A frame with a right tag and a new counter is given, without counter and tag.
+/// @brief A frame with a right tag and a new counter is returned without counter and tag.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
   const scenario::Bytes hello = frames.hello();
@@ -56,7 +56,7 @@ TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
   EXPECT_EQ(given(), std::vector<scenario::Bytes>{order});
 }
 
-/// @brief Each single wrong bit of a frame, of its counter or of its tag has it dropped.
+/// @brief Each single wrong bit of a frame, of its counter or of its tag causes it to be dropped.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
   const scenario::Bytes right = device.sign(frames.order({.id = 3}));
@@ -84,8 +84,8 @@ TEST_F(SignedPortTest, FR262_ReplayedFrameIsDropped) {
   EXPECT_EQ(given().size(), 1U);
 }
 
-/// @brief Frames that were recorded before a start are worth nothing after it: the number of the start is
-/// another one.
+/// @brief Frames that were recorded before a start are invalid after it, because the number of the
+/// start has changed.
 /// @verifies FR-264
 TEST_F(SignedPortTest, FR264_FrameOfAnEarlierStartIsDropped) {
   FixedRandom other(kStartNumber + 1);
@@ -103,7 +103,7 @@ TEST_F(SignedPortTest, FR262_OwnFrameIsNotAccepted) {
 }
 
 /// @brief A frame without counter and tag is dropped and answered with a challenge: the number of the start
-/// and the last counter. A device that heard it can sign.
+/// and the last counter. A device that received the challenge can sign.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_WrongFrameIsAnsweredWithAChallenge) {
   line.arrive(device.signWith(9, frames.hello()));
@@ -130,7 +130,8 @@ TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
   }
 }
 
-/// @brief A zero byte alone, which ends a frame that a reset has cut, is sent as it is and uses up no counter.
+/// @brief A zero byte alone, which ends a frame that a reset has cut, is sent unchanged and uses no
+/// counter.
 /// @verifies FR-263
 TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
   ASSERT_TRUE(signedPort.write(scenario::Bytes{0}));
@@ -140,8 +141,7 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
 }
 
 /// @brief The port returns the values of its line: the time of the frame, lost bytes, and room for a frame with its
-/// counter and tag. A frame for which the line has no room is not sent, and does not use up a
-/// counter.
+/// counter and tag. A frame for which the line has no space is not sent and uses no counter.
 /// @verifies FR-263
 /// @verifies FR-262
 /// @verifies FR-20

@@ -23,8 +23,8 @@ struct Vector {
 };
 
 // The key 00 to 0F and the bytes 00, 01, 02...: vectors of the reference implementation of the
-// authors. OpenSSL 3 gives the same (openssl mac -macopt size:8 SIPHASH), with the bytes of the tag
-// in reverse.
+// authors. OpenSSL 3 computes the same tags (openssl mac -macopt size:8 SIPHASH), with the bytes of
+// the tag in reverse.
 class SipHashVectors : public testing::TestWithParam<Vector> {};
 
 /// @brief The tags of known bytes are those of the reference implementation.

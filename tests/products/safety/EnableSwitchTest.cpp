@@ -47,7 +47,7 @@ class EnableSwitchTest : public ControllerFixture {
                      .timebase = time}};
 };
 
-/// @brief The switch extends a mode and is none itself: it does not change the mode of the controller.
+/// @brief The switch extends a mode, but does not change the mode of the controller.
 /// @verifies FR-17
 TEST_F(EnableSwitchTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
   const Mode& before = controller.getMode();
@@ -78,7 +78,7 @@ TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief A pulse counts for 200 ms. Afterwards the remote control orders a stop.
+/// @brief A pulse is valid for 200 ms. Afterwards the remote control orders a stop.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_SilenceStops) {
   signals(kDrive);
@@ -90,7 +90,7 @@ TEST_F(EnableSwitchTest, FR285_SilenceStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief The stop of the wrapped mode is a stop as well, and the wrapped mode is served.
+/// @brief The stop of the wrapped mode is also a stop, and the wrapped mode is served.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   signals(kDrive);
@@ -118,7 +118,7 @@ TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief Between the bands the position before stays.
+/// @brief Between the bands the previous position stays valid.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
   signals(1300);
@@ -154,7 +154,8 @@ TEST_F(EnableSwitchTest, FR286_TheStopLastsUntilTheStickIsCentred) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief Without pulses of the velocity stick the switch alone releases: the stick can order nothing.
+/// @brief Without pulses of the velocity stick the switch alone releases: because the stick cannot
+/// order a motion.
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
   signals(kStop, 3000);
@@ -207,7 +208,8 @@ TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
   EXPECT_TRUE(acknowledges());
 }
 
-/// @brief Pulses that come back after a gap acknowledge nothing: no operator moved the switch.
+/// @brief Pulses that come back after a gap do not acknowledge, because no operator moved the
+/// switch.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   signals(kPc);
@@ -245,7 +247,7 @@ TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief A change of more than 8 us of any channel begins the 2 s again.
+/// @brief A change of more than 8 us of any channel restarts the 2 s.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
   signals(kDrive, 0);
@@ -308,8 +310,8 @@ TEST_F(EnableBufferTest, FR285_TheWidthOfAPulseIsStored) {
   EXPECT_EQ(pulse(1999), 1999);
 }
 
-/// @brief Pulses from 900 to 2100 us count; others, and those with another period than 15 to 30 ms, count as
-/// missing.
+/// @brief Pulses from 900 to 2100 us are valid; other pulses, and pulses with a period outside of
+/// 15 to 30 ms, count as missing.
 /// @verifies FR-285
 /// @verifies FR-55
 TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
@@ -322,7 +324,8 @@ TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
   EXPECT_FALSE(pulse(1500).has_value());
 }
 
-/// @brief One pulse of a stop is a disturbance; two in succession confirm it, and pulses after them do not hide it.
+/// @brief One pulse of a stop is a disturbance; two successive pulses confirm the stop, and pulses
+/// after them do not hide it.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {
   for (const int width : {1249, 899, 2101}) {

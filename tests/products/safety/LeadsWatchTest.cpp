@@ -21,7 +21,7 @@ struct Motor {
 
 class WatchedLeads : public testing::Test {
  protected:
-  /// A cycle at a velocity, in which the motor has a voltage. Its current follows from both.
+  /// A cycle at a velocity, in which the motor has a voltage. Its current is computed from both.
   bool cycle(double rpm, double ordered) {
     motor.position += rpm * 60 / 600;
     const double real = ordered * motor.supply / 24;
@@ -39,7 +39,7 @@ class WatchedLeads : public testing::Test {
     return (motor.constant * rpm + motor.resistance * amperes) * 24 / motor.supply;
   }
 
-  /// Starts, and drives for some seconds; returns whether it was stopped.
+  /// Starts, and drives for some seconds; returns whether the watch stopped it.
   bool drive(double rpm, double amperes, int cycles) {
     bool stopped = false;
     const double step = rpm < 0 ? -17.6 : 17.6;
@@ -67,7 +67,8 @@ class WatchedLeads : public testing::Test {
   LeadsWatch watch;
 };
 
-/// @brief Leads that are swapped at 10 to 300 rpm, in either direction, are found in the second cycle.
+/// @brief Leads that are swapped at 10 to 300 rpm, in either direction, are detected in the second
+/// cycle.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   for (const double rpm : {10.0, 20.0, 50.0, 150.0, 300.0, -10.0, -20.0, -300.0}) {
@@ -78,9 +79,9 @@ TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   }
 }
 
-/// @brief Motors at the ends of their tolerances, with a supply of 21 or 29 V and a current sensor that is
-/// off by 0.3 A, are learned: right leads are no cause, also when load and velocity change at once,
-/// and swapped leads are found within five cycles at 20 rpm.
+/// @brief Motors at the ends of their tolerances, with a supply of 21 or 29 V and a current sensor
+/// with an error of 0.3 A, are learned: right leads are no cause, also when load and velocity
+/// change at once, and swapped leads are found within five cycles at 20 rpm.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   for (const double supply : {21.0, 29.0}) {
@@ -106,7 +107,7 @@ TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   }
 }
 
-/// @brief One cycle that fits swapped leads, however well, is no cause.
+/// @brief One cycle that fits swapped leads, even perfectly, is no cause.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   EXPECT_FALSE(drive(300, 1, 40));
@@ -120,8 +121,8 @@ TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   }
 }
 
-/// @brief A cycle without an edge in the direction of the velocity, or without a measurement or a voltage,
-/// shows nothing, and takes nothing back.
+/// @brief A cycle without an edge in the direction of the velocity, or without a measurement or a
+/// voltage, does not change the evidence.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   EXPECT_FALSE(drive(100, 1, 40));

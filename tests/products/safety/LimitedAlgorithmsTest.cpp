@@ -24,7 +24,8 @@ WheelFeedback measured(int rpm, int milliamperes) {
   return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes)};
 }
 
-/// @brief Far from the limit, and for a wheel whose voltage is not known, the demand passes. With 12 A the voltage
+/// @brief Far from the limit, and for a wheel whose voltage is not known, the demand is not
+/// changed. With 12 A the voltage
 /// does not rise; with 10 A it rises by 2 V, as the winding has more than 1 ohm. The other
 /// direction has the same limits.
 /// @verifies FR-296
@@ -48,8 +49,9 @@ TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   EXPECT_EQ(limited.calculate(24000, measured(0, 12000)), Tension(24000));
 }
 
-/// @brief At 290 rpm the voltage of a wheel does not rise, above it falls, and a wheel that accelerates towards the
-/// limit gets less. An order against the motion passes.
+/// @brief At 290 rpm the voltage of a wheel does not rise, above this velocity it falls, and a
+/// wheel that accelerates towards the limit gets less voltage. An order against the motion is not
+/// changed.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   for (const int sign : {1, -1}) {

@@ -41,7 +41,7 @@ TEST_F(SteeringGeometryTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
   EXPECT_EQ(&controller.getMode(), &before);
 }
 
-/// @brief Straight on all wheels get the ordered velocity.
+/// @brief Straight ahead all wheels get the ordered velocity.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_StraightOnAllWheelsAreAlike) {
   EXPECT_EQ(read(alike(1234, 0)), alike(1234, 0));
@@ -76,8 +76,8 @@ TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
   }
 }
 
-/// @brief At 32 degrees to the left the inner rear wheel has 58 % of the outer front one: the robot turns on a
-/// circle of 2.5 m.
+/// @brief At 32 degrees to the left the inner rear wheel has 58 % of the velocity of the outer
+/// front wheel: the robot turns on a circle of 2.5 m.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_FullLock) {
   const SetPoints order = read(alike(1000, 3200));
@@ -86,7 +86,7 @@ TEST_F(SteeringGeometryTest, FR284_FullLock) {
   EXPECT_EQ(read(alike(1000, 4000)).wheels[2].value, order.wheels[2].value);
 }
 
-/// @brief An order whose wheels differ, or that sets no velocity, stays as it is.
+/// @brief An order whose wheels differ, or that sets no velocity, is not changed.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_OtherOrdersStay) {
   SetPoints different = alike(1000, 2000);
@@ -147,7 +147,7 @@ TEST_F(PersistentStopTest, FR290_AStopOutlivesAReset) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief Power-on begins without a stop, whatever the memory holds.
+/// @brief Power-on begins without a stop, with any content of the memory.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_PowerOnBeginsWithoutAStop) {
   cells = {.value = 0x12345678, .check = 0x9ABCDEF0};
@@ -155,7 +155,7 @@ TEST_F(PersistentStopTest, FR290_PowerOnBeginsWithoutAStop) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief After every other reset a stored stop is still there, and a release too.
+/// @brief After every other reset a stored stop is still in force, and a released stop is not.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_OtherResetsKeepTheMemory) {
   for (const ResetCause cause :
@@ -169,7 +169,8 @@ TEST_F(PersistentStopTest, FR290_OtherResetsKeepTheMemory) {
   }
 }
 
-/// @brief Each damaged bit of the memory counts as a stop; so does empty and erased memory.
+/// @brief Each damaged bit of the memory counts as a stop; empty and erased memory also count as a
+/// stop.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_DamagedMemoryIsAStop) {
   memory.save(false);

@@ -58,7 +58,7 @@ class SafeRobot : public testing::Test {
     }
   }
 
-  /// Lets the PC get to command, and arm the robot.
+  /// Lets the PC become the source of orders, and arm the robot.
   void armByPc() {
     enable(kPc);
     cycles(2);

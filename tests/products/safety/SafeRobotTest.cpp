@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint8_t kTension = 1;
 constexpr std::uint8_t kCurrent = 2;
 
-/// @brief Nothing moves at power-on with a deflected stick, however long it lasts.
+/// @brief Nothing moves at power-on with a deflected stick, for any time.
 /// @verifies FR-280
 /// @verifies FR-286
 TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
@@ -50,8 +50,8 @@ TEST_F(SafeRobot, FR280_ASingleNeutralOrderDoesNotArm) {
   EXPECT_DOUBLE_EQ(fastest, 0.0);
 }
 
-/// @brief Speeds and reversals in each quantity, and stops between them, are no cause of a protective stop, and no
-/// wheel is faster than 330 rpm.
+/// @brief Speeds and reversals in each quantity, and stops between them, do not cause a protective
+/// stop, and no wheel is faster than 330 rpm.
 /// @verifies FR-270
 /// @verifies FR-274
 /// @verifies FR-283
@@ -149,7 +149,7 @@ TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief A fault of the steering brakes all wheels, also when the fault is gone afterwards.
+/// @brief A fault of the steering brakes all wheels, also when the fault has ended.
 /// @verifies FR-272
 TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
   armByPc();
@@ -190,8 +190,8 @@ TEST_F(SafeRobot, FR278_ABrokenCurrentSensorStopsTheRobot) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief The enable switch stops the robot in the next cycle but one while the PC drives, and the stop lasts while the
-/// PC goes on to order.
+/// @brief The enable switch stops the robot in the second next cycle while the PC drives, and the
+/// stop lasts while the PC continues to send orders.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(SafeRobot, FR285_TheRemoteControlStopsARobotThatThePcDrives) {
@@ -269,7 +269,8 @@ TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief A turn of the switch to "stop" for 40 ms stops a robot that the PC drives, wherever it is in the cycle. The
+/// @brief A turn of the switch to "stop" for 40 ms stops a robot that the PC drives, at any time of
+/// the cycle. The
 /// robot stays at rest until the PC has ordered neutral values.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {

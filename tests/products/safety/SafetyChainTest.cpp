@@ -69,8 +69,8 @@ class RobotOfPool : public SafetyChain {
   SpySystem second;
 };
 
-/// @brief The robot as one control system passes each order on to every control system, with the number of
-/// the cycle, and is complete when all are.
+/// @brief The robot as one control system passes each order on to every control system, with the
+/// number of the cycle, and is complete when all control systems are.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   order(robot, alike(123));
@@ -120,7 +120,7 @@ class ProtectiveStopTest : public SafetyChain {
 
   ProtectiveStopTest() { contact.set(false); }
 
-  /// Checks that the robot is held in this cycle and in all that follow, whatever is ordered.
+  /// Checks that the robot is held in this cycle and in all that follow, with any order.
   void expectLatched(StopCause cause, std::uint8_t wheel) {
     for (int cycles = 0; cycles < 20; ++cycles) {
       order(stop, alike(100));
@@ -132,7 +132,7 @@ class ProtectiveStopTest : public SafetyChain {
   }
 };
 
-/// @brief Without a fault set-points pass, and the report names no cause.
+/// @brief Without a fault set-points are forwarded, and the report names no cause.
 /// @verifies FR-270
 /// @verifies FR-281
 TEST_F(ProtectiveStopTest, FR270_SetPointsPassWithoutAFault) {
@@ -143,8 +143,8 @@ TEST_F(ProtectiveStopTest, FR270_SetPointsPassWithoutAFault) {
   EXPECT_EQ(protection(stop), Protection{});
 }
 
-/// @brief A fault of one wheel holds all control systems in the same cycle, and in every later one, also
-/// after the fault is gone and after a hold.
+/// @brief A fault of one wheel holds all control systems in the same cycle, and in every later one,
+/// also after the end of the fault and after a hold.
 /// @verifies FR-270
 /// @verifies FR-281
 TEST_F(ProtectiveStopTest, FR270_AFaultHoldsInItsCycleAndAfterwards) {
@@ -214,8 +214,8 @@ TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   }
 }
 
-/// @brief A loss of the clock, and a start that got no clock, latch a protective stop; a cause from before
-/// stays.
+/// @brief A loss of the clock, and a start without a clock, latch a protective stop; an earlier
+/// cause does not change.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_ALossOfTheClockIsAProtectiveStop) {
   RetainedProtection::Cells cells{};
@@ -250,7 +250,7 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
   EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop);
 }
 
-/// @brief An opening of the contact before an acknowledgement is over with it.
+/// @brief An opening of the contact before an acknowledgement is cleared by it.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   contact.set(true);
@@ -283,8 +283,8 @@ TEST_F(ProtectiveStopTest, FR271_AnOpenContactCannotBeAcknowledged) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A wheel that stays behind the others, and one that draws 12 A for a second, stop the robot. A hold begins
-/// the comparison again.
+/// @brief A wheel that moves less than the others, and one that draws 12 A for a second, stop the
+/// robot. A hold restarts the comparison.
 /// @verifies FR-297
 /// @verifies FR-298
 TEST_F(ProtectiveStopTest, FR297_FR298_TheWheelsAreCompared) {
@@ -365,7 +365,7 @@ TEST_F(ArmingTest, FR280_NothingMovesUnarmed) {
   }
 }
 
-/// @brief Orders pass after five cycles of 100 ms with neutral ones, and not after four.
+/// @brief Orders are forwarded after five cycles of 100 ms with neutral ones, and not after four.
 /// @verifies FR-280
 /// @verifies FR-281
 TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
@@ -379,8 +379,8 @@ TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A neutral order that is only still in force counts once; an order that is not neutral begins
-/// the count again.
+/// @brief A neutral order that stays in force counts once; an order that is not neutral restarts
+/// the count.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_ANeutralOrderCountsOnce) {
   SetPoints old = alike(0);
@@ -411,7 +411,7 @@ TEST_F(ArmingTest, FR280_EveryWheelHasToBeNeutral) {
   }
 }
 
-/// @brief A hold and an acknowledgement end the permission.
+/// @brief A hold and an acknowledgement withdraw the permission.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementDisarm) {
   neutral(5);
@@ -450,8 +450,8 @@ class SetPointRampTest : public SafetyChain {
   int first() const { return spy.applied.wheels[0].value; }
 };
 
-/// @brief From 0 to 300 rpm, which are 0.85 m/s, the set-point takes at least 1.7 s, then it is the ordered
-/// one; the way back is as slow.
+/// @brief From 0 to 300 rpm, which are 0.85 m/s, the set-point takes at least 1.7 s, then it is the
+/// ordered one; the decrease takes as long.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   constexpr double kMetresPerSecond = 0.85 / 3000;
@@ -469,7 +469,7 @@ TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   EXPECT_EQ(cycles, 18 + 35 + 18);
 }
 
-/// @brief A change of up to 17.6 rpm passes in one cycle; one of 17.7 rpm does not.
+/// @brief A change of up to 17.6 rpm is applied in one cycle; one of 17.7 rpm does not.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_SmallChangesPass) {
   order(ramp, alike(176));
@@ -490,9 +490,9 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   EXPECT_EQ(spy.applied.wheels[2].value, -44);
 }
 
-/// @brief Set-points of current pass unchanged. Velocity then begins at the measured one, or at the one
-/// that the voltage of the wheel makes without load, whichever is lower, and at 0 when they oppose
-/// each other.
+/// @brief Set-points of current are not changed. Velocity then begins at the measured one, or at
+/// the velocity that the voltage of the wheel makes without load if this is lower, and at 0 when
+/// they oppose each other.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   struct Case {
@@ -518,8 +518,8 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   }
 }
 
-/// @brief A set-point of voltage leads the voltage of the wheel by at most 1.0 V away from 0, and by at most
-/// 2.4 V towards 0.
+/// @brief A set-point of voltage differs from the voltage of the wheel by at most 1.0 V away from
+/// 0, and by at most 2.4 V towards 0.
 /// @verifies FR-295
 TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   const auto next = [&](int applied, int ordered) {
@@ -539,7 +539,7 @@ TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   EXPECT_EQ(first(), 1000);
 }
 
-/// @brief Straight on, up to 1 degree, 300 rpm are permitted, at 5 degrees 260 rpm, at 32 degrees 240 rpm, of
+/// @brief Up to 1 degree, 300 rpm are permitted, at 5 degrees 260 rpm, at 32 degrees 240 rpm, of
 /// the ordered or of the measured angle, whichever is greater. All wheels have one factor.
 /// @verifies FR-294
 TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {

@@ -13,8 +13,8 @@
 namespace wr::test {
 namespace {
 
-// All scenarios that the image with safety functions must meet on the virtual board, but for that
-// of the clock, which only the virtual board has.
+// All scenarios that the image with safety functions must meet on the virtual board, except the
+// scenario of the clock, which only the virtual board has.
 std::vector<std::filesystem::path> scenarios() {
   std::vector<std::filesystem::path> files = allScenarios();
   std::erase_if(files, [](const std::filesystem::path& file) {
@@ -51,7 +51,8 @@ class SafetyScenario : public testing::TestWithParam<const char*> {
 
 class StopOfTheRemoteControl : public SafetyScenario {};
 
-/// @brief The enable switch stops the robot while the PC drives, while nobody commands, and while the PC connects.
+/// @brief The enable switch stops the robot while the PC drives, without a source of orders, and
+/// while the PC connects.
 /// @verifies FR-285
 TEST_P(StopOfTheRemoteControl, FR285_ActsInEveryModeAndState) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -64,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(States, StopOfTheRemoteControl,
 
 class SwappedLeads : public SafetyScenario {};
 
-/// @brief Leads that are swapped while the robot drives stop it within 0.3 m, fast or slow.
+/// @brief Leads that are swapped while the robot drives stop it within 0.3 m at any speed.
 /// @verifies FR-307
 TEST_P(SwappedLeads, FR307_StopTheRobotThatDrives) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -106,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Faults, FaultOfTheSteering,
 
 class FaultOfAHallSensor : public SafetyScenario {};
 
-/// @brief A Hall sensor that is off its place or disturbed lets no wheel turn too fast.
+/// @brief A Hall sensor that is displaced or disturbed does not make a wheel turn too fast.
 /// @verifies FR-120
 /// @verifies FR-121
 TEST_P(FaultOfAHallSensor, FR120_IsTolerated) {
@@ -158,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(Starts, StartOfTheRobot,
 
 class StopOfThePc : public SafetyScenario {};
 
-/// @brief A stop of the PC outlives a reset.
+/// @brief A stop of the PC lasts over a reset.
 /// @verifies FR-290
 TEST_P(StopOfThePc, FR290_OutlivesAReset) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});

@@ -38,8 +38,8 @@ class ComparedWheels : public testing::Test {
   WheelComparison comparison;
 };
 
-/// @brief A wheel that does not move is found after twice 20 edges of the others, which are 0.114 m: the wheel of
-/// 0.272 m radius turns once in 600 edges.
+/// @brief A wheel that does not move is detected after twice 20 edges of the others, which are
+/// 0.114 m: the wheel of 0.272 m radius turns once in 600 edges.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   for (const int direction : {1, -1}) {
@@ -52,8 +52,8 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   }
 }
 
-/// @brief A wheel that moves by half as much as the others is behind, one that moves by more is not; a wheel that
-/// is faster than the others is never behind, nor is one that is behind once.
+/// @brief A wheel that moves half as far as the others is reported, a wheel that moves further is
+/// not. A wheel that is faster than the others, or too slow only once, is never reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   for (int cycle = 0; cycle < 10; ++cycle) {
@@ -66,8 +66,8 @@ TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   EXPECT_EQ(move({13, 26, 26, 26}), std::uint8_t{0});
 }
 
-/// @brief A wheel whose sensors count the wrong way, and one whose position is missing, are behind. The shares of
-/// the tightest curve are not.
+/// @brief A wheel whose sensors count the wrong way, and one whose position is missing, are
+/// reported. The ratios of the tightest curve are not reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
   for (int cycle = 0; cycle < 10; ++cycle) {
@@ -80,8 +80,8 @@ TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
   EXPECT_EQ(comparison.behind(measurements), std::nullopt);
 }
 
-/// @brief More than 11.0 A in ten cycles in a row are too much, in either direction; 11.0 A are not, and a cycle
-/// with less begins again.
+/// @brief More than 11.0 A in ten cycles in a row are too much, in either direction; 11.0 A are
+/// not, and a cycle with less current restarts the count.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_AGreatCurrentMayNotLast) {
   for (const int sign : {1, -1}) {
@@ -99,7 +99,8 @@ TEST_F(ComparedWheels, FR298_AGreatCurrentMayNotLast) {
   }
 }
 
-/// @brief In a curve of more than 11 degrees the set-points may make the wheels push for 5 s, but no longer.
+/// @brief In a curve of more than 11 degrees the set-points may make the wheels work against each
+/// other for 5 s, but no longer.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
   for (const int angle : {1101, -1101}) {

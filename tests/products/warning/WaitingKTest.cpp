@@ -47,7 +47,7 @@ TEST_F(WaitingKTest, FR152_MessageEndsTheWarning) {
   EXPECT_TRUE(isCurrent(state));
 }
 
-/// @brief A failed read ends the warning: the next state follows, the mode stays.
+/// @brief A failed read ends the warning: the next state follows, and the mode does not change.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_FailedReadSetsTheNextState) {
   controller.control();

@@ -33,8 +33,8 @@ class WarningRobot : public ProductFixture {
   WarningDirector director{poolBuilder, builder, warning};
 };
 
-/// @brief The warning is on at the failed read before the last waiting state, and at no other one; the
-/// robot goes on with its set-points until the last waiting state ends.
+/// @brief The warning is on at the failed read before the last waiting state, and at no other one;
+/// the robot follows its set-points until the last waiting state ends.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_EQ(order(8).orderId, 8);

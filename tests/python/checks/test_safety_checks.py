@@ -40,7 +40,7 @@ def check(root: Path, model: Model) -> list[Finding]:
             ("reaction = 0.2", "reaction = 0.351"),
             "the firmware needs 0.351 s for SG-1, which allows 0.35 s",
         ),
-        (('id = "HZ-1"', 'id = "H1"'), "H1 is no id of a hazard"),
+        (('id = "HZ-1"', 'id = "H1"'), "H1 is not an id of a hazard"),
         (('["brake"]', '["brake", "fly"]'), "SG-1 names fly, which is not declared"),
     ],
 )

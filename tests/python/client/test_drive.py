@@ -392,7 +392,7 @@ def test_the_monitor_shows_a_table(mcu: Any) -> None:
 
 
 CUT_OFF = "front left wheel has an overcurrent trip: its current was too high"
-BLIND = "rear right wheel has no motion feedback: it has voltage but gives no Hall edge"
+BLIND = "rear right wheel has no motion feedback: it has voltage but no Hall edges"
 
 
 @pytest.mark.parametrize(

@@ -61,7 +61,7 @@ def test_types_of_version_2(frame: str, kind: int) -> None:
     [
         (field("one", "u24"), "there is no type u24"),
         (field("one", "u8", 'unit = "furlong"'), "has no unit furlong"),
-        (field("one", "u8") + field("one", "u8"), "double"),
+        (field("one", "u8") + field("one", "u8"), "occurs twice"),
         (field("one", "u8", 'valid = ["two"]'), "two"),
         (field("one", "u8", 'values = "shape"'), "shape"),
         ("not toml", "table of frames"),

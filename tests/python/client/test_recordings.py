@@ -110,7 +110,7 @@ def test_another_file_is_no_recording(tmp_path: Path, capsys: pytest.CaptureFixt
     with pytest.raises(RecordingError):
         recording_page(other)
     assert cli.main(["plot", str(other)]) == 1
-    assert "is no recording of reports" in capsys.readouterr().err
+    assert "is not a recording of reports" in capsys.readouterr().err
 
 
 def test_ros_reads_the_definitions_of_the_messages() -> None:

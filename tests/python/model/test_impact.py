@@ -45,7 +45,7 @@ def test_requirements_patterns_and_tests_to_look_at_again(model: Model) -> None:
     assert impact.patterns == [Reached("reading-modes", 0, "RC is its Concrete State")]
     assert impact.tests == [Reached("RcTest.Reads", 0, "verifies FR-15")]
     tree = of(model, "MainController").requirements
-    assert tree == [Reached("FR-15", 0, "its tree runs through MainController")]
+    assert tree == [Reached("FR-15", 0, "its tree contains MainController")]
 
 
 def test_a_requirement_begins_with_the_modules_that_serve_it(model: Model) -> None:

@@ -147,7 +147,7 @@ def test_a_baseline_takes_the_change_and_is_no_review(
     assert review(tree, options("FR-15", baseline=True)) == 0
     printed = capsys.readouterr().out
     assert "FR-15: test Working.WaitsWithoutMessage changed since the baseline" in printed
-    assert "It is no review" in printed
+    assert "This is not a review" in printed
     assert findings(tree, "suspect") == []
     assert not build(tree).model.requirements["FR-15"].reviewed
 

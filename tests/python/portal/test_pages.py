@@ -154,13 +154,13 @@ def test_a_check_that_needs_fresh_results_does_not_hold_without_them(portal: Por
         (
             "changes/reading-modes",
             [],
-            ["Derive from Mode", "Make it known in a composition.", "3 modules that stay"],
+            ["Derive from Mode", "Make it known in a composition.", "3 modules that are"],
             ["requirements/FR-15.html"],
         ),
         ("requirements/FR-15", [], ["The system shall wait.", "Why."], ["modules/RC.html#m-read"]),
         ("concordance", [], ["CR"], ["modules/RC.html", "machines.html#reading-modes"]),
         ("checks/tree-static", [], ["Each edge is one.", "holds"], []),
-        ("checks/link-site", [], ["Checked after the pages are written"], []),
+        ("checks/link-site", [], ["This check runs after the pages are written"], []),
     ],
 )
 def test_a_page_leads_on(

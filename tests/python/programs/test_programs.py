@@ -1,6 +1,7 @@
 """The programs that run the firmware: on this machine, and its image on the virtual K64."""
 
 import csv
+import json
 import math
 import socket
 import subprocess
@@ -22,7 +23,7 @@ Words = list[str | Path]
 
 @pytest.fixture(scope="module", autouse=True)
 def built(build: Callable[..., None]) -> None:
-    build("host", "weeding_robot_host", "weeding_robot_board")
+    build("host", "weeding_robot_host", "weeding_robot_board", "weeding_robot_loads")
     build("k64", "weeding_robot_paper")
 
 
@@ -278,3 +279,14 @@ def test_there_is_no_run_without_image(tmp_path: Path) -> None:
     missing = run([board, "--image", tmp_path / "none.bin", "--fast", "--cycles", "1"])
     assert missing.returncode == 1
     assert "no image at" in missing.stderr
+
+
+def test_random_drives_with_a_loaded_line_are_the_same_for_the_same_seed() -> None:
+    program = PROGRAMS / "weeding_robot_loads"
+    words: Words = [program, "--image", IMAGE, "--elf", ELF, "--count", "2"]
+    first, again, other = (run([*words, "--seed", seed]) for seed in ("1", "1", "2"))
+    assert (first.returncode, first.stderr) == (0, "")
+    assert first.stdout == again.stdout != other.stdout
+    times = [json.loads(line)["longest_ns"] for line in first.stdout.splitlines()]
+    assert len(times) == 2
+    assert all(100_000 < time_ns < 10_000_000 for time_ns in times)

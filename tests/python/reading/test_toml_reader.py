@@ -49,8 +49,8 @@ def test_a_sound_file_has_no_problem(tmp_path: Path) -> None:
         ('pins = ["PTA2"]', 'pins = "PTA2"', 8, "the entry has no pins, which is a list"),
         ("why =", "because =", 11, "the entry has a key because, which nothing reads"),
         ('"green"', '"red"', 8, "name red has an entry in line 4 already"),
-        ("total =", "sum =", 1, "nothing reads the values under sum"),
-        ("[[lamp]]\nname = ", "[[lamps]]\nname = ", 4, "nothing reads the values under lamps"),
+        ("total =", "sum =", 1, "no reader uses the values under sum"),
+        ("[[lamp]]\nname = ", "[[lamps]]\nname = ", 4, "no reader uses the values under lamps"),
         ("[[lamp]]\n", "[[ lamp ]]  # first\n", 0, ""),
     ],
 )

@@ -144,7 +144,7 @@ def test_the_drive_of_the_board_is_the_third_way(desk: Desk) -> None:
     with board(drive):
         assert desk.run() == 0
     assert (desk.root / "written").read_bytes() == CODE
-    assert "flash (drive) ... the board took the image" in desk.said()
+    assert "flash (drive) ... the board accepted the image" in desk.said()
 
 
 @pytest.mark.parametrize("way", ["pyocd", "openocd"])

@@ -107,7 +107,7 @@ def test_the_version_of_the_project_has_its_notes_everywhere() -> None:
 
 
 def test_a_release_is_made_of_a_commit_without_changes(tmp_path: Path) -> None:
-    with pytest.raises(FailureError, match="no clone of git"):
+    with pytest.raises(FailureError, match="not a clone of git"):
         release.identity(tmp_path)
     subprocess.run(["git", "-C", tmp_path, "init", "-q"], check=True)
     author = ["-c", "user.name=A", "-c", "user.email=a@b.invalid"]
@@ -129,7 +129,7 @@ def test_different_releases_are_found(tmp_path: Path) -> None:
     (second / "file").write_text("other")
     (second / "more").touch()
     assert release.differences(first, second) == [
-        "more: only in one of both",
+        "more: only in one of the two",
         "file: the bytes differ",
     ]
 

@@ -30,7 +30,7 @@ class CurrentTest : public testing::Test {
  protected:
   CurrentTest() { timer.add(readCnt); }
 
-  /// One tick, at which the conversion of the tick before has given a sample.
+  /// One tick, at which the conversion of the previous tick has a result.
   void tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -63,7 +63,8 @@ class CurrentTest : public testing::Test {
   CntSensor sensor{collector, function, pipe};
 };
 
-/// @brief Each tick of the second timer takes the sample of the tick before and asks for the next.
+/// @brief Each tick of the second timer reads the sample that the previous tick requested, and
+/// requests the next one.
 /// @verifies FR-100
 /// @verifies FR-125
 TEST_F(CurrentTest, FR100_EachBeatSamples) {
@@ -93,8 +94,8 @@ TEST_F(CurrentTest, FR125_RecordInGroupsOfEight) {
   EXPECT_EQ(collector.record().sum, 8U);
 }
 
-/// @brief Sum and number may wrap: the mean of a cycle is right all the same. Below zero the sum wraps with
-/// the first sample; it comes back above zero, and goes on until it wraps there.
+/// @brief Sum and number may overflow: the mean of a cycle is still correct. With a negative
+/// current the sum underflows at the first sample; with a positive one it rises until it overflows.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_SumsMayWrap) {
   ticks(64, 2048);
@@ -114,7 +115,7 @@ TEST_F(CurrentTest, FR125_SumsMayWrap) {
   }
 }
 
-/// @brief A tick at which no conversion has ended has no sample, and asks again.
+/// @brief A tick at which no conversion has ended has no sample, and requests one again.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_BeatWithoutSample) {
   ticks(71, 2048);
@@ -145,7 +146,7 @@ TEST_F(CurrentTest, FR125_MeanOfTheCycle) {
   EXPECT_EQ(overcurrent.executions, 0);
 }
 
-/// @brief Samples of one cycle do not reach into the next.
+/// @brief Samples of one cycle do not affect the next cycle.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_EachCycleOfItsOwn) {
   ticks(64, 2048);
@@ -155,7 +156,7 @@ TEST_F(CurrentTest, FR125_EachCycleOfItsOwn) {
   EXPECT_EQ(measured()->value, Current(0));
 }
 
-/// @brief Samples of a group that is not complete count in the cycle after.
+/// @brief Samples of a group that is not complete count in the next cycle.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_NoSampleIsLost) {
   ticks(64, 2048);
@@ -165,7 +166,8 @@ TEST_F(CurrentTest, FR125_NoSampleIsLost) {
   EXPECT_EQ(measured()->value, Current(4028)) << "4 samples of before, and 4 new ones";
 }
 
-/// @brief Without a sample since the measurement before nothing is written: the value grows old.
+/// @brief Without a sample since the previous measurement nothing is written: the value becomes
+/// old.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_NothingWithoutSamples) {
   EXPECT_FALSE(measured());
@@ -198,7 +200,7 @@ TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
   EXPECT_NEAR(measured()->value.count(), 4000, 50);
 }
 
-/// @brief The first 64 samples are the zero, wherever it lies within 5 % of the range.
+/// @brief The first 64 samples are the zero, if it is within 5 % of the range from the middle.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   for (const int zero : {2048 - 204, 2000, 2048 + 204}) {
@@ -211,7 +213,7 @@ TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   }
 }
 
-/// @brief A zero further off is that of a broken sensor: no sample counts ever after.
+/// @brief A zero further from the middle shows a broken sensor: all later samples are ignored.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ImplausibleZero) {
   for (const int zero : {0, 2048 - 205, 2048 + 205, 4095}) {
@@ -238,8 +240,9 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
   EXPECT_EQ(collector.record().sum, 0U);
 }
 
-/// @brief Five samples in a row beyond 15 A cut the driver off, forwards and backwards; the command
-/// is executed in the interrupt of the fifth, and as long as they go on.
+/// @brief Five samples in a row beyond 15 A switch the driver off, forwards and backwards. The
+/// command is executed in the interrupt of the fifth sample and of each following one that is too
+/// high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);

@@ -97,7 +97,7 @@ TEST(InstantCollector, FR121_CountIsTheSumOfDirections) {
   EXPECT_EQ(known(count).last, Instant(1));
 }
 
-/// @brief Decorators add up: each value is known whatever the order in which they are wrapped.
+/// @brief Decorators add up: each value is available in any order of wrapping.
 /// @verifies FR-52
 /// @verifies FR-55
 /// @verifies FR-121

@@ -15,7 +15,7 @@ namespace {
 
 class DirSensorTest : public testing::Test {
  protected:
-  /// One tick, at which the conversion of the tick before has given a sample; true when it ended a
+  /// One tick, at which the conversion of the tick before has a result; true when the tick ended a
   /// measurement.
   bool tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
@@ -40,7 +40,7 @@ class DirSensorTest : public testing::Test {
   DirSensor sensor{input, function, time, pipe};
 };
 
-/// @brief Each tick takes the sample of the tick before and asks for the next.
+/// @brief Each tick reads the sample that the previous tick requested, and requests the next one.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   ticks(3, 2048);
@@ -48,8 +48,8 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   EXPECT_FALSE(input.result);
 }
 
-/// @brief There is no angle before 8 samples have come; then there is a new one at each 8th tick, with
-/// its time, and the sensor shows that it came.
+/// @brief There is no angle before 8 samples have come; then there is a new one at each 8th tick,
+/// with its time, and the sensor reports it.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   for (int measurement = 1; measurement <= 3; ++measurement) {
@@ -73,7 +73,7 @@ TEST_F(DirSensorTest, FR129_ScaleOfTheSensor) {
   }
 }
 
-/// @brief The angle is the mean of 8 samples, and of no older one.
+/// @brief The angle is the mean of 8 samples, and of no older sample.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_MeanOfEight) {
   ticks(8, 2048);
@@ -118,7 +118,7 @@ TEST_F(DirSensorTest, FR129_NoiseIsSmoothed) {
   EXPECT_LT(std::sqrt(squares / kMeasurements), 2.1);
 }
 
-/// @brief A sample near an end of the range is refused, and no angle is written until 8 good ones
+/// @brief A sample near an end of the range is rejected, and no angle is written until 8 good ones
 /// have followed. The measurement ends at its 8th tick all the same.
 /// @verifies FR-130
 TEST_F(DirSensorTest, FR130_RefusesTheEndsOfTheRange) {
@@ -151,7 +151,7 @@ TEST_F(DirSensorTest, FR130_BrokenForLong) {
   EXPECT_FALSE(pipe.read());
 }
 
-/// @brief A measurement of which a sample did not come writes nothing; the next one does.
+/// @brief A measurement with a missing sample writes nothing; the next one does.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_TickWithoutSample) {
   ticks(8, 2148);

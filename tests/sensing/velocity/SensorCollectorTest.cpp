@@ -39,8 +39,7 @@ TEST_F(SensorCollectorTest, FR121_FirstLevelsAreNoEdge) {
   EXPECT_EQ(unclear() + reversals(), 0U);
 }
 
-/// @brief The levels 0, 1, 3, 2 are forwards, from wherever they begin; the other way round they
-/// are backwards.
+/// @brief The levels 0, 1, 3, 2 are forwards, from any start; in reverse order they are backwards.
 /// @verifies FR-121
 TEST_F(SensorCollectorTest, FR121_TellsTheDirection) {
   const std::array<std::uint8_t, 4> forwards = {0, 1, 3, 2};
@@ -93,7 +92,7 @@ TEST_F(SensorCollectorTest, FR123_RejectsDoubleChange) {
   EXPECT_EQ(unclear(), 2U);
 }
 
-/// @brief Each step counts, however soon it follows the one before.
+/// @brief Each step counts, at any time after the previous step.
 /// @verifies FR-121
 TEST_F(SensorCollectorTest, FR121_CountsEachStepHoweverSoon) {
   edge(0);
@@ -104,8 +103,8 @@ TEST_F(SensorCollectorTest, FR121_CountsEachStepHoweverSoon) {
   EXPECT_EQ(unclear() + reversals(), 0U);
 }
 
-/// @brief A step that reverses the direction within 25 ms counts, and is a reversal that no turning
-/// wheel makes; after 25 ms it is none.
+/// @brief A step that reverses the direction within 25 ms is counted, and is a reversal that no
+/// turning wheel can cause; after 25 ms it is not.
 /// @verifies FR-123
 TEST_F(SensorCollectorTest, FR123_CountsFastReversals) {
   edge(0);
@@ -119,7 +118,7 @@ TEST_F(SensorCollectorTest, FR123_CountsFastReversals) {
   EXPECT_EQ(reversals(), 1U) << "the same direction as before";
 }
 
-/// @brief A disturbance on one line that ends at once leaves the position.
+/// @brief A disturbance on one line that ends at once does not change the position.
 /// @verifies FR-121
 /// @verifies FR-123
 TEST_F(SensorCollectorTest, FR123_DisturbanceLeavesThePosition) {

@@ -84,7 +84,8 @@ struct TurningWheel {
   VelSensor velocity{collector, function, time, pipe};
 
   bool deadB = false;       // the second sensor keeps its level
-  double misplacement = 0;  // of every second edge, as a share of the distance between two
+  double misplacement = 0;  // displacement of every second edge, relative to the distance between
+                            // two edges
   long passed = 0;          // edges forwards less edges backwards
 
  private:

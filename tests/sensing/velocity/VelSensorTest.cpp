@@ -139,7 +139,7 @@ TEST_F(VelSensorTest, FR122_KeepsAVelocityThatNoEdgeDenies) {
   }
 }
 
-/// @brief A measurement right after the one before finds nothing that denies its velocity.
+/// @brief A measurement right after the previous one does not change its velocity.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_MeasuresTwiceInARow) {
   cycles(300, 3);
@@ -164,7 +164,7 @@ TEST_F(VelSensorTest, FR122_StandsAfterHalfASecond) {
   EXPECT_EQ(wheel.measure(), 0);
 }
 
-/// @brief A wheel that turns back within a cycle has the velocity of the way it made.
+/// @brief A wheel that turns back within a cycle has the velocity of its net movement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_TurnsBack) {
   cycles(100, 5);
@@ -175,7 +175,7 @@ TEST_F(VelSensorTest, FR120_TurnsBack) {
   EXPECT_NEAR(measured, -1000, 2.5);
 }
 
-/// @brief One lost edge leaves two edges out of one measurement; the next one is right again.
+/// @brief One lost edge removes two edges from one measurement; the next one is correct again.
 /// @verifies FR-120
 /// @verifies FR-123
 TEST_F(VelSensorTest, FR123_OneLostEdge) {
@@ -208,8 +208,8 @@ TEST_F(VelSensorTest, FR124_RefusesMoreThan600Rpm) {
   }
 }
 
-/// @brief A sensor that is 30 electrical degrees off its place, a third of the distance between two
-/// edges: the velocity is right within 5 % from 70 rpm up to 450 rpm.
+/// @brief A sensor that is displaced by 30 electrical degrees, a third of the distance between two
+/// edges: the velocity is correct within 5 % from 70 rpm up to 450 rpm.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   for (const int rpm : {70, 150, 300, 450, -70, -300}) {
@@ -316,8 +316,8 @@ TEST_F(VelSensorTest, FR123_CountStops) {
   EXPECT_EQ(wheel.velocity.rejectedEdges(), 65535);
 }
 
-/// @brief Position and velocity of a cycle are of one moment: edges after the measurement wait for the
-/// next one.
+/// @brief Position and velocity of a cycle belong to the same time: edges after the measurement
+/// wait for the next one.
 /// @verifies FR-121
 TEST_F(VelSensorTest, FR121_PositionIsThatOfTheMeasurement) {
   cycles(100, 2);
@@ -335,7 +335,7 @@ TEST_F(VelSensorTest, FR120_TellsWhenItWasMeasured) {
   EXPECT_EQ(wheel.pipe.read()->at, wheel.time.now());
 }
 
-/// @brief The position counts forwards up and backwards down, however the wheel turns.
+/// @brief The position counts forwards up and backwards down, for any movement of the wheel.
 /// @verifies FR-121
 TEST_F(VelSensorTest, FR121_FollowsAnyMovement) {
   std::mt19937 random(seed());

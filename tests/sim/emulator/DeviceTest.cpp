@@ -20,8 +20,8 @@ using testing::ElementsAre;
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// @brief The way over the external clock and the PLL ends at 120 MHz, and takes the time that the
-/// PLL needs to lock.
+/// @brief The sequence over the external clock and the PLL ends at 120 MHz, and lasts as long as
+/// the PLL needs to lock.
 TEST(ClockOfBoard, RunsAt120MHz) {
   VirtualBoard board(Guest("runsAt120MHz").image());
   ASSERT_TRUE(board.runToSleep(10ms));
@@ -49,7 +49,7 @@ TEST(ClockOfBoard, CoreStandsWithoutItsClock) {
   EXPECT_EQ(board.now(), 1s);
 }
 
-/// @brief A timer of N clocks pulses every N clocks, however long the handler takes.
+/// @brief A timer of N clocks pulses every N clocks, independent of the time of the handler.
 TEST(TimerOfBoard, PulsesExactly) {
   Guest guest("runsTimers");
   guest.handleLine(48, "countsTimer");
@@ -144,7 +144,7 @@ TEST(SerialPortOfBoard, FramingErrorIsFlagged) {
   EXPECT_EQ(told(board, 2) & 0x22U, 0U);
 }
 
-/// @brief With its FIFO on the UART takes eight bytes at once.
+/// @brief With its FIFO on the UART stores eight bytes.
 TEST(SerialPortOfBoard, FifoTakesEightBytes) {
   VirtualBoard board(Guest("usesFifo").image());
   ASSERT_TRUE(board.runUntil(2ms));
@@ -169,7 +169,8 @@ TEST(PinOfBoard, OutputIsShown) {
   EXPECT_THAT(changes, ElementsAre(32 + 22, 0, 32 + 22, 1));
 }
 
-/// @brief A falling level raises the interrupt of its port once, and a pull-up is read high before.
+/// @brief A falling level raises the interrupt of its port once, and a pull-up makes the pin high
+/// before.
 TEST(PinOfBoard, FallingLevelRaisesInterrupt) {
   Guest guest("watchesPin");
   guest.handleLine(62, "notesPin");
@@ -186,7 +187,8 @@ TEST(PinOfBoard, FallingLevelRaisesInterrupt) {
   EXPECT_EQ(told(board, 0), 1U);
 }
 
-/// @brief The program can read the cause of the reset; memory outlives all but the loss of power.
+/// @brief The program can read the cause of the reset; memory is kept over all resets except
+/// power-on.
 TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   VirtualBoard board(Guest("tellsCauseOfReset").image());
   ASSERT_TRUE(board.runToSleep(1ms));
@@ -202,21 +204,21 @@ TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   EXPECT_EQ(board.resets(), 2);
 }
 
-/// @brief A reset that is no finding restarts the program.
+/// @brief A reset that is not a finding restarts the program.
 TEST(ResetOfBoard, RequestStartsAnew) {
   VirtualBoard board(Guest("stopsWatchdogThenRequestsReset").image(), {.resetsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1ms));
   EXPECT_EQ(board.resets(), 1);
 }
 
-/// @brief The watchdog resets again and again when nothing refreshes it.
+/// @brief The watchdog resets repeatedly when it is not refreshed.
 TEST(ResetOfBoard, WatchdogStartsAnew) {
   VirtualBoard board(Guest("refreshesNever").image(), {.resetsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1s));
   EXPECT_EQ(board.resets(), 3);
 }
 
-/// @brief The same run gives the same events at the same times.
+/// @brief Each repetition of a run has the same events at the same times.
 TEST(BoardInTwoRuns, GivesTheSameEvents) {
   const auto run = [] {
     Guest guest("echoes");

@@ -47,8 +47,8 @@ double clocksBetween(nanoseconds from, nanoseconds to) {
   return static_cast<double>((to - from).count()) / kBusClock;
 }
 
-/// @brief A pin is high for the share of the period that its channel's value is, and the event
-/// shows it; a channel without pin is not high.
+/// @brief A pin is high for the share of the period that its channel sets, and the event shows it;
+/// a channel without pin is not high.
 TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   VirtualBoard board(Guest("pulses").image());
   EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
@@ -75,8 +75,8 @@ TEST(PulsesOfBoard, ValueOfThePeriodKeepsThePinHigh) {
   EXPECT_EQ(board.pwmDuty(0, 0), 1.0);
 }
 
-/// @brief A new value waits for the end of the period, so that no pulse is of another width than
-/// one of the two.
+/// @brief A new value waits for the end of the period, so that each pulse has either the old or the
+/// new width.
 TEST(PulsesOfBoard, NewValueWaitsForTheEndOfThePeriod) {
   VirtualBoard board(Guest("changesWidthInThePeriod").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -109,7 +109,7 @@ TEST(PulsesOfBoard, StandingCounterGivesNone) {
   EXPECT_EQ(pulses[1].share, 0U);
 }
 
-/// @brief A pin that is taken from the timer gets no pulses, and the event shows it.
+/// @brief A pin that is disconnected from the timer gets no pulses, and the event shows it.
 TEST(PulsesOfBoard, PinOfAnotherFunctionGetsNone) {
   VirtualBoard board(Guest("takesPinFromTimer").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -140,7 +140,7 @@ TEST(PulsesOfBoard, CounterAndItsFlagCanBeRead) {
   EXPECT_EQ(told(board, 6), 0xC0U);
 }
 
-/// @brief The write protection is taken away by a one in WPDIS, after it was read.
+/// @brief The write protection is removed by a one in WPDIS, after it was read.
 TEST(PulsesOfBoard, ProtectionIsTakenAwayAfterItWasRead) {
   VirtualBoard board(Guest("unprotectsTimer").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -185,8 +185,8 @@ TEST(ConverterOfBoard, FailedCalibrationIsFlagged) {
   EXPECT_NE(board.finding()->what.find("without the gains"), std::string::npos);
 }
 
-/// @brief A conversion takes the clocks of its kind and then interrupts; reading the result takes
-/// the flag away.
+/// @brief A conversion needs the clocks of its kind and then interrupts; reading the result clears
+/// the flag.
 TEST(ConverterOfBoard, ConversionTakesItsTimeAndInterrupts) {
   struct Kind {
     const char* program;
@@ -213,7 +213,7 @@ TEST(ConverterOfBoard, ConversionTakesItsTimeAndInterrupts) {
   }
 }
 
-/// @brief A conversion that is started before the last one ended takes its place.
+/// @brief A conversion that is started before the last one ended replaces it.
 TEST(ConverterOfBoard, NewConversionTakesThePlaceOfTheLast) {
   Guest guest("convertsAnew");
   guest.handleLine(39, "notesConversion");
@@ -261,8 +261,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief The program sees a level at the time for which it was given, whatever the order in which
-/// the levels were given.
+/// @brief The program reads a level from its given time on, independent of the order in which the
+/// levels were given.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -284,7 +284,7 @@ TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   EXPECT_NEAR(static_cast<double>((entered[1] - 3ms).count()), 12 * kBusClock, 100);
 }
 
-/// @brief Of two levels for the same time the later one stays, and a level for the past comes now.
+/// @brief Of two levels for the same time the later one stays, and a level for the past is set now.
 TEST(WorldOfBoard, LevelsOfOneTimeComeInTheirOrder) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -298,8 +298,8 @@ TEST(WorldOfBoard, LevelsOfOneTimeComeInTheirOrder) {
   EXPECT_TRUE(board.pin('D', 6));
 }
 
-/// @brief Each pin interrupts at the edges that it was set for; one without digital function never, and
-/// that a pin becomes digital is no edge.
+/// @brief Each pin interrupts at the edges that it was set for; one without digital function never,
+/// and a change to a digital function is not an edge.
 TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -315,7 +315,7 @@ TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
   EXPECT_THAT(notes(board), ElementsAre(0x60001, 0x00004, 0x10001, 0x30002));
 }
 
-/// @brief An interrupt that a level raises comes again until the level goes.
+/// @brief An interrupt that a level raises is repeated until the level ends.
 TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
   Guest guest("watchesLevel");
   guest.handleLine(62, "notesEdge");

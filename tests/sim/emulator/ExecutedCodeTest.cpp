@@ -41,7 +41,7 @@ TEST(ExecutedCodeTest, EachHalfWordHasItsAddress) {
   EXPECT_EQ(ExecutedCode::addressOf(ExecutedCode::kHalves - 1), 0xFFFFEU);
 }
 
-/// @brief The processor records executed instructions, and none that it jumps over.
+/// @brief The processor records executed instructions, but not those that it jumps over.
 TEST(ExecutedCodeTest, WhatIsJumpedOverIsNotExecuted) {
   constexpr std::uint32_t kCode = 0x100;
   const std::array<std::uint8_t, 8> vectors{0, 8, 0, 0, 0x01, 0x01, 0, 0};  // start at kCode

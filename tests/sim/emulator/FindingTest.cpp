@@ -137,7 +137,7 @@ TEST(FindingOfBoardAlone, NamesFunctionLineAndTime) {
   EXPECT_LT(board.finding()->at, 10us);
 }
 
-/// @brief A run that a finding stopped does not go on.
+/// @brief A run that a finding stopped does not continue.
 TEST(FindingOfBoardAlone, EndsTheRun) {
   VirtualBoard board(Guest("usesPortBehindClosedGate").image());
   EXPECT_FALSE(board.runUntil(1s));
@@ -146,7 +146,7 @@ TEST(FindingOfBoardAlone, EndsTheRun) {
   EXPECT_EQ(board.now(), stoppedAt);
 }
 
-/// @brief An interrupt without vector is found when it is taken.
+/// @brief An interrupt without vector is a finding when it is entered.
 TEST(FindingOfBoardAlone, MissingVector) {
   VirtualBoard board(Guest("startsTimer").image());
   EXPECT_FALSE(board.runUntil(1s));
@@ -176,7 +176,7 @@ TEST(FindingOfBoardAlone, ReceiverAtWrongBaud) {
   EXPECT_EQ(board.finding()->id, "uart-baud");
 }
 
-/// @brief A fault in the handler of a fault locks the processor up.
+/// @brief A fault in the handler of a fault stops the processor.
 TEST(FindingOfBoardAlone, Lockup) {
   Guest guest("loadsWhereNothingIs");
   guest.handle(3, "handlerThatFaults");
@@ -186,7 +186,7 @@ TEST(FindingOfBoardAlone, Lockup) {
   EXPECT_EQ(board.finding()->id, "lockup");
 }
 
-/// @brief A watchdog that is missed is found at its time-out.
+/// @brief A watchdog that is missed is a finding at its time-out.
 TEST(FindingOfBoardAlone, MissedWatchdogAtItsTimeOut) {
   VirtualBoard board(Guest("refreshesNever").image());
   EXPECT_TRUE(board.runUntil(299ms));
@@ -194,7 +194,7 @@ TEST(FindingOfBoardAlone, MissedWatchdogAtItsTimeOut) {
   EXPECT_EQ(board.finding()->id, "watchdog-missed");
 }
 
-/// @brief A watchdog that is refreshed in time lets the program run.
+/// @brief A watchdog that is refreshed in time causes no finding.
 TEST(FindingOfBoardAlone, RefreshedWatchdogGivesNone) {
   Guest guest("refreshesInTime");
   guest.handleLine(48, "refreshesAtEachTimer");

@@ -73,7 +73,7 @@ inline std::uint32_t told(const emulator::VirtualBoard& board, unsigned number) 
   return board.word(0x20000000 + 4 * number);
 }
 
-/// The numbers that a program noted.
+/// The numbers that a program recorded.
 inline std::vector<std::uint32_t> notes(const emulator::VirtualBoard& board) {
   std::vector<std::uint32_t> numbers(board.word(0x20000100));
   for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -44,8 +44,8 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
   EXPECT_LE(events[2].at - events[1].at, 6 * 48ns);
 }
 
-/// @brief Masked interrupts wait, and come in the order of their priorities and numbers; an
-/// interrupt behind PRIMASK ends the sleep and comes when the mask is taken away.
+/// @brief Masked interrupts wait, and are entered in the order of their priorities and numbers; an
+/// interrupt behind PRIMASK ends the sleep and comes when the mask is removed.
 TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
   Guest guest("pendsTwoBehindMask");
   guest.handleLine(1, "notesOne").handleLine(2, "notesTwo").handleLine(3, "notesThree");
@@ -54,7 +54,7 @@ TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
   EXPECT_THAT(notes(board), ElementsAre(2, 20, 1, 3, 21, 22, 23, 1, 24));
 }
 
-/// @brief The floating-point registers of the interrupted program come back.
+/// @brief The floating-point registers of the interrupted program are restored.
 TEST(ProcessorOfBoard, FloatingPointRegistersAreKept) {
   Guest guest("keepsFpuRegisters");
   guest.handleLine(1, "spoilsFpuRegisters");
@@ -120,7 +120,7 @@ TEST(ProcessorOfBoard, CycleCounterCountsInstructions) {
   EXPECT_EQ(board.clockHz(), kStartHz);
 }
 
-/// @brief SysTick counts core clocks; sleep in between costs no instruction.
+/// @brief SysTick counts core clocks; sleep executes no instruction.
 TEST(ProcessorOfBoard, SysTickEndsSleep) {
   Guest guest("startsSysTick");
   guest.handle(15, "countsTicks");
@@ -130,8 +130,8 @@ TEST(ProcessorOfBoard, SysTickEndsSleep) {
   EXPECT_LT(board.instructions(), 20'000U);
 }
 
-/// @brief An interrupt may come inside an IT block: its handler is not conditional, and the rest of the
-/// block goes on after it.
+/// @brief An interrupt may come inside an IT block: its handler is not conditional, and the rest of
+/// the block continues after it.
 TEST(ProcessorOfBoard, InterruptsComeInsideConditionalBlocks) {
   Guest guest("runsConditionalBlocks");
   guest.handle(15, "countsTicksBetweenConditions");
@@ -157,7 +157,7 @@ TEST(ProcessorOfBoard, RunsToInterruptAndToSleep) {
   EXPECT_EQ(board.now(), 300ms);
 }
 
-/// @brief Calls are recorded as they are entered and left, those of interrupts too.
+/// @brief Calls are recorded at entry and exit, also in interrupts.
 TEST(ProcessorOfBoard, CallsAreRecorded) {
   Guest guest("callsFunctions");
   guest.handleLine(1, "handlerThatAcknowledgesNothing");
@@ -197,7 +197,7 @@ TEST(ProcessorOfBoard, AnInterruptHidesNoCall) {
   }
 }
 
-/// @brief An interrupt that calls the same as before is recorded once, until the record is cleared.
+/// @brief An interrupt with the same calls as before is recorded once, until the record is cleared.
 TEST(ProcessorOfBoard, CallsOfAnInterruptThatRepeatsAreRecordedOnce) {
   Guest guest("callsFunctions");
   guest.handleLine(1, "handlerThatAcknowledgesNothing");

@@ -38,8 +38,8 @@ class FaultRunTest : public testing::Test {
     return run;
   }
 
-  static std::uint32_t functionOf(const std::string& part) {
-    const emulator::Symbols symbols(elf());
+  static std::uint32_t functionOf(const std::filesystem::path& elf, const std::string& part) {
+    const emulator::Symbols symbols(elf);
     const auto found = std::ranges::find_if(symbols.functions(), [&](const auto& function) {
       return function.name.find(part) != std::string::npos;
     });
@@ -83,9 +83,12 @@ TEST_F(FaultRunTest, ADriftOfTheAngleIsSilent) {
 }
 
 TEST_F(FaultRunTest, AnEncoderOfFramesThatFailsIsAHang) {
-  const std::uint32_t encoder = functionOf("PcConnection4send");
+  const std::filesystem::path unchecked = imageOf("weeding_robot_paper");  // without ProgramCheck
+  const auto elf = std::filesystem::path(unchecked).replace_extension(".elf");
+  FaultRun unsafe(emulator::readImage(unchecked), elf, kSeed);
+  const std::uint32_t encoder = functionOf(elf, "PcConnection4send");
   const auto hangs = [&](std::uint32_t offset) {
-    return drive().injectOne({Kind::Ram, encoder + offset, 2}, kAt).verdict.outcome ==
+    return unsafe.injectOne({Kind::Code, encoder + offset, 2}, kAt).verdict.outcome ==
            Outcome::Hung;
   };
   const std::vector<std::uint32_t> odd{41, 51, 61, 71, 81, 91, 101, 111, 119, 121, 123, 125};

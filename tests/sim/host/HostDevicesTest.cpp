@@ -27,7 +27,7 @@ TEST(HostPwmOutputTest, KeepsWithinTheLimits) {
   EXPECT_EQ(output.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief An output reports each time that it goes on, and not when it stays on.
+/// @brief An output reports each time that it is switched on, and not when it stays on.
 TEST(HostDigitalOutputTest, TellsWhenItGoesOn) {
   host::HostDigitalOutput output;
   output.set(true);
@@ -43,7 +43,7 @@ TEST(HostDigitalOutputTest, TellsWhenItGoesOn) {
   EXPECT_TRUE(output.isOn());
 }
 
-/// @brief Each sample is the voltage of the time at which it was asked for, at the call before.
+/// @brief Each sample is the voltage of the time at which the previous call requested it.
 TEST(HostAnalogInputTest, EachSampleIsThatOfTheCallBefore) {
   host::HostAnalogInput input;
   EXPECT_EQ(input.sample(), std::nullopt);
@@ -107,7 +107,7 @@ TEST_F(HostWiresTest, AtRestAllIsInTheMiddle) {
   EXPECT_FALSE(pins.steering.rightEnd.level());
 }
 
-/// @brief Each wheel turns as its own pins say.
+/// @brief Each wheel turns as its own pins demand.
 TEST_F(HostWiresTest, WheelsTurnAsTheirPinsSay) {
   pins.wheels[0].pwm.set(DutyCycle(5'000));
   pins.wheels[0].enable.set(true);

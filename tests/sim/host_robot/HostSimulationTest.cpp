@@ -57,7 +57,7 @@ class HostSimulationTest : public testing::Test {
   scenario::PcReport report;
 };
 
-/// @brief Time passes in the order of what happens in it, up to the instant that was asked for.
+/// @brief Events are executed in the order of their times, up to the requested time.
 TEST_F(HostSimulationTest, TimeStandsWhereItWasAskedFor) {
   world.runUntil(Instant(1'234'567));
   EXPECT_EQ(world.time.now(), Instant(1'234'567));
@@ -78,7 +78,7 @@ TEST_F(HostSimulationTest, WithoutOrdersTheRobotStands) {
   EXPECT_EQ(world.physics.steeringDegrees(), 0.0);
 }
 
-/// @brief Edges come at their own times: the firmware counts the way of the wheel, 60 in a
+/// @brief Edges come at their own times: the firmware counts the movement of the wheel, 60 in a
 /// turn of the shaft, and measures the speed of the wheel.
 TEST_F(HostSimulationTest, FirmwareCountsTheWayOfTheWheels) {
   connect();
@@ -103,8 +103,8 @@ TEST_F(HostSimulationTest, RemoteControlDrivesTheRobot) {
   EXPECT_NEAR(world.physics.groundSpeed(), 0, 0.001);
 }
 
-/// @brief A reset starts new firmware with the cause; the robot rolls on, and the stored state of its pins
-/// is that of the new firmware.
+/// @brief A reset starts new firmware with the cause; the robot continues to roll, and the stored
+/// state of its pins is that of the new firmware.
 TEST_F(HostSimulationTest, ResetStartsNewFirmwareInTheSameRobot) {
   connect();
   cycles(40, velocity(1000));
@@ -143,7 +143,7 @@ TEST_F(HostSimulationTest, OnlyTheEnableSwitchSendsAtFirst) {
   EXPECT_NEAR(rises, 50, 1);
 }
 
-/// @brief Two runs of the same world are the same to the last bit.
+/// @brief Two runs of the same world are equal to the last bit.
 TEST_F(HostSimulationTest, RunsRepeatExactly) {
   host::HostSerialPort port;
   host_robot::HostSimulation other(port);

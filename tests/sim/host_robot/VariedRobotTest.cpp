@@ -61,8 +61,8 @@ class VariedRobot : public testing::TestWithParam<std::uint32_t> {
   scenario::PcSender pc;
 };
 
-/// @brief Whatever the motors, the battery and the load are, each wheel turns at 50 and at 150 rpm with an
-/// error of at most 5 %, 5 s after the order.
+/// @brief With any motors, battery and load of the bands, each wheel turns at 50 and at 150 rpm
+/// with an error of at most 5 %, 5 s after the order.
 TEST_P(VariedRobot, VelocityIsReached) {
   cycles(50, 500);
   EXPECT_LT(greatestError(50), 2.5);

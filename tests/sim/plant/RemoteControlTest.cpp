@@ -105,7 +105,7 @@ TEST_F(RemoteControlTest, PulseThatHasBegunEnds) {
   EXPECT_TRUE(pulsesOf(remote, 100).empty());
 }
 
-/// @brief A stick goes no further than its end.
+/// @brief The value of a stick is limited to its ends.
 TEST_F(RemoteControlTest, SticksHaveEnds) {
   remote.set(plant::Sticks{.velocity = 3.0, .steering = -3.0});
   const std::vector<Pulse> pulses = pulsesOf(remote, 20);
@@ -123,7 +123,8 @@ TEST_F(RemoteControlTest, PulsesOfATransmitterVary) {
   EXPECT_EQ(*std::ranges::max_element(widths), microseconds(1502));
 }
 
-/// @brief A receiver that holds sends the last pulses again and again, all the same, on each channel.
+/// @brief A receiver that holds sends the last pulses repeatedly and without variation, on each
+/// channel.
 TEST_F(RemoteControlTest, ReceiverThatHoldsRepeatsTheLastPulses) {
   remote.setNoise(true);
   remote.setFailSafe(plant::FailSafe::Hold);

@@ -26,7 +26,7 @@ using plant::Plant;
 using plant::Robot;
 using plant::WheelDrive;
 
-// A robot without noise, all wheels of which get the same.
+// A robot without noise, with the same inputs for all wheels.
 class RobotTest : public testing::Test {
  protected:
   RobotTest() {
@@ -62,7 +62,7 @@ class RobotTest : public testing::Test {
     return count;
   }
 
-  // Current that the motor needs at a speed while each tyre pulls with a force; worked out by hand
+  // Current that the motor needs at a speed while each tyre pulls with a force; calculated by hand
   // from the equations of a steady state.
   [[nodiscard]] static double currentFor(double force, double rpm) {
     constexpr MotorParameters motor;
@@ -91,8 +91,8 @@ class RobotTest : public testing::Test {
 };
 
 /// @brief With the whole supply on flat ground the wheels turn as Ohm's law, the motor's constant,
-/// rolling resistance and friction demand, and the ground goes by at the speed of the wheels less
-/// slip.
+/// rolling resistance and friction demand, and the robot moves with the speed of the wheels minus
+/// the slip.
 TEST_F(RobotTest, FlatGroundWithTheWholeSupply) {
   drive({.duty = 1.0, .backwards = false, .enabled = true});
   run(6000);
@@ -103,7 +103,7 @@ TEST_F(RobotTest, FlatGroundWithTheWholeSupply) {
   EXPECT_GT(robot.groundSpeed(), 0.99 * wheels);
 }
 
-/// @brief Uphill the motors carry their share of the weight too.
+/// @brief Uphill the motors also carry the weight.
 TEST_F(RobotTest, TenPercentUphill) {
   robot.setSlope(10);
   drive({.duty = 0.9, .backwards = false, .enabled = true});
@@ -123,7 +123,7 @@ TEST_F(RobotTest, DownhillTheMotorsBrake) {
   EXPECT_LT(robot.currentVolts(0), Robot::kMiddle - 0.05);
 }
 
-/// @brief Backwards is forwards with the other sign.
+/// @brief Driving backwards is symmetric to driving forwards.
 TEST_F(RobotTest, OrientationTurnsEverything) {
   drive({.duty = 0.5, .backwards = false, .enabled = true});
   run(3000);
@@ -141,8 +141,8 @@ TEST_F(RobotTest, OrientationTurnsEverything) {
   EXPECT_NEAR(other.currentVolts(3) - Robot::kMiddle, Robot::kMiddle - robot.currentVolts(3), 0.01);
 }
 
-/// @brief No energy comes from nowhere: the supply delivers more in a run up and down than the
-/// energy of the robot's movement, and while it coasts that energy only falls.
+/// @brief Energy is conserved: the supply delivers more in a run up and down than the energy of the
+/// robot's movement, and while it coasts that energy only falls.
 TEST_F(RobotTest, EnergyIsOnlyLost) {
   double supplied = 0;
   drive({.duty = 0.8, .backwards = false, .enabled = true});
@@ -153,7 +153,7 @@ TEST_F(RobotTest, EnergyIsOnlyLost) {
   const auto moving = [&] { return Plant{}.mass * robot.groundSpeed() * robot.groundSpeed() / 2; };
   EXPECT_GT(supplied, moving());
   drive({.duty = 0, .backwards = false, .enabled = false});
-  run(50);  // until the tyres have taken the change
+  run(50);  // until the tyres have settled
   double before = moving();
   for (int i = 0; i < 20; ++i) {
     run(100);
@@ -391,8 +391,8 @@ TEST_F(RobotTest, BlockedWheelDrawsAllCurrent) {
   EXPECT_NEAR(robot.currentAmperes(1), 24.0 / 1.42, 0.1);
 }
 
-/// @brief Four blocked wheels draw 15.6 A each; over 0.03 ohm the battery of 24 V falls below 22.2 V, and
-/// without load it is back at 24 V.
+/// @brief Four blocked wheels draw 15.6 A each; over 0.03 ohm the battery of 24 V falls below 22.2
+/// V, and without load it has 24 V again.
 TEST_F(RobotTest, BatterySagsUnderLoad) {
   robot.setParameter(plant::Parameter::Battery, 0.03);
   for (std::size_t wheel = 0; wheel < plant::kWheels; ++wheel) {
@@ -437,8 +437,8 @@ TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
   EXPECT_GT(highest, 28.5);
 }
 
-/// @brief The front wheels point at one middle of the curve: at 32 degrees the inner one is turned by 38.2
-/// degrees, the outer one by 27.4 (cot outer - cot inner = track / wheelbase).
+/// @brief The front wheels point at the same centre of the curve: at 32 degrees the inner one is
+/// turned by 38.2 degrees, the outer one by 27.4 (cot outer - cot inner = track / wheelbase).
 TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   plant::SteeringLinkage linkage;
   linkage.turn(32);
@@ -484,12 +484,12 @@ class CurveTest : public RobotTest {
   std::array<double, plant::kWheels> integrals_{};
 };
 
-// Way of each wheel for one of the middle of the rear axle at 32 degrees: its distance from the
-// middle of the curve over that of the rear axle, 1.582 m / tan 32 degrees = 2.532 m.
+// Distance of each wheel relative to the middle of the rear axle at 32 degrees: its distance from
+// the middle of the curve over that of the rear axle, 1.582 m / tan 32 degrees = 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
-/// @brief With set-points that follow the geometry the robot drives the curve of the geometry, and the
-/// wheels pull alike.
+/// @brief With set-points that follow the geometry the robot follows the curve of the geometry, and
+/// the wheels have equal forces.
 TEST_F(CurveTest, GeometryGivesTheCurveWithoutFight) {
   follow({100 * kGeometry[0], 100 * kGeometry[1], 100 * kGeometry[2], 100 * kGeometry[3]}, 8000);
   const double rear = 100.0 / 600 * 2 * std::numbers::pi * DriveTrain::kRadius;
@@ -561,7 +561,7 @@ TEST_F(RobotTest, SwappedHallSensorsCountBackwards) {
   EXPECT_NEAR(netEdges(1), -netEdges(0), 0.02 * netEdges(0));
 }
 
-/// @brief A sensor that is 30 electrical degrees off its place makes gaps of 60 and 120 degrees.
+/// @brief A sensor that is 30 electrical degrees displaced causes gaps of 60 and 120 degrees.
 TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
   robot.setFault(Fault::HallMisplaced, 0, true, 30);
   drive({.duty = 0.5, .backwards = false, .enabled = true});
@@ -582,7 +582,7 @@ TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
   }
 }
 
-/// @brief Glitches come as pulses of 30 us on sensor a, so many in a second; lost edges are missing.
+/// @brief Glitches are pulses of 30 us on sensor a, with the given rate; lost edges are missing.
 TEST_F(RobotTest, GlitchesAndLostEdges) {
   robot.setFault(Fault::HallGlitches, 0, true, 50);
   run(10'000);
@@ -602,7 +602,7 @@ TEST_F(RobotTest, GlitchesAndLostEdges) {
   EXPECT_NEAR(static_cast<double>(ofWheel(0) - ofWheel(1)), 200, 50);
 }
 
-/// @brief A stuck current sensor keeps its value; one that is off shows its error.
+/// @brief A stuck current sensor keeps its value; a sensor with an offset shows its error.
 TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
   run(1);
   robot.setFault(Fault::CurrentStuck, 0, true);
@@ -633,8 +633,8 @@ TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   EXPECT_EQ(robot.currentVolts(1), Robot::kMiddle);
 }
 
-/// @brief An open angle input goes to the voltage of the input that is converted before it; a stuck sensor
-/// keeps its value; a drifting one leaves the truth by its rate.
+/// @brief An open angle input goes to the voltage of the input that is converted before it; a stuck
+/// sensor keeps its value; a drifting one deviates from the true value with its rate.
 TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   robot.setSteeringEnabled(true);
   for (int i = 0; i < 400; ++i) {
@@ -670,7 +670,8 @@ TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
   EXPECT_TRUE(robot.rightEnd());
 }
 
-/// @brief The emergency stop takes all torque, whatever the firmware does, and opens its contact. With
+/// @brief The emergency stop removes all torque, independent of the firmware, and opens its
+/// contact. With
 /// short-circuited motors the robot is at rest sooner.
 TEST_F(RobotTest, EmergencyStopTakesAllTorque) {
   const auto wayAfter = [](plant::EmergencyStop state) {
@@ -712,7 +713,7 @@ TEST_F(RobotTest, GreatestVelocityIsKept) {
   EXPECT_LT(robot.greatestRpm(), 1);
 }
 
-/// @brief A tyre pulls no more than the ground holds: with little grip the wheels spin.
+/// @brief The force of a tyre is limited by the grip: with little grip the wheels spin.
 TEST_F(RobotTest, TyresSlipBeyondTheLimitOfFriction) {
   plant::Ground ice;
   ice.grip = 0.05;

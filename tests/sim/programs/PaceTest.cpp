@@ -25,7 +25,7 @@ TEST_F(PaceOfTheRobot, WaitsForTheClock) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(6));
 }
 
-/// @brief A machine that is late by 20 ms is caught up with.
+/// @brief A machine that is late by 20 ms is compensated.
 TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   clock += milliseconds(25);
   pace.waitFor(milliseconds(5));
@@ -35,7 +35,7 @@ TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(30));
 }
 
-/// @brief After a longer delay the robot's time goes on from where it was.
+/// @brief After a longer delay the robot's time continues from its value.
 TEST_F(PaceOfTheRobot, StandsStillWhileTheMachineIsLate) {
   clock += milliseconds(1005);
   pace.waitFor(milliseconds(5));

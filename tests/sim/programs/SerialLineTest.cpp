@@ -89,7 +89,8 @@ TEST(PseudoTerminalTest, SurvivesAClientThatLeaves) {
   EXPECT_EQ(port.read(read), 0U);
 }
 
-/// @brief When nobody reads, the port fills; then a write is refused whole and nothing blocks.
+/// @brief When the far end does not read, the port fills; then a whole write is rejected, and
+/// nothing blocks.
 TEST(PseudoTerminalTest, RefusesWhatHasNoRoom) {
   programs::PseudoTerminal port;
   int written = 0;

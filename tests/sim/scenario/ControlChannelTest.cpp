@@ -101,7 +101,7 @@ TEST_F(ControlChannelTest, AnExpectationIsAnswered) {
               HasSubstr("true_velocity0 is 0.0, not between 5 and 100"));
 }
 
-/// @brief Words that are no action are answered with the error.
+/// @brief Words that are not an action are answered with the error.
 TEST_F(ControlChannelTest, WordsThatAreNoActionAreRefused) {
   scenario::ControlChannel channel("", robot);
   EXPECT_THAT(channel.perform("fly"), HasSubstr("there is no action 'fly'"));
@@ -118,7 +118,7 @@ TEST_F(ControlChannelTest, ActionsOfThePcAreRefused) {
   EXPECT_EQ(robot.takeSent().size(), 0U);
 }
 
-/// @brief The socket answers each datagram to its sender, and goes away with the channel.
+/// @brief The socket answers each datagram to its sender, and is removed with the channel.
 TEST_F(ControlChannelTest, TheSocketAnswersItsSender) {
   {
     scenario::ControlChannel channel(path, robot);

@@ -2,7 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <optional>
+#include <random>
 #include <span>
 #include <sstream>
 #include <stdexcept>
@@ -13,6 +17,8 @@
 #include "sim/host_robot/HostSession.hpp"
 #include "sim/scenario/Scenario.hpp"
 #include "sim/scenario/ScenarioPlayer.hpp"
+#include "support/scenarios.hpp"
+#include "support/seed.hpp"
 
 namespace wr::test {
 namespace {
@@ -43,7 +49,8 @@ scenario::ScenarioPlayer::Outcome played(const std::string& text, std::ostream* 
   return scenario::ScenarioPlayer(scenario, robot, reports).play();
 }
 
-/// @brief Comments and empty lines are nothing; steps come in the order of time, then of their lines.
+/// @brief Comments and empty lines are ignored; steps come in the order of time, then of their
+/// lines.
 TEST(ScenarioTest, StepsAreInTheOrderOfTime) {
   const scenario::Scenario scenario = scenarioOf(
       "# a comment\n\n"
@@ -58,7 +65,7 @@ TEST(ScenarioTest, StepsAreInTheOrderOfTime) {
   EXPECT_EQ(scenario.end(), scenario::Scenario::Time(400));
 }
 
-/// @brief An order gives all wheels one value, or each its own.
+/// @brief An order gives all wheels one value, or a value for each.
 TEST(ScenarioTest, OrderNamesWheelsTogetherOrOneByOne) {
   const scenario::Scenario scenario =
       scenarioOf("at 0 order current 5\nat 1 order steering -3 tension 1 2 3 -4 stop\nat 2 end\n");
@@ -86,6 +93,7 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"at 0 hello there\n", "text:1: 'there' is too much"},
       {"from 9 to 8 every 1 hello\n", "text:1: these times never come"},
       {"from 0 to 8 every 0 hello\n", "text:1: these times never come"},
+      {"from 0 to 100000 every 1 hello\n", "text:1: these times come more than 100000 times"},
       {"from 0 until 8 every 1 hello\n", "text:1: 'to' is expected here, not 'until'"},
       {"at 0 order speed 3\n", "text:1: an order has no 'speed'"},
       {"at 0 order velocity\n", "text:1: a number is missing"},
@@ -133,6 +141,35 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
   for (const auto& [text, error] : wrong) {
     EXPECT_EQ(errorOf(text), error) << text;
   }
+}
+
+/// @brief A scenario with random edits is read, or gives an error with its line.
+TEST(ScenarioTest, ADamagedScenarioIsReadOrHasALineWithAnError) {
+  std::mt19937 random(seed());
+  const auto below = [&](std::size_t limit) { return random() % limit; };
+  const std::string odd("0123456789 .-+\n#\0abcxyz\xFF", 22);
+  int errors = 0;
+  for (const std::filesystem::path& path : allScenarios()) {
+    std::ifstream file(path);
+    const std::string sound(std::istreambuf_iterator<char>(file), {});
+    for (int i = 0; i < 15; ++i) {
+      std::string text = sound;
+      for (std::size_t edits = 1 + below(4); edits > 0; --edits) {
+        const std::size_t at = below(text.size());
+        if (below(2) == 0) {
+          text.erase(at, 1 + below(8));
+        } else {
+          text.insert(at, 1 + below(3), odd.at(below(odd.size())));
+        }
+      }
+      const std::string error = errorOf(text);
+      if (!error.starts_with("none")) {
+        ++errors;
+        EXPECT_THAT(error, testing::MatchesRegex("text:[0-9]+: .+")) << text;
+      }
+    }
+  }
+  EXPECT_GT(errors, 100);
 }
 
 /// @brief Sticks of the remote control have the units of orders, faults by name and wheel.
@@ -207,7 +244,8 @@ TEST(ScenarioTest, WorldActionOfALine) {
                scenario::Scenario::Error);
 }
 
-/// @brief An expectation with a limit holds when it comes true before, in time or in way.
+/// @brief An expectation with a limit is met when it becomes true before the limit, in time or in
+/// distance.
 TEST(ScenarioPlayerTest, ExpectationsThatMayComeTrue) {
   const std::string drive = "at 0 connect\nfrom 200 to 3900 every 100 order velocity 500\n";
   EXPECT_EQ(played(drive + "at 0 expect distance between 10 99 within 2000 ms\n"
@@ -226,7 +264,7 @@ TEST(ScenarioPlayerTest, ExpectationsThatMayComeTrue) {
                   "text:5: slope is 0.0, not 2 at the end, at 4000 ms"));
 }
 
-/// @brief A replay brings the bytes of the last order again.
+/// @brief A replay sends the bytes of the last order again.
 TEST(ScenarioPlayerTest, ReplayBringsTheSameBytes) {
   const auto outcome = played(
       "at 50 arm\nat 1550 order velocity 300\nat 1650 expect order_id 14\nat 1680 replay\n"
@@ -241,7 +279,7 @@ TEST(ScenarioPlayerTest, ReplayNeedsAnOrder) {
             std::vector<std::string>{"text:1: no order was sent that could be replayed, at 50 ms"});
 }
 
-/// @brief After a reset the firmware starts again, while the robot rolls on.
+/// @brief After a reset the firmware starts again, while the robot continues to roll.
 TEST(ScenarioPlayerTest, ResetStartsTheFirmwareAgain) {
   const auto outcome = played(
       "at 0 arm\nfrom 1500 to 4900 every 100 order velocity 1000\n"
@@ -291,7 +329,7 @@ TEST(ScenarioPlayerTest, ExpectationsLookAtTheLastReport) {
   EXPECT_EQ(outcome.reports, 2U);
 }
 
-/// @brief An expectation that does not hold is reported with its line, and the scenario goes on.
+/// @brief An expectation that is not met is reported with its line, and the scenario continues.
 TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
   const auto outcome = played(
       "at 50 expect state Working\nat 50 expect session 1\nat 50 confirm\nat 60 connect\n"
@@ -307,7 +345,7 @@ TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
                            "text:7: there was no finding clock-gate, at 360 ms"));
 }
 
-/// @brief Raw bytes come in as they are, and each report is a line of the table.
+/// @brief Raw bytes are sent unchanged, and each report is a line of the table.
 TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   std::ostringstream table;
   const auto outcome = played(
@@ -346,7 +384,8 @@ class BrokenRobot final : public scenario::RobotSession {
   plant::RemoteControl remoteControl_;
 };
 
-/// @brief A finding ends the scenario. It is an outcome unless a later line expects it.
+/// @brief A finding ends the scenario. The finding makes the scenario fail, unless a later line
+/// expects it.
 TEST(ScenarioPlayerTest, FindingEndsTheScenario) {
   const auto outcomeOf = [](const std::string& text) {
     BrokenRobot robot;

@@ -1,4 +1,5 @@
-// The robot of the page: its cycles, its calls, its line, and a person who acts.
+// Tests of the robot in the page Run the robot: its cycles, recorded calls, frames, and the actions
+// of the user.
 #include "sim/web/LiveRobot.hpp"
 
 #include <gtest/gtest.h>
@@ -65,7 +66,8 @@ TEST(LiveRobotTest, RunsCycleByCycle) {
   EXPECT_GT(std::ranges::max(robot->entries()), 4U);
 }
 
-/// @brief The order of a person is sent again and again, and the robot drives; without an order it halts.
+/// @brief The order of the user is sent repeatedly, and the robot drives; without an order it
+/// halts.
 TEST(LiveRobotTest, RepeatsAnOrder) {
   const auto robot = robotIn(kFree);
   robot->repeat("order velocity 0");
@@ -100,7 +102,7 @@ TEST(LiveRobotTest, RecordsTheLine) {
   EXPECT_TRUE(robot->takePieces().empty());
 }
 
-/// @brief Without clock pulses a cycle ends too.
+/// @brief Without clock pulses a cycle also ends.
 TEST(LiveRobotTest, GoesOnWithoutClock) {
   const auto robot = robotIn(kFree);
   run(*robot, 3);

@@ -9,9 +9,9 @@ constexpr StepRate kRest(0);
 constexpr StepRate kLeft(500);
 constexpr StepRate kRight(-500);
 
-/// @brief The rule as the other modules see it.
+/// @brief The rule through its interface.
 struct DeadbandTurnTest : testing::Test {
-  /// @brief Turn that is wanted at a distance from the target, which lies anywhere.
+  /// @brief Demanded turn at a distance from the target, for any target.
   StepRate turn(std::int32_t away, StepRate now) {
     const StepRate atZero = algorithm.turn(Angle(away), Angle(0), now);
     EXPECT_EQ(algorithm.turn(Angle(away - 3200), Angle(-3200), now), atZero);

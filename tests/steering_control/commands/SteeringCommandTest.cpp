@@ -20,7 +20,7 @@ struct SteeringCommandTest : testing::Test {
   SetTurn setTurn{motor.device};
 };
 
-/// @brief One command switches the motor on, another switches it off; their rate means nothing.
+/// @brief One command switches the motor on, another switches it off; their rate is ignored.
 /// @verifies FR-106
 /// @verifies FR-113
 TEST_F(SteeringCommandTest, FR106_TheMotorIsSwitchedOnAndOff) {

@@ -12,7 +12,7 @@ struct SteeringPowerTest : testing::Test {
   SteeringDevice& device = motor.device;
 };
 
-/// @brief After start the motor is off, whatever ticks and whatever turn is set.
+/// @brief After start the motor is off, with any ticks and any set turn.
 /// @verifies FR-106
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR106_TheMotorIsOffAfterStart) {
@@ -49,8 +49,8 @@ TEST_F(SteeringPowerTest, FR107_AMotorThatIsOnStaysReady) {
   EXPECT_TRUE(device.ready());
 }
 
-/// @brief A motor that is switched off has no current and no rate at once; the pulse that it was
-/// given ends with the next tick, and no other follows.
+/// @brief A motor that is switched off has no current and no rate at once; its last pulse ends with
+/// the next tick, and no other follows.
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR113_AMotorThatIsSwitchedOffStopsAtOnce) {
   motor.settle();
@@ -76,7 +76,7 @@ TEST_F(SteeringPowerTest, FR113_AMotorThatIsOffStaysOff) {
   EXPECT_FALSE(device.ready());
 }
 
-/// @brief A motor that is switched on again settles again, and has forgotten its turn.
+/// @brief A motor that is switched on again settles again, and its turn is 0.
 /// @verifies FR-107
 TEST_F(SteeringPowerTest, FR107_AMotorThatWasOffSettlesAgain) {
   motor.settle();

@@ -39,7 +39,7 @@ TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
   }
 }
 
-/// @brief An order to follow that is older than 300 ms switches nothing on.
+/// @brief An order to follow that is older than 300 ms does not switch the motor on.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOldOrderSwitchesNothingOn) {
   follow(0);
@@ -61,8 +61,7 @@ TEST_F(DirStateTest, FR107_NoTurnBeforeTheMotorIsReady) {
   EXPECT_EQ(state(), SteeringState::Turning);
 }
 
-/// @brief Holding leaves the steering alone within the dead band, and turns when the angle is
-/// further away.
+/// @brief Holding does not turn within the dead band, and turns when the angle is further away.
 /// @verifies FR-102
 TEST_F(DirStateTest, FR102_HoldingTurnsBeyondTheDeadBand) {
   switchOn();
@@ -133,7 +132,8 @@ TEST_F(DirStateTest, FR101_ATargetOnTheOtherSideReversesTheTurn) {
   EXPECT_EQ(demand(), StepRate(-1));
 }
 
-/// @brief Towards an end stop that is reached nothing is turned; away from it the turn begins.
+/// @brief Towards an end stop that is reached the steering does not turn; away from it the turn
+/// begins.
 /// @verifies FR-105
 TEST_F(DirStateTest, FR105_NoTurnTowardsAnEnd) {
   switchOn();
@@ -235,7 +235,7 @@ TEST_F(DirStateTest, FR111_ATurnThatMovesNothingIsAFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief Fault stays whatever is ordered to follow, and when nothing is ordered.
+/// @brief The fault stays with any order to follow, and without orders.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_AFaultStays) {
   switchOn();

@@ -23,7 +23,8 @@ class Action final : public Command {
 
 class ControlCycleOfRobotOnHost : public testing::Test {
  protected:
-  // Lets a period pass at once. Meanwhile the second timer has beaten, so that the steering works.
+  // Lets a period pass at once. In this time the second timer has ticked, so that the steering
+  // works.
   void skipPeriod() {
     constexpr int kBeats = 8;
     robot.time.advance(robot.robot.period());

@@ -8,8 +8,8 @@
 
 namespace wr::test {
 
-/// The robot on the host, where a test also reaches the devices behind the PC's line: the remote
-/// control, the scheduler, and one control system that records its orders.
+/// The robot on the host, where a test also has access to the devices behind the PC's line: the
+/// remote control, the scheduler, and one control system that records its orders.
 class HostSteppedRobot : public SteppedRobot {
  public:
   explicit HostSteppedRobot(host::HostEquipment equipment = host::HostEquipment::Whole)
@@ -20,7 +20,7 @@ class HostSteppedRobot : public SteppedRobot {
     SteppedRobot::cycle();
   }
 
-  /// Runs a cycle while the line takes nothing, so that the port fills.
+  /// Runs a cycle while the line accepts no bytes, so that the port fills.
   void cycleWithoutLine() { host_.runThroughPulse(); }
 
   /// The time until the next clock pulse. The first one comes later than a period after start.

@@ -40,15 +40,16 @@ class ComparisonInside final : public Comparison {
   Runs rc_{false, 5, 12};
 };
 
-// Main Control with one control system that notes its orders: wheels and steering decide nothing
-// here.
+// Main Control with one control system that records its orders: wheels and steering have no
+// influence here.
 class MainControlRobot final : public HostSteppedRobot {
  public:
   MainControlRobot() : HostSteppedRobot(host::HostEquipment::MainControl) {}
 };
 
-/// @brief In 10000 random sequences of orders from both sources the robot behaves in every cycle like a
-/// reference written from the requirements, and takes each transition of both machines often.
+/// @brief In 10000 random sequences of orders from both sources the robot behaves in every cycle
+/// like a reference written from the requirements, and executes each transition of both machines
+/// often.
 /// @verifies FR-10
 /// @verifies FR-11
 /// @verifies FR-12

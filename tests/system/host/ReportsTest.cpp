@@ -13,7 +13,8 @@ class ReportsOfRobotOnHost : public testing::Test {
   HostSteppedRobot robot;
 };
 
-/// @brief The report shows the conditions of the steering and of the wheels that the control systems give.
+/// @brief The report shows the conditions of the steering and of the wheels from the control
+/// systems.
 /// @verifies FR-65
 /// @verifies FR-66
 /// @verifies FR-67
@@ -41,7 +42,8 @@ TEST_F(ReportsOfRobotOnHost, FR65_ConditionsAreToldInTheCycleInWhichTheyAre) {
   EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{}));
 }
 
-/// @brief While the line takes nothing, reports are dropped whole and counted, and the cycles go on.
+/// @brief While the line accepts no bytes, whole reports are dropped and counted, and the cycles
+/// continue.
 /// @verifies FR-64
 TEST_F(ReportsOfRobotOnHost, FR64_ReportWithoutRoomIsDroppedWholeAndCounted) {
   robot.connect();
@@ -51,7 +53,7 @@ TEST_F(ReportsOfRobotOnHost, FR64_ReportWithoutRoomIsDroppedWholeAndCounted) {
     robot.cycleWithoutLine();
   }
   robot.keepAlive();
-  robot.cycle();  // the port is still full when this cycle writes; then the line takes everything
+  robot.cycle();  // the port is still full when this cycle writes; then the line accepts all bytes
   robot.keepAlive();
   robot.cycle();
   EXPECT_EQ(robot.report().cycle, before + 10);

@@ -8,16 +8,17 @@
 
 namespace wr::torture {
 
-/// @brief The records of the program, which are given to the machine that runs it.
+/// @brief The records of the program, which are passed to the machine that runs it.
 class Log {
  public:
-  /// @brief Adds a record. Callable from each exception, since none comes unasked.
+  /// @brief Adds a record. Callable from each exception, since exceptions only come when the
+  /// program triggers them.
   void add(const Record& record);
 
-  /// @brief Gives the records to the machine when many have been collected. For thread mode.
+  /// @brief Passes the records to the machine when many have been collected. For thread mode.
   void hand();
 
-  /// @brief Gives the last records to the machine and ends the run.
+  /// @brief Passes the last records to the machine and ends the run.
   void end();
 
  private:

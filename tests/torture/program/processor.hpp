@@ -25,7 +25,7 @@ inline constexpr std::uint32_t kHardFaultStatus = 0xE000ED2C;
 inline constexpr std::uint32_t kBusFaultAddress = 0xE000ED38;
 inline constexpr std::uint32_t kTrigger = 0xE000EF00;
 
-/// @brief After this, all that was written has taken effect.
+/// @brief Waits until all writes have taken effect.
 inline void synchronize() {
   asm volatile("dsb\n\tisb" ::: "memory");
 }
@@ -91,7 +91,7 @@ inline void waitForInterrupt() {
   asm volatile("dsb\n\twfi\n\tisb" ::: "memory");
 }
 
-/// @brief Asks the machine for a service, as the semihosting specification of Arm defines.
+/// @brief Requests a service from the machine, as the semihosting specification of Arm defines.
 inline std::uint32_t semihosting(std::uint32_t operation, const void* parameters) {
   register std::uint32_t r0 asm("r0") = operation;
   register const void* r1 asm("r1") = parameters;

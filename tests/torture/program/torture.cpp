@@ -1,5 +1,5 @@
-// Does random things with exceptions. No timer runs, so that exceptions come from the program only,
-// and each machine must take them in the same order.
+// Triggers random exceptions. No timer runs, so that exceptions come from the program only, and
+// each machine must handle them in the same order.
 #include "torture/program/Log.hpp"
 #include "torture/program/Probe.hpp"
 #include "torture/program/processor.hpp"
@@ -40,7 +40,7 @@ constexpr std::uint32_t bit(std::uint32_t number) {
   return std::uint32_t{1} << number;
 }
 
-/// @brief One to three lines, among them often the one that runs.
+/// @brief One to three lines, often including the running one.
 std::uint32_t randomLines() {
   std::uint32_t lines = bit(random(32));
   if (random(3) == 0) {
@@ -54,7 +54,7 @@ std::uint32_t randomLines() {
 }
 
 void note(Kind kind, std::uint32_t detail) {
-  // Of ICSR not the bits that machines may compute in several ways: VECTPENDING with or without
+  // ICSR without the bits that machines may compute in different ways: VECTPENDING with or without
   // BASEPRI, ISRPENDING with or without the lines that are not enabled, RETTOBASE in thread mode.
   const std::uint32_t controlBits = depth == 0 ? 0x940001FF : 0x940009FF;
   const Masks now = masks();
@@ -171,7 +171,7 @@ void setPriorities() {
   write(kPriority + random(8) * 4, random() & 0xF0F0F0F0);
 }
 
-/// @brief The memory, bus and usage faults have handlers of their own, or are hard faults.
+/// @brief The memory, bus and usage faults have separate handlers, or are hard faults.
 void enableFaults() {
   const std::uint32_t others = read(kSystemHandlers) & ~(bit(16) | bit(17) | bit(18));
   write(kSystemHandlers, others | random(8) << 16);
@@ -237,7 +237,7 @@ void sleep() {
   setInterruptMask(0);
 }
 
-/// @brief The next exception does not keep the floating-point registers.
+/// @brief The next exception does not preserve the floating-point registers.
 void forgetFloatingPoint() {
   if (depth == 0) {
     setControl(control() & ~bit(2));
@@ -340,7 +340,7 @@ void act(std::uint32_t inner) {
   note(action);
 }
 
-/// @brief Records the state after a fault, clears it, and lets the program go on behind it.
+/// @brief Records the state after a fault, clears it, and lets the program continue after it.
 void settleFault(std::uint32_t* frame) {
   const std::uint32_t status = read(kFaultStatus);
   const std::uint32_t address = (status & bit(15)) != 0 ? read(kBusFaultAddress) : 0;

@@ -26,7 +26,7 @@ namespace wr::test {
 template <class Design>
 class OneWheelLine final : public scenario::RobotSession {
  public:
-  /// Makes and starts the design.
+  /// Constructs and starts the design.
   /// @param more further devices of the design, in a product that has more devices
   template <class... More>
   explicit OneWheelLine(More&... more)
@@ -111,7 +111,7 @@ class OneWheelLine final : public scenario::RobotSession {
 
   [[nodiscard]] Time nextPulse() const { return nextPulse_; }
 
-  // 1 ms: the tick and the clock pulse at its begin, then the edges in it.
+  // 1 ms: the tick and the clock pulse at its beginning, then the edges in it.
   void step() {
     advanceTo(nextStep_);
     tickTimer_.periodPassed();

@@ -29,7 +29,8 @@ struct DesignName {
   }
 };
 
-/// At which failed read in a row the mode changes first, and then at each one that follows. The
+/// The number of the first successive failed read that changes the mode; each later one also
+/// changes it. The
 /// baseline design changes it when its counter reaches N, as Figure 7 of the paper does. In the
 /// state machine the N-th failed read leads to the last waiting state, the next one to
 /// Reconnecting, and the one after it changes the mode.

@@ -4,9 +4,9 @@
 
 namespace wr::test {
 
-// These tests make the robot of the design that they test.
+// These tests construct the robot of the tested design.
 std::unique_ptr<scenario::RobotSession> switchOn() {
-  throw std::logic_error("a test of a design makes its own robot");
+  throw std::logic_error("a test of a design constructs its own robot");
 }
 
 }  // namespace wr::test

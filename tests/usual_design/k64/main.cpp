@@ -32,7 +32,7 @@ Design design({.pwm = platform::wheels[0].pwm,
 
 }  // namespace wr
 
-// Each handler ends when its stores have ended: see those of the devices.
+// Each handler waits for its stores: see the handlers of the devices.
 
 void cycleTimerInterrupt() {
   wr::design.cycleTimerExpired();
@@ -57,7 +57,7 @@ void remoteControlInterrupt() {
 
 namespace wr {
 
-// A clock pulse between the end of run() and the sleep is seen at the next tick, 1 ms later.
+// A clock pulse between the end of run() and the sleep is detected at the next tick, 1 ms later.
 void runRobot() {
   platform::startDevices();
   design.start();

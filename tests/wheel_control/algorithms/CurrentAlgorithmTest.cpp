@@ -23,7 +23,7 @@ TEST_F(CurrentAlgorithmTest, FR85_WindingAtRest) {
   EXPECT_EQ(calculate(-4000, 0, 0), Tension(-6000));
 }
 
-/// @brief The velocity is foreseen from the two last ones, and its induced voltage is added.
+/// @brief The velocity is predicted from the two last ones, and its induced voltage is added.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_ForeseesTheVelocity) {
   EXPECT_EQ(calculate(0, 1000, 0), Tension(5236));
@@ -40,7 +40,7 @@ TEST_F(CurrentAlgorithmTest, FR85_CorrectsTheError) {
   EXPECT_EQ(calculate(2000, 0, 1900), Tension(3000 + 150 + 75));
 }
 
-/// @brief A reset clears the correction and the velocity before.
+/// @brief A reset clears the correction and the previous velocity.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_ResetForgetsTheCorrection) {
   algorithm.applied(calculate(2000, 0, 0));
@@ -50,14 +50,14 @@ TEST_F(CurrentAlgorithmTest, FR85_ResetForgetsTheCorrection) {
   EXPECT_EQ(calculate(2000, 0, 2000), Tension(3000));
 }
 
-/// @brief A new set-point is no error of the cycle that ends.
+/// @brief A new set-point causes no error in the cycle that ends.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_NewSetPointIsNoError) {
   algorithm.applied(calculate(2000, 0, 0));
   EXPECT_EQ(calculate(4000, 0, 2000), Tension(6000));
 }
 
-/// @brief An error that a missing voltage explains is not kept.
+/// @brief An error that a missing voltage explains is not added to the integral.
 /// @verifies FR-301
 TEST_F(CurrentAlgorithmTest, FR301_ExplainedErrorIsNotKept) {
   calculate(10000, 0, 0);

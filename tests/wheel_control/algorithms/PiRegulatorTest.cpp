@@ -12,7 +12,7 @@ class PiRegulatorTest : public testing::Test {
   PiRegulator regulator{{.proportional = 3000, .integral = 500}};
 };
 
-/// @brief The voltage is a share of the error plus a share of each error so far.
+/// @brief The voltage is a part of the error plus a part of each earlier error.
 /// @verifies FR-83
 TEST_F(PiRegulatorTest, FR83_AddsErrorAndSumOfErrors) {
   EXPECT_EQ(regulator.regulate(100), Tension(350));
@@ -21,7 +21,7 @@ TEST_F(PiRegulatorTest, FR83_AddsErrorAndSumOfErrors) {
   EXPECT_EQ(regulator.regulate(-200), Tension(-600));
 }
 
-/// @brief Fractions of a millivolt are kept: errors that give half of one each add up.
+/// @brief Fractions of a millivolt are kept: errors of half a millivolt are added up.
 /// @verifies FR-83
 TEST_F(PiRegulatorTest, FR83_KeepsFractions) {
   PiRegulator integral({.proportional = 0, .integral = 500});
@@ -31,7 +31,7 @@ TEST_F(PiRegulatorTest, FR83_KeepsFractions) {
   EXPECT_EQ(integral.regulate(-1), Tension(0));
 }
 
-/// @brief The integral goes no further than the supply, on either side.
+/// @brief The integral is limited to the supply, on either side.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_IntegralStaysWithinTheSupply) {
   for (int cycle = 0; cycle < 10; ++cycle) {
@@ -44,7 +44,8 @@ TEST_F(PiRegulatorTest, FR301_IntegralStaysWithinTheSupply) {
   EXPECT_EQ(regulator.regulate(0), Tension(-24000));
 }
 
-/// @brief An error that a missing voltage explains is not kept; an error of the other sign is.
+/// @brief An error that a missing voltage explains is not added to the integral; an error of the
+/// other sign is added.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
   regulator.regulate(1000);
@@ -58,8 +59,8 @@ TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
   EXPECT_EQ(regulator.regulate(-100), Tension(-300 + 450));
 }
 
-/// @brief A missing voltage below 0.1 V explains nothing: the integral can raise a demand that waits for
-/// a change of orientation.
+/// @brief A missing voltage below 0.1 V does not explain an error: the integral can raise a demand
+/// that waits for a change of orientation.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
   regulator.missed(Tension(99));
@@ -72,7 +73,7 @@ TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
   EXPECT_EQ(regulator.regulate(-100), Tension(-300));
 }
 
-/// @brief One bit that changes in the memory of the integral changes nothing.
+/// @brief A changed bit in the memory of the integral has no effect.
 /// @verifies FR-224
 TEST(PiRegulatorMemory, FR224_OneBitIsCorrected) {
   PiRegulator regulator({.proportional = 0, .integral = 1000});

@@ -25,7 +25,7 @@ TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(0, 700), Tension(0));
 }
 
-/// @brief A wheel that follows the model gets that voltage and no other.
+/// @brief A wheel that follows the model gets only this voltage.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   double velocity = 0;
@@ -39,7 +39,7 @@ TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   }
 }
 
-/// @brief A wheel that stays behind the model gets more voltage with each cycle.
+/// @brief A wheel that is slower than the model gets more voltage with each cycle.
 /// @verifies FR-83
 /// @verifies FR-300
 TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
@@ -55,20 +55,20 @@ TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
   }
 }
 
-/// @brief After a voltage that could not be applied the model goes on from the measured velocity.
+/// @brief After a voltage that could not be applied the model continues from the measured velocity.
 /// @verifies FR-301
 TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);
   algorithm.applied(Tension(12000));
-  // From 0 the model has turned at 582.0 on the mean of this cycle: 58.2 rpm.
+  // From rest the mean velocity of the model in this cycle is 582.0, which is 58.2 rpm.
   const Tension explained = calculate(3000, 400, 6600);
   EXPECT_EQ(explained, Tension(15708 + 4650 * 182 / 1000));
   algorithm.applied(explained);
   EXPECT_GT(calculate(3000, 400, 9600), explained);
 }
 
-/// @brief A wheel at 100 rpm with 7 V and 1.1 A: a measured velocity of 10 rpm cannot be. For 5 cycles the
-/// voltage stays; then it is believed.
+/// @brief A wheel at 100 rpm with 7 V and 1.1 A: a measured velocity of 10 rpm is impossible. For 5
+/// cycles the voltage does not change; then the measured velocity is used.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
   Tension steady;
@@ -85,7 +85,7 @@ TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
   EXPECT_GT(calculate(1000, 100, 1100), steady + Tension(4000));
 }
 
-/// @brief A wheel that a load slows down takes more current, and its velocity is believed at once.
+/// @brief A wheel that a load slows down draws more current, and its velocity is used at once.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_LoadIsNoDoubt) {
   algorithm.applied(calculate(1000, 1000, 0));
@@ -93,7 +93,7 @@ TEST_F(VelocityAlgorithmTest, FR224_LoadIsNoDoubt) {
   EXPECT_GT(loaded, Tension(5236 + 2000));
 }
 
-/// @brief The set-point of the cycle that ends counts for its error, not the new one.
+/// @brief The set-point of the cycle that ends is used for its error, not the new one.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_ErrorBelongsToTheCycleThatEnds) {
   algorithm.applied(calculate(1500, 1500));

@@ -25,7 +25,7 @@ class ReverseTest : public testing::Test, protected SpiedCommands {
   Reverse reverse{softStart, stop, setOrientation};
 };
 
-/// @brief A demand in the present orientation passes.
+/// @brief A demand in the present orientation is applied.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_DemandInTheOrientationPasses) {
   EXPECT_EQ(apply(5000, 900), Tension(5000));
@@ -33,7 +33,8 @@ TEST_F(ReverseTest, FR87_DemandInTheOrientationPasses) {
   EXPECT_EQ(log, (CommandLog{{"tension", 5000}, {"tension", 0}}));
 }
 
-/// @brief A slight demand the other way, which noise can make, is taken as 0 and turns nothing.
+/// @brief A small demand against the orientation, as noise can cause, counts as 0 and has no
+/// effect.
 /// @verifies FR-80
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
@@ -66,7 +67,7 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief A cycle that is neither slow nor along the demand begins the count again.
+/// @brief A cycle that is neither slow nor along the demand restarts the count.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {
@@ -77,8 +78,8 @@ TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
 }
 
-/// @brief The orientation of a wheel that turns the way of the demand changes after two such cycles, at any
-/// speed; that of one that turns against it does not.
+/// @brief The orientation of a wheel that turns in the direction of the demand changes after two
+/// such cycles, at any speed; the orientation of a wheel that turns against it does not.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(-5000, -2000), Tension(0));
@@ -91,7 +92,7 @@ TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(5000, 401), Tension(5000));
 }
 
-/// @brief Slow cycles do not suffice while voltage is left.
+/// @brief Slow cycles are not sufficient while the wheel has voltage.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_NoTurnWhileTensionIsLeft) {
   reverse.resume(Tension(9600));
@@ -103,7 +104,7 @@ TEST_F(ReverseTest, FR87_NoTurnWhileTensionIsLeft) {
   EXPECT_EQ(apply(-5000, 0), Tension(-5000));
 }
 
-/// @brief From backwards it goes forwards in the same way.
+/// @brief The change from backwards to forwards works in the same way.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_BackToForwards) {
   apply(-5000, 0);
@@ -125,7 +126,7 @@ TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
   EXPECT_EQ(apply(-5000, 0), Tension(-5000));
 }
 
-/// @brief The rise begins again after the flip, and after a stop that was given up.
+/// @brief The rise begins again after the change of orientation, and after an interrupted stop.
 /// @verifies FR-81
 TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   apply(12000, 0);
@@ -138,8 +139,8 @@ TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   EXPECT_EQ(apply(24000, 1000), Tension(16800));
 }
 
-/// @brief A wheel that a slope keeps turning may turn the other way below 80 rpm, after ten cycles without
-/// voltage; at 80 rpm it may not.
+/// @brief A wheel that a slope keeps turning may change its orientation below 80 rpm, after ten
+/// cycles without voltage; at 80 rpm it may not.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
   apply(1000, 790);
@@ -154,9 +155,9 @@ TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
   }
 }
 
-/// @brief Whatever is demanded and measured, the output keeps to the three rules: the orientation changes
-/// at a wheel that is slow or turns along, and without voltage only, the voltage rises by 12 V at
-/// most, and it falls by 2.4 V at most while the demand opposes.
+/// @brief For any demand and measurement the output follows three rules: the orientation changes
+/// only without voltage, and only at a wheel that is slow or turns in the direction of the demand,
+/// the voltage rises by 12 V at most, and it falls by 2.4 V at most while the demand opposes.
 /// @verifies FR-87
 /// @verifies FR-81
 TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {

@@ -32,7 +32,7 @@ TEST_F(SoftStartTest, FR81_MagnitudeRisesStepByStep) {
   EXPECT_EQ(apply(-20000), Tension(-20000));
 }
 
-/// @brief A lower voltage passes at once, and the next rise begins there.
+/// @brief A lower voltage is applied at once, and the next rise begins at it.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_FallPassesAtOnce) {
   apply(12000);
@@ -41,7 +41,7 @@ TEST_F(SoftStartTest, FR81_FallPassesAtOnce) {
   EXPECT_EQ(apply(24000), Tension(13000));
 }
 
-/// @brief A demand of the other sign starts again from nothing.
+/// @brief A demand of the other sign starts again from 0.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_FlipStartsAgain) {
   apply(12000);
@@ -57,7 +57,7 @@ TEST_F(SoftStartTest, FR81_RisesFromWhatAnotherBehaviourApplied) {
   EXPECT_EQ(apply(24000), Tension(17000));
 }
 
-/// @brief Advance alone applies the demand, at once.
+/// @brief Without other behaviours Advance applies the demand at once.
 /// @verifies FR-80
 TEST_F(SoftStartTest, FR80_AdvanceAppliesAtOnce) {
   advance.resume(Tension(1000));

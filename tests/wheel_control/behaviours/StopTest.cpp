@@ -12,7 +12,7 @@ class StopTest : public testing::Test, protected SpiedCommands {
   Stop stop{setTension, stopWheel};
 };
 
-/// @brief The voltage falls by 2.4 V a cycle; when nothing is left the wheel is stopped.
+/// @brief The voltage falls by 2.4 V a cycle; at 0 the wheel is stopped.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_TensionFallsStepByStep) {
   Tension applied(6000);

@@ -18,7 +18,7 @@ TEST_F(WheelCommandTest, FR80_SetTensionTakesTheMagnitude) {
   }
 }
 
-/// @brief The sign of a voltage is the orientation; its magnitude does not count.
+/// @brief The sign of a voltage is the orientation; its magnitude is ignored.
 /// @verifies FR-87
 TEST_F(WheelCommandTest, FR87_SetOrientationTakesTheSign) {
   setOrientation.execute(Tension(-1));
@@ -28,7 +28,7 @@ TEST_F(WheelCommandTest, FR87_SetOrientationTakesTheSign) {
   EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief StopWheel sets the voltage to 0, whatever its argument is.
+/// @brief StopWheel sets the voltage to 0, and ignores its argument.
 /// @verifies FR-88
 TEST_F(WheelCommandTest, FR88_StopWheelTakesAllTension) {
   setTension.execute(Tension(6000));

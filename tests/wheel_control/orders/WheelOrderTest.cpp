@@ -46,7 +46,7 @@ TEST_F(WheelOrderTest, FR93_ReadsTheCurrent) {
   EXPECT_NEAR(work.measured.current->count(), 2000, 10);
 }
 
-/// @brief A current without new samples grows old, and is then reported as missing.
+/// @brief A current without new samples becomes old, and is then reported as missing.
 /// @verifies FR-93
 TEST_F(WheelOrderTest, FR93_OldCurrentIsMissing) {
   pass(false, kTwoAmperes);
@@ -84,8 +84,8 @@ TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
   EXPECT_TRUE(work.measured.blind);
 }
 
-/// @brief Too much current switches the driver off in the interrupt. It is on again, without voltage, in
-/// the second control cycle, and so it stays: the wheel brakes.
+/// @brief Too much current switches the driver off in the interrupt. It is on again, without
+/// voltage, in the second control cycle, and stays so: the wheel brakes.
 /// @verifies FR-89
 /// @verifies FR-94
 /// @verifies FR-221
@@ -108,7 +108,7 @@ TEST_F(WheelOrderTest, FR89_FR94_FR221_TrippedWheelBrakes) {
   }
 }
 
-/// @brief A halt brakes in the same way: on a slope the robot does not roll.
+/// @brief A halt brakes in the same way: so that the robot does not roll on a slope.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   pass(true, kMiddle);
@@ -159,7 +159,8 @@ TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief A halt releases nothing, however long the wheel is at rest; the order to release does.
+/// @brief A halt releases nothing, also when the wheel is at rest for a long time; the order to
+/// release does.
 /// @verifies FR-89
 TEST_F(WheelOrderTest, FR89_OnlyAnAcknowledgementReleases) {
   pass(true, kTooMuch);

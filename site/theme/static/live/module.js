@@ -7,7 +7,7 @@
   const STATES = ["runs", "ended", "found"];
   const OPTION = { resets: 1, verify: 2 };
 
-  /* The module asks for nothing but these; it has no files and no environment. */
+  /* The module imports only these functions; it has no files and no environment. */
   function system(module) {
     const none = () => 0;
     return new Proxy(
@@ -36,7 +36,8 @@
       this.exports._initialize();
     }
 
-    /* Calls a function of the module. An exception of the module becomes one with its text. */
+    /* Calls a function of the module. An exception of the module becomes a JavaScript exception
+     * with its text. */
     call(name, ...values) {
       try {
         return this.exports[name](...values);
@@ -109,7 +110,7 @@
       this.withText("liveRepeat", order);
     }
 
-    /* The numbers of the present instant, by their names. */
+    /* The present values, by name. */
     numbers() {
       const at = this.call("liveNumbers");
       const values = new Float64Array(this.exports.memory.buffer, at, this.names.length);

@@ -1,4 +1,5 @@
-/* The page that runs the robot: controls, hands, and the views of each snapshot of the worker. */
+/* The page that runs the robot: controls, manual actions, and the views of each snapshot of the
+ * worker. */
 (function () {
   "use strict";
   const live = document.getElementById("live");
@@ -61,7 +62,7 @@
   });
   productField.addEventListener("change", () => worker && begin(0));
 
-  /* The image of a product: of the kind that is chosen. */
+  /* The image of a product, of the chosen kind. */
   function imageOf(product) {
     return "flashed" in productField.selectedOptions[0].dataset ? product : `${product}_calls`;
   }
@@ -137,7 +138,7 @@
     const found = facts.scenarios.find((each) => each.name === name);
     scenario = found || { name: "", title: "free drive", says: "", text: FREE, product: "" };
     clearRun();
-    note(found ? found.says : "Move the set-point. A product with safety functions follows when it has had neutral orders for 1.5 s.");
+    note(found ? found.says : "Move the set-point. A product with safety functions follows after neutral orders for 1.5 s.");
     const option = productField.selectedOptions[0];
     one("[data-image]").textContent =
       `image ${option.dataset.hash.slice(0, 7)}, ${Number(option.dataset.size).toLocaleString("en")} B, ` +

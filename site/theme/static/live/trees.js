@@ -37,7 +37,8 @@
     return rows;
   }
 
-  /* Prepares a declared tree: the methods of each node as a set, and the methods without which it cannot be there. */
+  /* Prepares a declared tree: the methods of each node as a set, and the methods that must occur
+   * for the tree. */
   function prepared(declared, has) {
     const needed = [];
     const nodeOf = (node) => {
@@ -52,8 +53,9 @@
     return { id: declared.id, text: declared.text, root, needed, possible };
   }
 
-  /* Looks for a tree: a child lies within the call of its parent, in order. A call of an interrupt is no call of the
-     parent; a posted command is. Returns the rows of the nodes, or nothing. */
+  /* Looks for a tree: a child lies within the call of its parent, in order. A call by an interrupt
+     is not a call of the parent, but a posted command is. Returns the rows of the nodes, or
+     nothing. */
   function embed(tree, rows) {
     function fit(node, start, stop, activation) {
       for (let index = start; index < stop; index += 1) {
@@ -95,7 +97,7 @@
       .map((tree) => tree.id);
   }
 
-  /* The states of a machine, seen by the operations of its state modules that are called. */
+  /* The states of a machine, determined from the called operations of its state modules. */
   class Machine {
     constructor(declared) {
       this.id = declared.id;
@@ -118,7 +120,8 @@
       this.state = to;
     }
 
-    /* An operation of a state was called: the machine was in this state. Where only one step leads away, it is made. */
+    /* An operation of a state was called: the machine was in this state. When only one transition
+     * is possible, it is taken. */
     operation(module, method, moves) {
       const state = this.stateOf.get(module);
       if (!state) return;

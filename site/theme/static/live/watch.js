@@ -8,7 +8,7 @@
   const button = place.querySelector("[data-go]");
   const result = place.querySelector("[data-result]");
   const still = window.matchMedia("(prefers-reduced-motion: reduce)");
-  const STEP = 350; // ms between two calls that light up
+  const STEP = 350; // ms between two highlighted calls
   let worker = null;
 
   const element = (name, attributes, ...parts) => {

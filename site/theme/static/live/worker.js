@@ -1,9 +1,10 @@
-/* Runs the robot next to the page: cycle by cycle, as fast as asked, with a snapshot at most 20 times a second. */
+/* Runs the robot next to the page: cycle by cycle, at the chosen speed, with a snapshot at most 20
+ * times a second. */
 "use strict";
 importScripts("module.js", "trees.js", "frames.js");
 
 const SLICE = 50; // ms between snapshots
-const BUSY = 40; // ms of them in which cycles run
+const BUSY = 40; // ms of each period in which cycles run
 const CYCLE = 100; // ms of robot time
 const SECOND = 1000 / CYCLE; // in cycles
 const SHOWN_FRAMES = 24;
@@ -40,12 +41,12 @@ async function choose(folder, name) {
     .map((tree) => LiveTrees.prepared(tree, product.has));
 }
 
-/* A run: the module with a robot in it, and all that was seen of it. */
+/* A run: the module with a robot in it, and all that was recorded of it. */
 class Robot {
   constructor(scenario, log) {
     this.scenario = scenario;
     this.log = log; // actions by hand: [time, kind, text]
-    this.next = 0; // of the log, while it is repeated
+    this.next = 0; // position in the log while it is repeated
     simulator = simulator || new LiveModule(compiled);
     simulator.start({
       image: product.bytes,
@@ -221,7 +222,7 @@ function run() {
   tick();
 }
 
-/* Runs to a time without stops, for a link or the time line. */
+/* Runs to a time without pauses, for a link or the time line. */
 function seek(time) {
   let wanted = time;
   const end = performance.now() + 60000;
@@ -265,7 +266,8 @@ async function find({ folder, id }) {
   post({ kind: "found" });
 }
 
-/* Plays a drive with the first image that has most of some modules, and counts the calls of each. */
+/* Plays a drive with the first image that contains most of the given modules, and counts the calls
+ * of each. */
 async function count({ folder, modules }) {
   pause();
   const modulesOf = (one) => new Set(one.functions.map(([, method]) => facts.methods[method].split("::")[0]));
@@ -343,7 +345,7 @@ const ORDERS = {
   },
 };
 
-/* One order after the other: some wait for a file. */
+/* One order after the other: because some wait for a file. */
 let orders = Promise.resolve();
 
 async function obey(data) {

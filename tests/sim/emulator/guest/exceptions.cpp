@@ -1,4 +1,4 @@
-// Programs that meet interrupts and faults.
+// Programs that test interrupts and faults.
 
 #include "guest.hpp"
 

@@ -1,4 +1,4 @@
-// Programs with mistakes that a board would not forgive.
+// Programs with mistakes that would be faults on a real board.
 
 #include "guest.hpp"
 

@@ -37,7 +37,7 @@ class Source {
     return static_cast<std::uint32_t>(engine_() % count);
   }
 
-  /// A number of which the limits come often.
+  /// A random number, often one of the limits.
   [[nodiscard]] std::uint32_t word() {
     constexpr std::array<std::uint32_t, 10> kLimits{
         0, 1, 0xFFFFFFFF, 0x7FFFFFFF, 0x80000000, 0x8000, 0x7FFF, 0x80008000, 0x7FFF7FFF, 0x80};
@@ -61,7 +61,7 @@ class Source {
     switch (below(4)) {
       case 0:
         return kLimits.at(below(kLimits.size())) ^ (any & 0x80000000U);
-      case 1:  // of about the size of one, so that sums cancel
+      case 1:  // near 1 in magnitude, so that sums cancel
         return (any & 0x83FFFFFFU) + 0x3E000000U;
       case 2:
         return (any & 0x807FFFFFU) | (0x60U + below(0x40)) << 23;
@@ -214,7 +214,8 @@ std::string text(const State& state) {
 
 class DifferentialTest : public testing::TestWithParam<Encoding> {};
 
-/// @brief An instruction does the same to registers, flags and memory as on another processor.
+/// @brief An instruction changes registers, flags and memory in the same way as in another
+/// emulator.
 TEST_P(DifferentialTest, InstructionDoesTheSameAsInUnicorn) {
   const Encoding& encoding = GetParam();
   const bool wide =

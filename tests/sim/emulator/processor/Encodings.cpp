@@ -6,7 +6,7 @@ namespace wr::emulator::reference {
 
 namespace {
 
-// ARMv7-M ARM, A7.7. A blank is for the reader.
+// ARMv7-M ARM, A7.7. Blanks have no meaning.
 constexpr auto kEncodings = std::to_array<Encoding>({
     // A5.2.1 and A5.2.2
     {"LSL T1", "00000 xxxxx mmm ddd"},

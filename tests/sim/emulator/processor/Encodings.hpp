@@ -19,7 +19,7 @@ struct Encoding {
       false;  ///< the engine sets Q when a part of the sum is too large, which is wrong
 };
 
-/// @brief All instructions of ARMv7E-M with FPv4-SP that go on with the next one.
+/// @brief All instructions of ARMv7E-M with FPv4-SP that continue with the next one.
 std::span<const Encoding> encodings();
 
 }  // namespace wr::emulator::reference

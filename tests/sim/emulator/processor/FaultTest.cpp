@@ -15,8 +15,8 @@ constexpr std::uint32_t kCode = 0x100;
 constexpr std::uint32_t kLower = 0x1FFFF000;
 constexpr std::uint32_t kUpper = 0x20000000;
 
-/// @brief Forbidden actions of instructions. Written by hand from the ARMv7-M ARM, for Unicorn lets most
-/// of it pass.
+/// @brief Forbidden actions of instructions. Written by hand from the ARMv7-M ARM, because Unicorn
+/// does not detect most of these faults.
 struct Case {
   std::string name;
   std::vector<std::uint16_t> halves;
@@ -96,7 +96,7 @@ const std::vector<Case> kCases{
 INSTANTIATE_TEST_SUITE_P(Cases, FaultTest, testing::ValuesIn(kCases),
                          [](const auto& each) { return each.param.name; });
 
-/// @brief A branch to where no code may be is a fault there.
+/// @brief A branch to an address without code is a fault at the target.
 TEST_F(FaultTest, CodeIsExecutedWhereItIsAllowedOnly) {
   core_.registers.r[1] = kUpper + 1;
   EXPECT_EQ(execute({0x4708}), Trap::None);  // bx r1
@@ -108,7 +108,8 @@ TEST_F(FaultTest, CodeIsExecutedWhereItIsAllowedOnly) {
   EXPECT_EQ(core_.run(), Trap::InstructionBus);
 }
 
-/// @brief A branch to an even address leaves the Thumb state, which this processor has alone.
+/// @brief A branch to an even address leaves the Thumb state, which is the only state of this
+/// processor.
 TEST_F(FaultTest, BranchToEvenAddressIsAnInvalidState) {
   core_.registers.r[1] = 0x200;
   EXPECT_EQ(execute({0x4708}), Trap::InvalidState);
@@ -122,7 +123,7 @@ TEST_F(FaultTest, FloatingPointUnitMustBeOn) {
   EXPECT_EQ(execute({0xEE30, 0x0A00}), Trap::FpuOff);
 }
 
-/// @brief The first use of the floating-point unit takes the modes of FPDSCR, and records its use.
+/// @brief The first use of the floating-point unit copies the modes of FPDSCR, and records its use.
 TEST_F(FaultTest, FirstUseOfTheFloatingPointUnitTakesItsDefaults) {
   core_.fpu = {.on = true, .activates = true, .defaults = 0x01000000};
   EXPECT_EQ(execute({0xEE30, 0x0A00}), Trap::None);
@@ -130,12 +131,13 @@ TEST_F(FaultTest, FirstUseOfTheFloatingPointUnitTakesItsDefaults) {
   EXPECT_EQ(core_.registers.control, Registers::kFpActive);
 }
 
-/// @brief A conversion from a fixed-point number rounds to the nearest one, whatever FPSCR is: A7.7.230.
+/// @brief A conversion from a fixed-point number rounds to the nearest one, independent of FPSCR:
+/// A7.7.230.
 /// Unicorn rounds it by FPSCR.
 TEST_F(FaultTest, ConversionFromFixedPointRoundsToNearest) {
   constexpr std::uint32_t kUp = 1U << 22;
   core_.registers.fpscr = kUp;
-  core_.registers.s[0] = 0x01000001;                 // needs a bit more than there is
+  core_.registers.s[0] = 0x01000001;                 // needs one bit more than the format has
   EXPECT_EQ(execute({0xEEBB, 0x0AC8}), Trap::None);  // vcvt.f32.u32 s0, s0, #16
   EXPECT_EQ(core_.registers.s[0], 0x43800000U);      // 256, not the next number
 }
@@ -167,7 +169,7 @@ TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   EXPECT_EQ(core_.registers.it, 0x08);
 }
 
-/// @brief A store-exclusive stores after a load-exclusive only, and returns whether it did.
+/// @brief A store-exclusive stores after a load-exclusive only, and returns whether it stored.
 TEST_F(FaultTest, StoreExclusiveNeedsLoadExclusive) {
   core_.registers.r[1] = kUpper;
   core_.registers.r[2] = 7;

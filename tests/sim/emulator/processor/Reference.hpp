@@ -25,8 +25,8 @@ inline constexpr std::uint32_t kCodeSize = 0x1000;
 inline constexpr std::uint32_t kRam = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x2000;
 
-/// @brief The Cortex-M4 of the Unicorn engine, which is written by others: a second opinion on
-/// instructions. It is under the GPL, and linked to these tests only.
+/// @brief The Cortex-M4 of the Unicorn engine, an independent emulator with which instructions are
+/// compared. It is under the GPL, and linked to these tests only.
 class UnicornCore {
  public:
   UnicornCore();

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kRam = 0x20000000;
 constexpr std::uint32_t kRamSize = 0x1000;
 constexpr std::uint32_t kFlashSize = 0x1000;
-constexpr std::uint32_t kOdd = 0x201;  // where a branch may go
+constexpr std::uint32_t kOdd = 0x201;  // target of branches
 
 /// @brief A core with flash at 0 and memory; all registers point to the
 /// middle of the memory, where the address of an instruction is.
@@ -143,8 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, TimingTest, testing::ValuesIn(rows()),
 
 constexpr std::uint16_t kNop = 0xBF00;
 
-/// @brief Each phrase of 8 bytes that instructions are fetched from costs 5 cycles when it is entered, and
-/// nothing more as long as the next instructions are in it.
+/// @brief Each phrase of 8 bytes that instructions are fetched from costs 5 cycles when it is
+/// entered, and the next instructions in it cost nothing more.
 TEST(SlowFlashTest, EachPhraseCostsOnce) {
   Program program(Timing::SlowFlash, 0x100, std::vector<std::uint16_t>(8, kNop));
   EXPECT_EQ(program.cyclesOf(1), 6U);
@@ -160,8 +160,8 @@ TEST(SlowFlashTest, InstructionAcrossTwoPhrasesWaitsForBoth) {
   EXPECT_EQ(program.cyclesOf(1), 1U);
 }
 
-/// @brief A branch back into the phrase that was read last costs no read; one to another phrase does, also
-/// when that was read before.
+/// @brief A branch back into the phrase that was read last costs no read; a branch to another
+/// phrase does, also when this phrase was read earlier.
 TEST(SlowFlashTest, OnlyTheLastPhraseIsKept) {
   Program same(Timing::SlowFlash, 0x100, {0xE7FE});
   EXPECT_EQ(same.cyclesOf(1), 4U + 5);
@@ -181,7 +181,7 @@ TEST(SlowFlashTest, DataOfFlashCostsEachTime) {
   EXPECT_EQ(program.cyclesOf(1), 2U);
 }
 
-/// @brief Many words cost as often, and an unaligned word as two.
+/// @brief Several words cost as many reads, and an unaligned word costs two.
 TEST(SlowFlashTest, EachWordOfDataCosts) {
   Program program(Timing::SlowFlash, 0x100, {0xC93C, 0xF8D1, 0x0002, kNop});  // LDM of 4, LDR
   program.core().registers.r[1] = 0x200;

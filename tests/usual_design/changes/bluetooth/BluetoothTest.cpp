@@ -39,7 +39,7 @@ TYPED_TEST(BluetoothMode, FollowsPcAndIsFollowedByRc) {
   }
 }
 
-/// @brief In its mode the orders of the device are read, and keep the mode.
+/// @brief In its mode the orders of the device are read, and the mode does not change.
 TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
   this->robot.commandByPc();
   this->waitForMode(kBluetooth);
@@ -54,7 +54,8 @@ TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
   }
 }
 
-/// @brief While the PC orders, the device does not command, but its stop acts until it is taken back.
+/// @brief While the PC orders, the device does not command, but its stop acts until the device
+/// releases it.
 TYPED_TEST(BluetoothMode, StopOfTheDeviceActsInEachMode) {
   this->robot.commandByPc();
   this->deviceOrders({.id = 900});

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "units/quantities.hpp"
+
+namespace wr {
+
+/// @brief Finds interrupts that the processor does not serve.
+///
+/// @function Compares at each tick the time with that of the tick before, and counts the successive ticks at
+/// which a Hall edge waits for its interrupt. It ends the program when one of them is late: after
+/// the reset every device is set up again.
+///
+/// @secret How late an interrupt may be.
+class InterruptWatch final {
+ public:
+  /// @brief Begins without a tick.
+  constexpr InterruptWatch() = default;
+  InterruptWatch(const InterruptWatch&) = delete;
+  InterruptWatch& operator=(const InterruptWatch&) = delete;
+
+  /// @brief Checks the interrupts. Each tick calls it.
+  /// @param now time of the tick
+  /// @param edgeWaits whether a Hall edge is not acknowledged yet; its interrupt has the higher priority
+  /// @errors A tick more than 20 ms after the one before, and an edge that waits at 5 successive ticks,
+  /// end the program with the assertion InterruptLate.
+  /// @satisfies FR-308
+  /// @isr{yes}
+  void tick(Instant now, bool edgeWaits);
+
+ private:
+  std::optional<Instant> before_;  // time of the tick before
+  std::uint8_t waitingTicks_ = 0;  // with an edge that waits, in succession
+};
+
+}  // namespace wr

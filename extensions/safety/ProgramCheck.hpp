@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace wr {
+
+/// @brief Finds a bit of the program that has changed.
+///
+/// @function Compares the sum of the program in RAM with the sum of its original, a few words at a time, while
+/// the processor has nothing else to do. It ends the program when they differ: the start copies the
+/// original again.
+///
+/// @secret How a change of the program is found, and how long that may last.
+class ProgramCheck final {
+ public:
+  /// @brief Words that are added together: the core loads four with one instruction.
+  using Words = std::array<std::uint32_t, 4>;
+
+  /// @brief A part of the program.
+  /// @datatype
+  struct Part {
+    std::span<const Words> original;  ///< in flash
+    std::span<const Words> copy;      ///< in RAM, as long as the original
+  };
+
+  /// @brief Binds the check to the parts of the program.
+  /// @param parts parts of the program, at least one; each is not empty and lives as long as the check
+  explicit ProgramCheck(std::span<const Part> parts) : parts_(parts) {}
+
+  ProgramCheck(const ProgramCheck&) = delete;
+  ProgramCheck& operator=(const ProgramCheck&) = delete;
+
+  /// @brief Permits one step. Each tick calls it.
+  /// @satisfies FR-309
+  /// @isr{yes}
+  void tick() { due_.store(true, std::memory_order_relaxed); }
+
+  /// @brief Adds up the next words of the copies, and the first time of their originals, once in a tick. The loop that waits for interrupts calls it
+  /// after each of them.
+  /// @errors Copies that differ from their originals end the program with the assertion
+  /// ProgramChanged.
+  /// @satisfies FR-309
+  /// @isr{no}
+  void step();
+
+ private:
+  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait");
+
+  std::span<const Part> parts_;
+  std::atomic<bool> due_{false};
+  bool originalKnown_ = false;
+  std::uint32_t original_ = 0;  // sum of the originals
+  std::uint32_t sum_ = 0;       // of the copies up to now
+  std::size_t part_ = 0;
+  std::size_t next_ = 0;  // words of the part
+};
+
+}  // namespace wr

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+#include "sim/programs/Program.hpp"
+
+namespace wr::programs {
+
+/// @brief Options of a program that a campaign runs.
+struct CampaignOptions {
+  std::string image;       ///< content of the flash
+  std::string elf;         ///< its file with symbols
+  std::uint64_t seed = 1;  ///< chooses the cases
+  int count = 1;           ///< number of cases
+
+  /// @brief Adds the options to those of a program.
+  /// @param app options of the program
+  void addTo(CLI::App& app) {
+    app.add_option("--image", image, "content of the flash from address 0")
+        ->required()
+        ->type_name("PATH")
+        ->check(CLI::ExistingFile);
+    app.add_option("--elf", elf, "file with the symbols of the image")
+        ->required()
+        ->type_name("PATH")
+        ->check(CLI::ExistingFile);
+    app.add_option("--seed", seed, "chooses the cases [1]")->type_name("NUMBER");
+    app.add_option("--count", count, "number of cases [1]")
+        ->type_name("NUMBER")
+        ->check(greaterThanZero());
+  }
+};
+
+}  // namespace wr::programs

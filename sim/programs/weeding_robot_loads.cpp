@@ -1,0 +1,218 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+#include <vector>
+
+#include "sim/board_robot/BoardSession.hpp"
+#include "sim/emulator/Event.hpp"
+#include "sim/emulator/Image.hpp"
+#include "sim/faults/Random.hpp"
+#include "sim/programs/CampaignOptions.hpp"
+#include "sim/programs/Program.hpp"
+#include "sim/scenario/PcFrames.hpp"
+
+namespace wr::programs {
+
+namespace {
+
+using std::chrono::nanoseconds;
+
+constexpr std::uint32_t kPulse = 16 + board_robot::BoardSession::kPulseInterrupt;
+constexpr std::uint32_t kMainThread = 16 + 64;  // the interrupt of the main thread
+constexpr int kCycles = 60;                     // of a drive: 6 s
+constexpr int kConnected = 3;                   // cycles after which the PC is connected
+constexpr int kNeutral = 12;                    // cycles with neutral orders, which arm the robot
+constexpr int kLineBytes = 1152;                // that the line of the PC brings in 100 ms
+constexpr int kMostPayload = 200;               // bytes of a frame
+constexpr int kUpsets = 6;
+
+// A robot that gets random orders, bytes and surroundings.
+class LoadedRobot {
+ public:
+  LoadedRobot(const CampaignOptions& settings, std::uint64_t seed)
+      : random_(seed),
+        style_(random_.below(5)),
+        session_(emulator::readImage(settings.image), optionsOf(settings)) {
+    session_.onEvent([this](const emulator::Event& event) { measure(event); });
+    session_.robot().setSeed(static_cast<std::uint32_t>(seed));
+    session_.remoteControl().setCoincident(random_.below(2) == 0);
+  }
+
+  void cycle(int number) {
+    connect(number);
+    order(number);
+    if (number > kConnected) {
+      load();
+    }
+    if (number > kNeutral && random_.below(4) == 0) {
+      upset();
+    }
+    if (!session_.runThroughPulse()) {
+      throw std::runtime_error(session_.finding().value().text);
+    }
+    listen();
+  }
+
+  // The longest time from a clock pulse to the end of the main thread, in the drive.
+  [[nodiscard]] nanoseconds longest() const { return longest_; }
+
+ private:
+  // How the PC loads its line.
+  enum Style : std::uint32_t { kQuiet, kHellos, kSmallFrames, kBigFrames, kBytes };
+
+  static emulator::Options optionsOf(const CampaignOptions& settings) {
+    emulator::Options options;
+    options.elf = settings.elf;
+    options.timing = emulator::Timing::SlowFlash;
+    options.resetsAreFindings = false;
+    return options;
+  }
+
+  void measure(const emulator::Event& event) {
+    if (event.kind == emulator::Event::Kind::LineRaised && event.number == kPulse) {
+      pulse_ = event.at;
+    } else if (event.kind == emulator::Event::Kind::ExceptionLeft && event.number == kMainThread) {
+      longest_ = std::max(longest_, event.at - pulse_);
+    }
+  }
+
+  void connect(int number) {
+    if (number == 0) {
+      session_.send(pc_.hello());
+    } else if (number == 1 && connection_ >= 0) {
+      session_.send(pc_.confirm(static_cast<std::uint8_t>(connection_)));
+    }
+  }
+
+  void order(int number) {
+    if (number > kNeutral && random_.below(3) == 0) {
+      const auto quantity = static_cast<std::uint8_t>(random_.below(3));
+      for (scenario::PcOrder::Wheel& wheel : order_.wheels) {
+        wheel = {.quantity = quantity,
+                 .value = static_cast<std::int16_t>(random_.between(-3000, 3000))};
+      }
+      order_.steering = static_cast<std::int16_t>(random_.between(-3200, 3200));
+      order_.stop = random_.below(20) == 0;
+      order_.acknowledge = random_.below(5) == 0;
+    }
+    ++order_.id;
+    session_.send(pc_.order(order_));
+  }
+
+  // The rest of the line: a cycle takes in what came since the one before.
+  void load() {
+    if (style_ == kQuiet) {
+      return;
+    }
+    scenario::Bytes bytes;
+    while (bytes.size() < static_cast<std::size_t>(kLineBytes)) {
+      const scenario::Bytes frame = style_ == kHellos ? pc_.hello() : someFrame();
+      bytes.insert(bytes.end(), frame.begin(), frame.end());
+    }
+    session_.send(bytes);
+  }
+
+  scenario::Bytes someFrame() {
+    scenario::Bytes content(random_.below(style_ == kSmallFrames ? 4 : kMostPayload));
+    std::ranges::generate(content,
+                          [this] { return static_cast<std::uint8_t>(random_.below(256)); });
+    return style_ == kBytes ? content
+                            : pc_.frame(static_cast<std::uint8_t>(random_.below(256)), content);
+  }
+
+  void upset() {
+    plant::Robot& robot = session_.robot();
+    const std::size_t wheel = random_.below(plant::kWheels);
+    switch (random_.below(kUpsets)) {
+      case 0:
+        robot.setFault(plant::Fault::HallLosses, wheel, random_.below(2) == 0,
+                       random_.between(1, 60));
+        break;
+      case 1:
+        robot.setFault(plant::Fault::Block, wheel, random_.below(2) == 0);
+        break;
+      case 2:
+        robot.setFault(plant::Fault::Current, wheel, random_.below(3) == 0);
+        break;
+      case 3:
+        robot.setSlope(random_.between(-10, 10));
+        break;
+      case 4:
+        session_.remoteControl().setEnable(static_cast<plant::EnablePosition>(random_.below(5)));
+        break;
+      default:
+        session_.remoteControl().set(plant::Sticks{.velocity = random_.between(-100, 100) / 100.0,
+                                                   .steering = random_.between(-100, 100) / 100.0});
+    }
+  }
+
+  void listen() {
+    for (const std::uint8_t byte : session_.takeSent()) {
+      if (byte != 0) {
+        line_.push_back(byte);
+        continue;
+      }
+      const scenario::FrameBody body = scenario::bodyOf(line_);
+      line_.clear();
+      if (!body.damage.empty() || body.bytes.empty()) {
+        continue;
+      }
+      if (const auto welcome = scenario::welcomeOf(body.bytes)) {
+        connection_ = welcome->session;
+      }
+    }
+  }
+
+  faults::Random random_;
+  std::uint32_t style_;
+  board_robot::BoardSession session_;
+  scenario::PcSender pc_;
+  scenario::PcOrder order_;
+  scenario::Bytes line_;
+  int connection_ = -1;
+  nanoseconds pulse_{};
+  nanoseconds longest_{};
+};
+
+Exit run(const CampaignOptions& settings) {
+  faults::Random seeds(settings.seed);
+  for (int number = 0; number < settings.count; ++number) {
+    const std::uint32_t seed = seeds.below(1U << 31U);
+    LoadedRobot robot(settings, seed);
+    for (int cycle = 0; cycle < kCycles; ++cycle) {
+      robot.cycle(cycle);
+    }
+    std::printf("{\"seed\": %u, \"longest_ns\": %lld}\n", seed,
+                static_cast<long long>(robot.longest().count()));
+  }
+  return Exit::Done;
+}
+
+}  // namespace
+
+}  // namespace wr::programs
+
+int main(int count, char** arguments) try {
+  wr::programs::CampaignOptions settings;
+  CLI::App app(
+      "Runs random drives of a raw image of a K64 on the virtual board, with a PC that loads its\n"
+      "line. Prints for each a line of JSON with the longest time from a clock pulse to the end "
+      "of\n"
+      "the main thread.",
+      "weeding_robot_loads");
+  settings.addTo(app);
+  return wr::programs::runProgram(app, count, arguments,
+                                  [&settings] { return wr::programs::run(settings); });
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "weeding_robot_loads: %s\n", error.what());
+  return EXIT_FAILURE;
+} catch (...) {
+  return EXIT_FAILURE;
+}

@@ -1,0 +1,74 @@
+#include "safety/ProgramCheck.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace wr::test {
+namespace {
+
+using Words = ProgramCheck::Words;
+
+constexpr std::size_t kSizeOfRam = std::size_t{64} * 1024 / sizeof(Words);
+
+/// A program of two parts, and its copy.
+class CheckedProgram : public testing::Test {
+ protected:
+  // The check after each of some ticks, and after other interrupts between them.
+  void ticks(int count) {
+    for (int number = 0; number < count; ++number) {
+      check_.tick();
+      check_.step();
+      check_.step();
+    }
+  }
+
+  void step() { check_.step(); }
+
+  std::vector<Words> original_ = std::vector<Words>(kSizeOfRam, {1, 2, 3, 0xFFFFFFF0U});
+  std::vector<Words> copy_ = original_;
+
+ private:
+  std::size_t half_ = original_.size() / 2 + 5;
+  std::array<ProgramCheck::Part, 2> parts_{
+      ProgramCheck::Part{.original = std::span(original_).first(half_),
+                         .copy = std::span(copy_).first(half_)},
+      ProgramCheck::Part{.original = std::span(original_).subspan(half_),
+                         .copy = std::span(copy_).subspan(half_)}};
+  ProgramCheck check_{parts_};
+};
+
+/// @brief A program that stays as it was is checked again and again.
+/// @verifies FR-309
+TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
+  ticks(10'000);
+}
+
+/// @brief Each changed bit of a program that fills the lower RAM ends the program within 300 ticks, which
+/// are 0.3 s, wherever the check is.
+/// @verifies FR-309
+TEST_F(CheckedProgram, FR309_AChangedBitEndsTheProgram) {
+  ticks(200);
+  for (const std::size_t place : {std::size_t{0}, kSizeOfRam / 3, kSizeOfRam - 1}) {
+    for (const unsigned bit : {0U, 17U, 31U}) {
+      std::uint32_t& word = copy_[place].at(bit % 4);
+      word ^= 1U << bit;
+      EXPECT_DEATH(ticks(300), "assertion 8 failed") << place << " " << bit;
+      word ^= 1U << bit;
+    }
+  }
+}
+
+/// @brief Between two ticks the program is not checked more than once, however often the processor wakes.
+/// @verifies FR-309
+TEST_F(CheckedProgram, FR309_WithoutATickNothingIsChecked) {
+  copy_.front().front() ^= 1U;
+  for (int number = 0; number < 10'000; ++number) {
+    step();
+  }
+}
+
+}  // namespace
+}  // namespace wr::test

@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""Runs both fuzzers of the firmware, some times. Prints a line of JSON for each run of both.
+
+Needs the standard library only: it runs on any worker, in the folder of the project.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import Any
+
+INPUTS = {"link": 50_000, "robot": 1_000}  # of one run: about 5 s each
+LONGEST = 60  # [s] for one input; a usual one needs less than 0.02 s
+CORPUS = Path("tests/fuzz/corpus")
+MOST_OF_TEXT = 2_000
+
+
+def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
+    """Runs a fuzzer. Inputs that reach new code are kept in a folder that is removed afterwards."""
+    with tempfile.TemporaryDirectory() as found, tempfile.TemporaryDirectory() as failed:
+        words = [
+            program,
+            f"-seed={seed % (1 << 32) or 1}",
+            f"-runs={inputs}",
+            f"-timeout={LONGEST}",
+        ]
+        words += [f"-artifact_prefix={failed}/", found, CORPUS / name]
+        run = subprocess.run(
+            [str(word) for word in words],
+            stdin=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+            errors="replace",
+            check=False,
+        )
+        done = [
+            int(number) for number in re.findall(r"^(?:#|Done )(\d+)", run.stderr, re.MULTILINE)
+        ]
+        result: dict[str, Any] = {"fuzzer": name, "inputs": max(done, default=0), "failure": None}
+        if run.returncode != 0:
+            result["failure"] = {
+                "text": run.stderr[-MOST_OF_TEXT:],
+                "input": [path.read_bytes().hex() for path in sorted(Path(failed).iterdir())],
+            }
+        elif result["inputs"] < inputs:
+            raise SystemExit(f"{program} ended after {result['inputs']} of {inputs} inputs")
+        return result
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--link", type=Path, required=True, help="fuzzer of the PC link")
+    parser.add_argument("--robot", type=Path, required=True, help="fuzzer of the whole firmware")
+    parser.add_argument("--seed", type=int, required=True, help="chooses the inputs")
+    parser.add_argument("--count", type=int, required=True, help="number of runs")
+    options = parser.parse_args()
+    for number in range(options.count):
+        seed = options.seed * 1_000 + number
+        runs = [
+            fuzz(program.resolve(), name, seed, INPUTS[name])
+            for name, program in (("link", options.link), ("robot", options.robot))
+        ]
+        print(json.dumps({"runs": runs}), flush=True)
+
+
+if __name__ == "__main__":
+    main()

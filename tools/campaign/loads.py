@@ -1,0 +1,23 @@
+"""The campaign of random drives with a loaded line: its program, and the summary of its drives."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+PROGRAM = Path("build/host/sim/weeding_robot_loads")
+LISTED = 10  # longest drives in the record
+
+
+def summarise(_root: Path, cases: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """The longest control cycles of all drives."""
+    longest = sorted(cases, key=lambda case: (-case["longest_ns"], case["seed"]))
+    times = [case["longest_ns"] for case in longest]
+    return {
+        "outcomes": {
+            "longest_ms": round(times[0] / 1e6, 4),
+            "median_ms": round(times[len(times) // 2] / 1e6, 4),
+        },
+        "longest": longest[:LISTED],
+    }
