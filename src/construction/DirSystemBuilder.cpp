@@ -5,8 +5,7 @@
 namespace wr {
 
 DirSystemBuilder::Actuator::Actuator(const Devices& devices)
-    : poweredOff(static_cast<SteeringPower&>(poweredOn)),  // each state is the successor of the
-                                                           // other
+    : poweredOff(static_cast<SteeringPower&>(poweredOn)),  // the states succeed each other
       poweredOn(poweredOff),
       device({.step = devices.step,
               .direction = devices.direction,
