@@ -106,7 +106,7 @@ class LoadedRobot {
     session_.send(pc_.order(order_));
   }
 
-  // The rest of the line: a cycle takes in what came since the one before.
+  // Fills the line until the next cycle.
   void load() {
     if (style_ == kQuiet) {
       return;

@@ -147,8 +147,8 @@ class SafeBoard final : public SteppedRobot {
     return board().resets() != before;
   }
 
-  // The number of the assertion that ended the program, as the next start tells the PC; 0 without
-  // one.
+  // The number of the assertion that ended the program, from the Welcome of the next start; 0
+  // without an assertion.
   int failedAssertion() {
     constexpr int kAssertion = 1;
     connect();
