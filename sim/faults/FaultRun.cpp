@@ -277,8 +277,8 @@ FaultRun::FaultRun(std::vector<std::uint8_t> image, const std::filesystem::path&
   reports_ = robot.reports;
   places_.interrupts = robot.interrupts;
   std::ranges::sort(places_.interrupts);
-  const bool drives = std::ranges::any_of(std::span(reference_).subspan(0, kFirst),
-                                          [](const Outputs& one) { return !one.wheelsOff(); });
+  const bool drives =
+      std::ranges::any_of(reference_, [](const Outputs& one) { return !one.wheelsOff(); });
   if (!drives || reports_.back().inhibit != 0) {
     throw std::runtime_error("without a fault the robot does not drive");
   }
