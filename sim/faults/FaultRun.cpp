@@ -8,7 +8,6 @@
 #include <bit>
 #include <cstring>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
