@@ -280,7 +280,8 @@ def test_a_script_that_is_wrong_is_wrong_usage(
 
 
 @pytest.mark.parametrize(
-    ("content", "message"), [(b"\xff\xfe", "no text in UTF-8"), (None, "No such file or directory")]
+    ("content", "message"),
+    [(b"\xff\xfe", "not a text in UTF-8"), (None, "No such file or directory")],
 )
 def test_a_script_that_cannot_be_read_is_wrong_usage(
     mcu: Any,

@@ -35,17 +35,17 @@ def test_the_table_of_the_firmware_compiles(tmp_path: Path) -> None:
     [
         (TWICE, "a pin or a signal is used twice"),
         (TWICE.replace("B, 22", "B, 21").replace("second_light", "light_red"), "used twice"),
-        (TWICE.replace("B, 22", "B, 12"), "a pin is used that the part does not have"),
+        (TWICE.replace("B, 22", "B, 12"), "a pin is used that the microcontroller does not have"),
         (TWICE.replace("B, 22", "A, 3"), "a pin of the debugger is used"),
         (
             TWICE.replace("B, 22", "B, 21").replace("Role::LowOutput", "Role::Peripheral"),
-            "a pin is connected to something that it cannot have",
+            "a pin has a connection that it does not support",
         ),
         (
             TWICE.replace("B, 22", "B, 21").replace(
                 "Gpio, Role::LowOutput", "Alt4, Role::LateOutput"
             ),
-            "a pin is connected to something that it cannot have",
+            "a pin has a connection that it does not support",
         ),
     ],
 )
