@@ -1,12 +1,17 @@
-"""The cost of the safety functions: files and lines since a base commit, counted by git."""
+"""The cost of the safety functions: files and lines since a base commit.
+
+Lines of edited files are those of the code: a comment that is written again is no cost.
+"""
 
 from __future__ import annotations
 
 import subprocess
 from collections.abc import Iterable
 from dataclasses import replace
+from difflib import SequenceMatcher
 from pathlib import Path
 
+from traceability.reading.comments import code_of
 from traceability.schema import Correction, SafetyCase, SafetyCost, TouchedFile
 from traceability.sources import SRC
 
@@ -20,9 +25,10 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
     if not (root / ".git").exists() or not case.base or not base or not head:
         return None
     before = set((_git(root, "ls-tree", "-r", "--name-only", base, "--", SRC) or "").splitlines())
-    edited = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SRC) or ""
+    edited = _git(root, "diff", "--name-only", "--no-renames", base, "HEAD", "--", SRC) or ""
     added = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SAFETY) or ""
-    found = [one for one in numstat(edited) if one.file in before]
+    files = [file for file in edited.splitlines() if file in before]
+    found = [one for file in files if (one := edits_of_code(root, base, file)).touched]
     new = numstat(added)
     corrected = [correction_of(one.file, case.corrections) for one in found]
     touched = [
@@ -31,8 +37,21 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
     ]
     own = sum(one.touched for one in touched if not one.corrections)
     shared = sum(one.for_safety for one in case.corrections if one in corrected)
-    files, lines = [one.file for one in new], sum(one.added for one in new)
-    return SafetyCost(case.base, head, files, lines, touched, own + shared)
+    lines = sum(one.added for one in new)
+    return SafetyCost(case.base, head, [one.file for one in new], lines, touched, own + shared)
+
+
+def edits_of_code(root: Path, base: str, file: str) -> TouchedFile:
+    """The lines of code of a file that were added and removed since the base."""
+    before, after = (
+        code_of(_git(root, "show", f"{revision}:{file}") or "").splitlines()
+        for revision in (base, "HEAD")
+    )
+    edits = SequenceMatcher(None, before, after, autojunk=False).get_opcodes()
+    changed = [edit for edit in edits if edit[0] != "equal"]
+    added = sum(to_end - to_begin for _, _, _, to_begin, to_end in changed)
+    removed = sum(end - begin for _, begin, end, _, _ in changed)
+    return TouchedFile(file, added, removed)
 
 
 def numstat(text: str) -> list[TouchedFile]:

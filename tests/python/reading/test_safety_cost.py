@@ -33,10 +33,17 @@ def commit(root: Path, **files: str) -> str:
 def project(tmp_path: Path) -> tuple[Path, str]:
     """Edits of a module, of one with a correction, a new module of the robot and an extension."""
     git(tmp_path, "init", "-q")
-    base = commit(tmp_path, src__Mode="one\ntwo\n", src__sensing__Hall="one\n", docs__page="a\n")
+    base = commit(
+        tmp_path,
+        src__Mode="one\ntwo\n",
+        src__Text="/// A class.\none  // line\n",
+        src__sensing__Hall="one\n",
+        docs__page="a\n",
+    )
     commit(
         tmp_path,
         src__Mode="one\n2\nthree\n",
+        src__Text="/// Another comment\n/// of the class.\none\n",
         src__sensing__Hall="one\ntwo\n",
         src__New="x\n",
         extensions__safety__Stop="a\nb\nc\n",

@@ -57,7 +57,7 @@ def test_each_page_is_found() -> None:
 def test_words_of_hand_written_pages_and_of_the_paper_are_found() -> None:
     written = [entry for entry in searched() if entry[0] == "Explanations"]
     assert ["Debug", "Flash and wire the board"] in [entry[2:4] for entry in written]
-    assert any("baud rate of the far end" in entry[5] for entry in written)
+    assert any("baud rate of the connected device" in entry[5] for entry in written)
     assert {"Figure 6", "WaitingMAX"} <= {e[2] for e in searched() if e[0] == "Paper"}
 
 
