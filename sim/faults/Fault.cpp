@@ -57,7 +57,7 @@ constexpr std::uint32_t kHeld = 0;  // the other interrupt fault: raised without
 constexpr std::uint32_t kFirstException = 16;
 constexpr std::uint32_t kNominalBaud = 115'200;
 
-enum ClockFault : std::uint32_t { kOtherBaud, kNoClock, kNoLock, kClockFaults };
+enum ClockFault : std::uint32_t { OtherBaud, NoClock, NoLock, ClockFaults };
 
 constexpr std::array<emulator::Reset, 3> kSupplyFaults{
     emulator::Reset::LowVoltage, emulator::Reset::PowerOn, emulator::Reset::Pin};
@@ -83,9 +83,9 @@ void flipRegister(const Injected& fault, emulator::VirtualBoard& board) {
 }
 
 void injectClock(const Injected& fault, emulator::VirtualBoard& board) {
-  if (fault.place == kNoClock) {
+  if (fault.place == NoClock) {
     board.setExternalClock(false);
-  } else if (fault.place == kNoLock) {
+  } else if (fault.place == NoLock) {
     board.loseLock();
   } else {  // value: thousandths
     board.setLineBaud(static_cast<std::uint32_t>(
@@ -133,7 +133,7 @@ Injected choose(Kind kind, Random& random, const Places& places, std::uint32_t s
     case Kind::Serial:
       return {kind, 0, 0, random.between(1, 20)};
     case Kind::Clock:
-      return {kind, random.below(kClockFaults), 0, random.between(-25, 25)};
+      return {kind, random.below(ClockFaults), 0, random.between(-25, 25)};
     case Kind::Supply:
       break;
   }

@@ -41,7 +41,7 @@ std::vector<scenario::PcOrder> makeOrders(std::uint64_t seed) {
   Random random(seed);
   std::vector<scenario::PcOrder> orders;
   scenario::PcOrder order;
-  while (orders.size() < static_cast<std::size_t>(kEnd / kOrderPeriod + 1)) {
+  while (orders.size() < static_cast<std::size_t>(kEnd) / kOrderPeriod + 1) {
     const int count = orders.empty() ? kNeutralOrders : random.between(4, 15);
     if (!orders.empty()) {
       const auto velocity = static_cast<std::int16_t>(random.between(-150, 200) * 10);
@@ -77,10 +77,10 @@ bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& ref
 // Flash, RAM and fields of a result, as they pass through a pipe.
 struct Message {
   Fault fault;
-  int at;
-  std::uint32_t pc;
+  int at = 0;
+  std::uint32_t pc = 0;
   Verdict verdict;
-  std::array<char, 160> stop;
+  std::array<char, 160> stop{};
 };
 
 // Looks at the reports that have come since the last call.

@@ -65,7 +65,7 @@ class LoadedRobot {
 
  private:
   // How the PC loads its line.
-  enum Style : std::uint32_t { kQuiet, kHellos, kSmallFrames, kBigFrames, kBytes };
+  enum Style : std::uint32_t { Quiet, Hellos, SmallFrames, BigFrames, Bytes };
 
   static emulator::Options optionsOf(const CampaignOptions& settings) {
     emulator::Options options;
@@ -108,23 +108,23 @@ class LoadedRobot {
 
   // Fills the line until the next cycle.
   void load() {
-    if (style_ == kQuiet) {
+    if (style_ == Quiet) {
       return;
     }
     scenario::Bytes bytes;
     while (bytes.size() < static_cast<std::size_t>(kLineBytes)) {
-      const scenario::Bytes frame = style_ == kHellos ? pc_.hello() : someFrame();
+      const scenario::Bytes frame = style_ == Hellos ? pc_.hello() : someFrame();
       bytes.insert(bytes.end(), frame.begin(), frame.end());
     }
     session_.send(bytes);
   }
 
   scenario::Bytes someFrame() {
-    scenario::Bytes content(random_.below(style_ == kSmallFrames ? 4 : kMostPayload));
+    scenario::Bytes content(random_.below(style_ == SmallFrames ? 4 : kMostPayload));
     std::ranges::generate(content,
                           [this] { return static_cast<std::uint8_t>(random_.below(256)); });
-    return style_ == kBytes ? content
-                            : pc_.frame(static_cast<std::uint8_t>(random_.below(256)), content);
+    return style_ == Bytes ? content
+                           : pc_.frame(static_cast<std::uint8_t>(random_.below(256)), content);
   }
 
   void upset() {
