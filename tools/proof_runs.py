@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 import shutil
 import subprocess
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from functools import partial
 from pathlib import Path
 from typing import TextIO
 
 from tools.steps import FailureError
 from tools.task_graph import Outcome
+from traceability.model.build import commit
 from traceability.model.promela import COMPOSITION, whole
 from traceability.reading.declared import Declared, read_declared
 from traceability.reading.proof_record import FOLDER, PROOFS, SCENARIOS
 from traceability.reading.proof_record import scenario as scenario_of
+from traceability.reading.published import publish, read_published
 from traceability.schema import ProofProperty, ProofResult
 
+RECORD = "proofs"  # of a run of all proofs: each has the model that it proved
 SPIN, COMPILER = "spin", "cc"
 SECONDS = 300  # for each step of a proof
 DEPTH = 5_000_000  # steps
@@ -54,7 +58,9 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
         log.write(f"{text}\n")
         log.flush()
 
-    results = prove(root, declared, declared.proofs.values(), said)
+    recorded = recorded_proofs(root, declared)
+    left = [one for one in declared.proofs.values() if one.name not in recorded]
+    results = recorded | prove(root, declared, left, said)
     path = root / PROOFS
     path.parent.mkdir(parents=True, exist_ok=True)
     content = {name: asdict(result) for name, result in results.items()}
@@ -62,6 +68,8 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
     proven = sum(one.verdict == "proven" for one in results.values())
     states = sum(one.states for one in results.values())
     note = f"{proven} of {len(results)} properties proven, {states} states"
+    if recorded:
+        note += f"; {len(recorded)} by the record of the same models"
     return Outcome(note, failed=proven < len(results))
 
 
@@ -84,12 +92,43 @@ def prove(
     return found
 
 
+def record_proofs(root: Path, declared: Declared, results: Mapping[str, ProofResult]) -> Path:
+    """Writes the record of the properties that a run has proven."""
+    proven = {
+        name: {"model": model_hash(root, declared, declared.proofs[name]), **asdict(result)}
+        for name, result in results.items()
+        if result.verdict == "proven"
+    }
+    return publish(root, RECORD, "./wr prove --again", commit(root), proven)
+
+
+def recorded_proofs(root: Path, declared: Declared) -> dict[str, ProofResult]:
+    """The results in the record whose models are the present ones, byte by byte."""
+    record = read_published(root, RECORD)
+    found: dict[str, ProofResult] = {}
+    for name, proof in declared.proofs.items():
+        values = dict(record.result.get(name, {})) if record else {}
+        if record and values.pop("model", "") == model_hash(root, declared, proof):
+            found[name] = replace(ProofResult(**values), recorded=record.commit)
+    return found
+
+
+def model_hash(root: Path, declared: Declared, proof: ProofProperty) -> str:
+    """The hash of a model and of the options of its search."""
+    words = [*OPTIONS, str(DEPTH), model_of(root, declared, proof)]
+    return hashlib.sha256("\n".join(words).encode()).hexdigest()
+
+
+def model_of(root: Path, declared: Declared, proof: ProofProperty) -> str:
+    composition = (root / COMPOSITION).read_text(encoding="utf-8")
+    return whole(declared.machines, composition, proof)
+
+
 def prove_one(root: Path, declared: Declared, proof: ProofProperty) -> ProofResult:
     folder = root / FOLDER / proof.name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    composition = (root / COMPOSITION).read_text(encoding="utf-8")
-    model = whole(declared.machines, composition, proof)
+    model = model_of(root, declared, proof)
     (folder / "model.pml").write_text(model, encoding="utf-8")
     begin = time.monotonic()
     call(folder, proof, [SPIN, "-a", "model.pml"])

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from tools.lock import only_one
-from tools.proof_runs import missing_program, prove
+from tools.proof_runs import missing_program, prove, record_proofs
 from tools.steps import MissingError
 from tools.tasks import graph
 from traceability.reading.declared import read_declared
@@ -25,6 +25,12 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "properties", nargs="*", metavar="PROPERTY", help="prove only these, and record nothing"
     )
+    parser.add_argument(
+        "--again",
+        action="store_true",
+        help="prove all properties, also those whose model is in tests/records/proofs.json, and "
+        "write that record",
+    )
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
 
 
@@ -40,5 +46,9 @@ def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
         if options.properties:
             wanted = [declared.proofs[name] for name in options.properties]
             results = prove(root, declared, wanted, print)
+            return 0 if all(one.verdict == "proven" for one in results.values()) else 1
+        if options.again:
+            results = prove(root, declared, declared.proofs.values(), print)
+            print(f"recorded in {record_proofs(root, declared, results).relative_to(root)}")
             return 0 if all(one.verdict == "proven" for one in results.values()) else 1
         return 1 if graph(root).run([PROOFS]).failed else 0

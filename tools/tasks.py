@@ -96,6 +96,7 @@ PROOF_INPUTS = (
     "design/proofs",
     "traceability/model/promela.py",
     "tools/proof_runs.py",
+    "tests/records/proofs.json",
 )
 SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # inputs of tests and runs
 TOOLS = ("traceability", "site/portal", "tools", "client", "pyproject.toml", "setup/python.lock")

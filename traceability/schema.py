@@ -770,6 +770,7 @@ class ProofResult:
     seconds: float
     events: Sequence[str] = field(default_factory=list)  # lines of the counterexample
     scenario: str = ""  # file that plays the counterexample, when its events can be played
+    recorded: str = ""  # commit of an earlier run that proved the same model
 
 
 @dataclass(frozen=True)

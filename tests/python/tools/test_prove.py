@@ -10,7 +10,13 @@ from pathlib import Path
 import pytest
 
 from tools import proof_runs
-from tools.proof_runs import missing_program, prove, prove_all
+from tools.proof_runs import (
+    missing_program,
+    prove,
+    prove_all,
+    record_proofs,
+    recorded_proofs,
+)
 from traceability.model.promela import COMPOSITION, step_of, without
 from traceability.reading.declared import read_declared
 from traceability.reading.proof_record import (
@@ -146,3 +152,19 @@ def test_an_event_without_an_action_has_no_scenario() -> None:
     assert scenario(TRIED, ["round", "event fails"], known) == ""
     words = readable([*played, "transition modes RC PC"], known)
     assert words[1] == ("round 2", ["1 s passed", "modes: RC \N{RIGHTWARDS ARROW} PC"])
+
+
+def test_a_recorded_proof_counts_for_the_same_model_only(design: Path) -> None:
+    declared = read_declared(design)
+    result = ProofResult("proven", 10, 5, 0.1)
+    record_proofs(design, declared, dict.fromkeys(declared.proofs, result))
+    assert set(recorded_proofs(design, declared)) == set(declared.proofs)
+    machine = design / "design/fsm/reading_modes.toml"
+    change(machine, r'(from = "RC"\non = "noMessage"\nguard = )"in Reconnecting"', r'\1""')
+    assert recorded_proofs(design, read_declared(design)) == {}
+
+
+def test_a_property_that_is_not_proven_is_not_recorded(design: Path) -> None:
+    declared = read_declared(design)
+    record_proofs(design, declared, {next(iter(declared.proofs)): ProofResult("false", 1, 1, 0.1)})
+    assert recorded_proofs(design, declared) == {}
