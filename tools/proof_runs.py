@@ -20,7 +20,7 @@ from tools.task_graph import Outcome
 from traceability.model.build import commit
 from traceability.model.promela import COMPOSITION, whole
 from traceability.reading.declared import Declared, read_declared
-from traceability.reading.proof_record import FOLDER, PROOFS, SCENARIOS
+from traceability.reading.proof_record import FOLDER, PROOFS, PROVE, SCENARIOS
 from traceability.reading.proof_record import scenario as scenario_of
 from traceability.reading.published import publish, read_published
 from traceability.schema import ProofProperty, ProofResult
@@ -99,7 +99,7 @@ def record_proofs(root: Path, declared: Declared, results: Mapping[str, ProofRes
         for name, result in results.items()
         if result.verdict == "proven"
     }
-    return publish(root, RECORD, "./wr prove --again", commit(root), proven)
+    return publish(root, RECORD, PROVE, commit(root), proven)
 
 
 def recorded_proofs(root: Path, declared: Declared) -> dict[str, ProofResult]:
@@ -109,7 +109,9 @@ def recorded_proofs(root: Path, declared: Declared) -> dict[str, ProofResult]:
     for name, proof in declared.proofs.items():
         values = dict(record.result.get(name, {})) if record else {}
         if record and values.pop("model", "") == model_hash(root, declared, proof):
-            found[name] = replace(ProofResult(**values), recorded=record.commit)
+            found[name] = replace(
+                ProofResult(**values), recorded=record.commit, recorded_on=record.date
+            )
     return found
 
 

@@ -770,7 +770,8 @@ class ProofResult:
     seconds: float
     events: Sequence[str] = field(default_factory=list)  # lines of the counterexample
     scenario: str = ""  # file that plays the counterexample, when its events can be played
-    recorded: str = ""  # commit of an earlier run that proved the same model
+    recorded: str = ""  # commit of the earlier run with the same model; empty: this build proved it
+    recorded_on: str = ""  # YYYY-MM-DD
 
 
 @dataclass(frozen=True)
@@ -793,6 +794,11 @@ class Proofs:
         """How many properties are proven; None when nothing was proven with these sources."""
         results = self.results
         return None if results is None else sum(r.verdict == "proven" for r in results.values())
+
+    @property
+    def recorded(self) -> list[ProofResult]:
+        """Results of an earlier run with the same models, which this build did not repeat."""
+        return [one for one in (self.results or {}).values() if one.recorded]
 
 
 @dataclass(frozen=True)

@@ -18,11 +18,12 @@ from traceability.reading.image_record import read_image
 from traceability.reading.live_record import KEYS as LIVE
 from traceability.reading.live_record import live_metrics
 from traceability.reading.products import HAS, intruders
+from traceability.reading.proof_record import PROVE
 from traceability.reading.prose_record import read_prose
 from traceability.reading.release_record import release_metrics
 from traceability.reading.results import read_recording_factor, read_totals
 from traceability.reading.traces import nodes_of
-from traceability.schema import HOST, Clause, Requirement, SafetyCase
+from traceability.schema import HOST, Clause, Proofs, Requirement, SafetyCase
 from traceability.sources import file_hash
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # of verification
@@ -158,14 +159,24 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
         "proofs.properties": len(model.proofs.properties),
-        "proofs.proven": model.proofs.proven,
+        "proofs.proven": None if model.proofs.recorded else model.proofs.proven,
         "last": {
             **{name: asdict(record) for name, record in model.last.items()},
             **campaign_metrics(model.campaigns),
+            **recorded_metric(model.proofs),
         },
         **dict.fromkeys(OF_OTHER_STEPS),
         **model.measured,
     }
+
+
+def recorded_metric(proofs: Proofs) -> dict[str, Any]:
+    """The metric of proofs that this build took from the record of an earlier run."""
+    if not proofs.recorded:
+        return {}
+    first = proofs.recorded[0]
+    record = {"command": PROVE, "commit": first.recorded, "date": first.recorded_on}
+    return {"proofs.proven": {**record, "value": len(proofs.recorded)}}
 
 
 def _is_executed(requirement: Requirement) -> bool:

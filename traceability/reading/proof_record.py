@@ -14,6 +14,7 @@ from traceability.schema import ProofProperty, ProofResult
 
 PROPERTIES = Path("design/proofs/properties.toml")
 PROOFS = RESULTS / "proofs.json"
+PROVE = "./wr prove --again"  # the command that proves all properties and writes the record
 SCENARIOS = RESULTS / "proofs"  # counterexamples that can be played
 FOLDER = Path("build/proofs")
 ROUND_MS = 100

@@ -17,6 +17,7 @@ from tools.proof_runs import (
     record_proofs,
     recorded_proofs,
 )
+from traceability.model.metrics import recorded_metric
 from traceability.model.promela import COMPOSITION, step_of, without
 from traceability.reading.declared import read_declared
 from traceability.reading.proof_record import (
@@ -27,7 +28,7 @@ from traceability.reading.proof_record import (
     scenario,
 )
 from traceability.reading.toml_reader import Entries
-from traceability.schema import Place, ProofProperty, ProofResult
+from traceability.schema import Place, ProofProperty, ProofResult, Proofs
 
 ROOT = Path(__file__).parents[3]
 TRIED = ProofProperty("tried", "FR-1", "It is tried.", "[] !drives", Place("a.toml", 1))
@@ -158,7 +159,11 @@ def test_a_recorded_proof_counts_for_the_same_model_only(design: Path) -> None:
     declared = read_declared(design)
     result = ProofResult("proven", 10, 5, 0.1)
     record_proofs(design, declared, dict.fromkeys(declared.proofs, result))
-    assert set(recorded_proofs(design, declared)) == set(declared.proofs)
+    recorded = recorded_proofs(design, declared)
+    assert set(recorded) == set(declared.proofs)
+    metric = recorded_metric(Proofs(declared.proofs, recorded))["proofs.proven"]
+    assert (metric["command"], metric["value"]) == ("./wr prove --again", len(recorded))
+    assert metric["date"]
     machine = design / "design/fsm/reading_modes.toml"
     change(machine, r'(from = "RC"\non = "noMessage"\nguard = )"in Reconnecting"', r'\1""')
     assert recorded_proofs(design, read_declared(design)) == {}

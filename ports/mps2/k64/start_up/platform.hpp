@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+
+#include "k64/K64Thread.hpp"
+#include "ports/mps2/CmsdkTimebase.hpp"
+#include "ports/mps2/CmsdkTimer.hpp"
+#include "ports/mps2/CmsdkUart.hpp"
+#include "ports/mps2/CmsdkWatchdog.hpp"
+#include "ports/mps2/FpgaLight.hpp"
+#include "ports/mps2/Unconnected.hpp"
+#include "services/StartRecord.hpp"
+#include "units/SetPoints.hpp"
+
+// Takes the place of the file with this name in src: the composition of the robot includes it. The
+// names are those of the K64, the devices are those of the board MPS2. K64Thread uses the interrupt
+// controller of the core alone.
+
+namespace wr::platform {
+
+/// @brief Devices of one wheel.
+struct WheelDevices {
+  mps2::NoPwm pwm{};
+  mps2::NoOutput orientation{};
+  mps2::NoOutput enable{};
+  mps2::NoEdges hallA{};
+  mps2::NoEdges hallB{};
+  mps2::NoVoltage current{};
+  K64Thread thread;
+};
+
+extern mps2::CmsdkWatchdog watchdog;
+extern mps2::CmsdkTimebase timebase;
+extern mps2::CmsdkTimer cycleTimer;
+extern mps2::CmsdkTimer tickTimer;
+extern mps2::CmsdkUart pcPort;
+extern K64Thread mainThread;
+extern std::array<WheelDevices, kWheelCount> wheels;
+extern mps2::NoOutput steeringStep;
+extern mps2::NoOutput steeringDirection;
+extern mps2::NoOutput steeringEnable;
+extern mps2::NoEdges leftEnd;
+extern mps2::NoEdges rightEnd;
+extern mps2::NoVoltage steeringAngle;
+extern mps2::NoEdges rcVelocityPin;
+extern mps2::NoEdges rcDirectionPin;
+extern mps2::CmsdkTimebase& rcEdgeTime;
+extern StartRecord startRecord;
+
+/// @brief Signals of the remote control that have an edge.
+struct RcEdges {
+  bool velocity;
+  bool direction;
+};
+
+/// @brief Returns that no signal has an edge: the board has no remote control.
+/// @isr{yes}
+inline RcEdges enterRcInterrupt() {
+  return {.velocity = false, .direction = false};
+}
+
+/// @brief Nothing: no input of the board can have too many edges.
+/// @isr{yes}
+inline void allowEdges() {}
+
+/// @brief Starts the devices.
+/// @isr{no}
+void startDevices();
+
+/// @brief Enables the interrupts of the devices and the threads.
+/// @isr{no}
+void enableInterrupts();
+
+/// @brief Switches on the light for running control cycles, and sleeps between the interrupts.
+/// @isr{no}
+[[noreturn]] void sleepForever();
+
+}  // namespace wr::platform

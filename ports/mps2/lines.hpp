@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+namespace wr::mps2 {
+
+// Interrupt lines: Arm application note AN386, interrupt assignments.
+inline constexpr std::uint8_t kReceiveLine = 0;  // of UART 0
+inline constexpr std::uint8_t kSendLine = 1;
+inline constexpr std::uint8_t kFirstTimerLine = 8;
+inline constexpr std::uint8_t kSecondTimerLine = 9;
+// Lines of single pins, which the firmware does not use: the threads are triggered with them.
+inline constexpr std::uint8_t kMainThreadLine = 24;
+inline constexpr std::uint8_t kFirstWheelThreadLine = 25;  // 25 to 28
+inline constexpr std::uint8_t kLines = 32;
+
+}  // namespace wr::mps2

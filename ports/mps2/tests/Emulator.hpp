@@ -1,0 +1,68 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ports/mps2/tests/UnixLine.hpp"
+#include "sim/gdb/PacketStream.hpp"
+
+namespace wr::mps2 {
+
+/// @brief The board MPS2 with the FPGA image AN386 on QEMU. Its time passes only while it runs. It is controlled like with GDB, and its first serial port is a
+/// socket.
+class Emulator {
+ public:
+  /// @brief Length of a short instruction [byte].
+  static constexpr std::uint32_t kShort = 2;
+
+  /// @brief Checks whether QEMU is installed.
+  [[nodiscard]] static bool installed();
+
+  /// @brief Starts QEMU. The program is stopped at its first instruction.
+  /// @param elf the program
+  explicit Emulator(const std::filesystem::path& elf);
+  ~Emulator();
+  Emulator(const Emulator&) = delete;
+  Emulator& operator=(const Emulator&) = delete;
+
+  /// @brief Runs the program until it comes to one of some instructions. It must not be at one of them now.
+  /// @param places addresses of the instructions
+  /// @return the instruction at which it stopped
+  std::uint32_t runTo(std::initializer_list<std::uint32_t> places);
+
+  /// @brief Gives bytes to the serial port, and lets the program take one after the other. It must be at rest, and is
+  /// at rest again.
+  /// @param bytes the bytes
+  /// @param rest the instruction at which it is at rest
+  void send(std::span<const std::uint8_t> bytes, std::uint32_t rest);
+
+  /// @brief Replaces an instruction of two bytes by one that does nothing.
+  /// @param place its address
+  void replaceByNothing(std::uint32_t place);
+
+  /// @brief Reads a word of the memory, or a register of a device.
+  [[nodiscard]] std::uint32_t word(std::uint32_t address);
+
+  /// @brief The bytes that the program has sent since the last call.
+  [[nodiscard]] std::vector<std::uint8_t> takeSent();
+
+ private:
+  std::string ask(std::string_view command);
+  std::string answer();
+
+  std::filesystem::path folder_;
+  pid_t process_ = 0;
+  std::unique_ptr<UnixLine> control_;
+  std::unique_ptr<gdb::PacketStream> packets_;
+  std::unique_ptr<UnixLine> serial_;
+};
+
+}  // namespace wr::mps2

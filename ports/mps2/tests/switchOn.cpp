@@ -1,0 +1,19 @@
+// The robot of the system tests is the firmware on the board MPS2, which QEMU emulates.
+
+#include <memory>
+#include <stdexcept>
+
+#include "ports/mps2/tests/QemuSession.hpp"
+#include "system/SteppedRobot.hpp"
+
+namespace wr::test {
+
+std::unique_ptr<scenario::RobotSession> switchOn() {
+  return std::make_unique<mps2::QemuSession>(WR_PORT_IMAGE);
+}
+
+int referenceSequences() {
+  return 100;
+}
+
+}  // namespace wr::test
