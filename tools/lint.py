@@ -26,7 +26,7 @@ from traceability.sources import DESIGN, include_options
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 # Which module may include which; CMake writes it.
 MAP = "build/clang/logic_modules.modulemap"
-CODE = (*DESIGN, "changes", "sim", "tests")
+CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "sim")
 WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
 WARNINGS = [

@@ -18,8 +18,8 @@ from tools.bench_runs import measure_all
 from tools.browser import find_browser, works
 from tools.call_runs import record_all
 from tools.change_runs import IMAGES as CHANGE_IMAGES
+from tools.change_runs import PORT_IMAGE, PORT_TESTS, missing_emulator, test_changes, test_port
 from tools.change_runs import TESTS as CHANGE_TESTS
-from tools.change_runs import test_changes
 from tools.closed_loop_runs import HOST_PROGRAM, play_all
 from tools.cmake_build import (
     BOARD,
@@ -53,6 +53,7 @@ from traceability.reading.change_kits import FOLDER as KITS
 from traceability.reading.change_kits import RESULT as KITS_RESULT
 from traceability.reading.closed_loop_record import DECLARED, EXAMPLES, OUTCOMES
 from traceability.reading.live_record import RECORD as LIVE_RECORD
+from traceability.reading.ports import RESULT as PORT_RESULT
 from traceability.reading.products import DEFAULT, PRODUCTS
 from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.proof_record import PROOFS
@@ -66,6 +67,7 @@ HOST_FIRMWARE, K64_FIRMWARE = "firmware (this machine)", "firmware (K64)"
 RECORDED_IMAGES = "build (K64, to record calls)"
 VIRTUAL_BOARD, BASELINE_BUILD = "virtual K64", "build (baseline design)"
 CHANGES_BUILD = "build (likely changes)"
+PORT_BUILD = "build (port)"
 TESTS_SANITIZE = "tests (sanitize)"
 LIVE_MODULE = "live module"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
@@ -81,6 +83,7 @@ RESULT_TASKS = (
     task_record.BENCH,
     task_record.BASELINE,
     task_record.CHANGES,
+    task_record.PORT,
     LIVE_MODULE,
     task_record.LIVE,
     task_record.CALLS,
@@ -102,7 +105,7 @@ SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # inputs of t
 TOOLS = ("traceability", "site/portal", "tools", "client", "pyproject.toml", "setup/python.lock")
 # The seeded faults: the sources, the checks, and the faults.
 SEEDED = (
-    *(*DESIGN, "changes", "sim", "tests", "requirements", "design", "docs", "README.md"),
+    *(*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design", "docs", "README.md"),
     *(*BUILD_FILES, *TOOLS),
 )
 # The pages show all hand-written texts.
@@ -110,7 +113,7 @@ SHOWN = (*SEEDED, "site", "setup", "wr")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
-    *("calls.json", "proofs.json", "changes.json"),
+    *("calls.json", "proofs.json", "changes.json", "port.json"),
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json"),
 )
@@ -183,6 +186,7 @@ def builds(root: Path) -> list[Task]:
         Task(LIVE_MODULE, module, always=True),
         made(BASELINE_BUILD, ("k64", baselines), (BOARD_PRESET, (BASELINE_TESTS,))),
         made(CHANGES_BUILD, ("k64_calls", (CHANGE_IMAGES,)), (BOARD_PRESET, (CHANGE_TESTS,))),
+        made(PORT_BUILD, ("k64_calls", (PORT_IMAGE,)), (BOARD_PRESET, (PORT_TESTS,))),
     ]
 
 
@@ -272,6 +276,14 @@ def measurements(root: Path) -> list[Task]:
             (*DESIGN, str(KITS)),
             (str(KITS_RESULT),),
             inputs_from=(CHANGES_BUILD, RECORDED_IMAGES),
+        ),
+        Task(
+            task_record.PORT,
+            partial(test_port, root),
+            (),
+            (str(PORT_RESULT),),
+            inputs_from=(PORT_BUILD,),
+            state=missing_emulator,
         ),
         Task(
             task_record.LIVE,

@@ -1018,6 +1018,19 @@ class KitTest:
 
 
 @dataclass(frozen=True)
+class Port:
+    """The firmware on another microcontroller."""
+
+    files: Mapping[str, int]  # lines of each file that the port adds
+    tests: Mapping[str, str] | None  # the results on the emulator, when they are of these sources
+
+    @property
+    def passed(self) -> bool:
+        """Whether tests ran, and none failed."""
+        return bool(self.tests) and set((self.tests or {}).values()) == {"passed"}
+
+
+@dataclass(frozen=True)
 class MadeChange:
     """A likely change that a kit or an extension makes."""
 

@@ -40,6 +40,7 @@ from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
 from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
+from traceability.reading.ports import read_port
 from traceability.reading.products import read_products
 from traceability.reading.results import read_sizes
 from traceability.reading.seeded_fault_record import last_seeded, read_record
@@ -128,6 +129,7 @@ def _assemble(
         campaigns=read_campaigns(root),
         build=read_build(root),
         proofs=proofs_of(root, declared),
+        port=read_port(root),
     )
     model = replace(model, logic_modules=_logic_modules(model, facts))
     model = _with_calls(model, facts)
@@ -165,7 +167,7 @@ def _last(root: Path, sources: str) -> dict[str, LastRecord]:
 
 def source_files(root: Path) -> list[str]:
     suffixes = (".hpp", ".cpp", ".h", ".dox", ".toml", ".tree", ".pml", ".S", ".ld")
-    folders = (*DESIGN, "changes", "sim", "tests", "requirements", "design")
+    folders = (*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design")
     paths = files_below(root, folders, suffixes)
     return [str(path.relative_to(root)) for path in paths]
 

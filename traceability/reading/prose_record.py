@@ -10,7 +10,18 @@ from traceability.sources import files_below, hash_of
 
 RECORD = RESULTS / "prose.json"
 FOLDERS = (
-    *("docs", "requirements", "design", "src", "extensions", "changes", "sim", "client", "tests"),
+    *(
+        "docs",
+        "requirements",
+        "design",
+        "src",
+        "extensions",
+        "changes",
+        "ports",
+        "sim",
+        "client",
+        "tests",
+    ),
     *("tools", "traceability", "site/portal", "site/templates", "setup", "README.md", "wr"),
 )
 

@@ -17,6 +17,7 @@ SOURCES = (
         "src",
         "extensions",
         "changes",
+        "ports",
         "sim",
         "tests",
         "requirements",
