@@ -25,7 +25,7 @@ from traceability.sources import DESIGN, include_options
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 # Which module may include which; CMake writes it.
-MAP = "build/clang/logic_modules.modulemap"
+MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "sim")
 WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
@@ -124,7 +124,8 @@ def check_format(root: Path, log: TextIO) -> str:
 
 
 def build_with_clang(root: Path, log: TextIO) -> None:
-    build(root, "clang", log)
+    for preset in ("host", "sanitize"):
+        build(root, preset, log)
     words = [*clang_arguments(board=True), *WARNINGS, *include_options(root)]
     words += [f"-fmodule-map-file={root / MAP}", "-fmodules-decluse", "-Xclang", "-fno-cxx-modules"]
     for source in filter(partial(on_board, root), sources(root, DESIGN, ".cpp")):
@@ -134,12 +135,12 @@ def build_with_clang(root: Path, log: TextIO) -> None:
 
 def check_headers(root: Path, log: TextIO) -> None:
     """Compiles each header alone: for this machine with clang, that of a driver for the K64."""
-    for preset in ("clang", "k64"):
+    for preset in ("host", "k64"):
         build(root, preset, log, "all_verify_interface_header_sets")
 
 
 def check_tidy(root: Path, log: TextIO) -> str:
-    directory = root / "build" / "clang"
+    directory = root / "build" / "host"
     if not (directory / "compile_commands.json").exists():
         raise FailureError("the build with clang is missing")
 
