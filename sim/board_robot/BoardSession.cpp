@@ -13,7 +13,7 @@ using std::chrono::nanoseconds;
 
 constexpr std::uint32_t kExceptionOfFirstInterrupt = 16;
 constexpr milliseconds kPeriod{100};
-// A start takes less, and so does everything between two pulses.
+// A start, and the time between two clock pulses, take less.
 constexpr milliseconds kLongest{1000};
 // One start bit, eight data bits and one stop bit at 115200 baud.
 constexpr nanoseconds kByte{86'806};
@@ -68,7 +68,8 @@ bool BoardSession::runThroughPulse() {
   return settle();
 }
 
-// The cycle has run when the processor sleeps, and its report is on the line when the line is idle.
+// The cycle has ended when the processor sleeps, and its report has been sent when the line is
+// idle.
 bool BoardSession::settle() {
   const nanoseconds limit = pulses_.back() + kPeriod;
   if (!board.runToSleep(limit)) {

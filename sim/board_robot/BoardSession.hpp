@@ -14,7 +14,7 @@ namespace wr::board_robot {
 /// @brief The image of the firmware on the virtual K64 in the simulated robot. Its line has 115200 baud.
 class BoardSession final : public scenario::RobotSession {
  public:
-  /// @brief Interrupt of the timer that gives the clock pulses: channel 0 of the PIT.
+  /// @brief Interrupt of the timer that generates the clock pulses: channel 0 of the PIT.
   static constexpr int kPulseInterrupt = 48;
 
   /// @brief Switches the board on.

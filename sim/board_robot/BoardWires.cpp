@@ -21,7 +21,7 @@ struct Input {
   int channel;
 };
 
-// The wires between board and robot, as the page of the hardware lists them.
+// The wires between board and robot, as listed on the page about bring-up.
 struct WheelWires {
   int pwm;  // channel of FTM0
   Pin orientation;

@@ -9,13 +9,14 @@ namespace wr::board_robot {
 /// @brief The robot's physics on the pins of the virtual K64.
 class BoardWires {
  public:
-  /// @brief Connects pins and physics. From now on the physics take a step at each ms of board time.
+  /// @brief Connects pins and physics. From now on the physics advance by a step at each ms of
+  /// board time.
   /// @param board the board; it lives as long as the wires
   explicit BoardWires(emulator::VirtualBoard& board);
   BoardWires(const BoardWires&) = delete;
   BoardWires& operator=(const BoardWires&) = delete;
 
-  /// @brief Passes the step pulses of the steering on to the plant.
+  /// @brief Passes the step pulses of the steering to the plant.
   /// @param event event of the board
   void take(const emulator::Event& event);
 

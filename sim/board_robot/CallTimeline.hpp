@@ -10,7 +10,7 @@
 
 namespace wr::board_robot {
 
-/// @brief Writes the calls and the events of a part of a run, with their instants.
+/// @brief Writes the calls and the events of a part of a run, with their times.
 ///
 /// A line has the time in ns, the name of the event, its number and its value. A call has the
 /// address of the function as its number; an exception has its priority as its value.
@@ -26,7 +26,7 @@ class CallTimeline {
   /// @param robot the image in its robot; it lives as long as the timeline
   /// @param elf file of the image with its symbols
   /// @param window the recorded part of the run
-  /// @param output gets the lines; it lives as long as the timeline
+  /// @param output receives the lines; it lives as long as the timeline
   CallTimeline(BoardSession& robot, const std::filesystem::path& elf, Window window,
                std::ostream& output);
   CallTimeline(const CallTimeline&) = delete;

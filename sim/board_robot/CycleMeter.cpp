@@ -137,7 +137,7 @@ void CycleMeter::leave() {
   }
 }
 
-// Charges the elapsed cycles to the running exception.
+// Adds the elapsed cycles to the costs of the running exception.
 void CycleMeter::charge() {
   const Instant now = present();
   if (measures()) {

@@ -25,7 +25,7 @@ class CycleMeter {
   /// Number of control cycles that are measured.
   static constexpr std::size_t kCycles = 1000;
 
-  /// @brief Costs of something: processor cycles and instructions.
+  /// @brief Costs in processor cycles and instructions.
   struct Cost {
     std::uint64_t cycles = 0;
     std::uint64_t instructions = 0;
@@ -45,16 +45,17 @@ class CycleMeter {
   struct Exception {
     unsigned priority = 0;            ///< 0 to 15; 0 is the highest
     std::uint64_t entries = 0;        ///< times it was entered
-    Cost whole;                       ///< in it, without its interrupts
+    Cost whole;                       ///< costs without those of its interrupts
     Cost toReport;                    ///< the part from the clock pulses to the reports
     std::uint64_t requests = 0;       ///< times a device raised its line
-    std::uint64_t worstLatency = 0;   ///< most cycles from a request to its first instruction
-    std::optional<std::uint64_t> at;  ///< cycle of a request that waits
+    std::uint64_t worstLatency = 0;   ///< greatest number of cycles from a request to its first
+                                      ///< instruction
+    std::optional<std::uint64_t> at;  ///< cycle of a pending request
   };
 
   /// @brief Replaces the observer of the line, and that of the board's writes.
   /// @param robot the image in its robot; it lives as long as the meter
-  /// @param from when to begin; the first control cycle is that of the next clock pulse
+  /// @param from time at which to begin; the first control cycle is that of the next clock pulse
   /// @param profiled whether to count how often each instruction is executed
   CycleMeter(BoardSession& robot, std::chrono::nanoseconds from, bool profiled);
   CycleMeter(const CycleMeter&) = delete;
@@ -66,9 +67,9 @@ class CycleMeter {
   /// @brief Measurement of each exception by its number.
   [[nodiscard]] const std::map<unsigned, Exception>& exceptions() const { return exceptions_; }
 
-  /// @brief How often an instruction was executed.
+  /// @brief Returns the number of executions of an instruction.
   /// @param address its address
-  /// @param toReport true: between the clock pulses and the reports; false: else
+  /// @param toReport true: between the clock pulses and the reports; false: at other times
   [[nodiscard]] std::uint64_t timesOf(std::uint32_t address, bool toReport) const {
     return profile_[toReport ? 1 : 0].timesOf(address);
   }
@@ -104,13 +105,14 @@ class CycleMeter {
   bool begun_ = false;
   bool toReport_ = false;  ///< between a clock pulse and its report
   Instant pulseAt_;
-  Instant chargedAt_;  ///< up to when costs are charged to exceptions
+  Instant chargedAt_;  ///< cycle up to which costs are assigned to exceptions
   Cycle cycle_;
-  std::vector<std::uint32_t> stack_;  ///< its words before the image ran
+  std::vector<std::uint32_t> stack_;  ///< words of the stack before the image ran
   std::vector<unsigned> active_;
   std::vector<Cycle> cycles_;
   std::map<unsigned, Exception> exceptions_;
-  std::array<emulator::ExecutedCode, 2> profile_;  ///< else, between clock pulse and report
+  std::array<emulator::ExecutedCode, 2> profile_;  ///< executions at other times, and between clock
+                                                   ///< pulse and report
   emulator::ExecutedCode rest_;                    ///< after the measured cycles
 };
 

@@ -103,7 +103,7 @@ std::uint32_t Adc::clocksOfConversion() const {
   return (longSample ? 3 : 5) + times * each;
 }
 
-// The right values of PG and MG: half the sum of six results of the calibration.
+// The correct values of PG and MG: half the sum of six results of the calibration.
 std::uint32_t Adc::gain(std::uint32_t firstResult) const {
   std::uint32_t sum = 0;
   for (std::uint32_t i = 0; i < 6; ++i) {
@@ -201,7 +201,7 @@ void Adc::finish() {
   } else {
     calibrated_ = calibrates_;
     at(kSc3) = (at(kSc3) & ~kCalibrates) | (calibrates_ ? 0 : kFailed);
-    // Results a little off those that the registers hold after a reset.
+    // Results that differ a little from the reset values of the registers.
     at(kClps) = 0x24;
     at(kClms) = 0x22;
   }

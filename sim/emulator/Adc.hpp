@@ -14,8 +14,8 @@ namespace wr::emulator {
 /// K64P144M120SF5RM, chapter Analog-to-Digital Converter (ADC); limits of its clock: data sheet
 /// K64P144M120SF5, 16-bit ADC operating conditions.
 ///
-/// A conversion takes the voltage at which it begins. An open input keeps the charge that the
-/// conversion before it left on the capacitor of the converter. Modelled are single-ended
+/// A conversion uses the voltage at its beginning. An open input keeps the charge of the previous
+/// conversion on the capacitor of the converter. Modelled are single-ended
 /// conversions that the program starts, and the calibration. Not modelled: hardware triggers,
 /// differential inputs, continuous conversions, the compare function, DMA, other clocks than the
 /// bus clock.
@@ -34,7 +34,7 @@ class Adc final : public Peripheral {
   /// @brief Puts a voltage on an input.
   void setVolts(unsigned channel, double volts) { volts_.at(channel) = volts; }
 
-  /// @brief Opens an input: it has the voltage that the conversion before left on the capacitor.
+  /// @brief Opens an input: it has the voltage of the previous conversion on the capacitor.
   void open(unsigned channel) { volts_.at(channel).reset(); }
 
   void reset(Reset cause) override;
@@ -70,7 +70,7 @@ class Adc final : public Peripheral {
   bool calibrates_;
   std::function<Input(unsigned)> input_;
   std::array<std::optional<double>, 24> volts_;
-  double capacitor_ = 0;  ///< voltage of the conversion before; all inputs share the capacitor
+  double capacitor_ = 0;  ///< voltage of the previous conversion; all inputs share the capacitor
 
   std::array<std::uint32_t, kWords> words_{};
   Doing doing_ = Doing::Nothing;

@@ -6,7 +6,7 @@
 
 namespace wr::emulator {
 
-/// @brief A block of peripheral registers and the clock gate before it.
+/// @brief A block of peripheral registers and its clock gate.
 struct Block {
   std::string_view name;
   std::uint32_t base;

@@ -39,7 +39,8 @@ void CallRecorder::leave() {
 }
 
 void CallRecorder::block(std::uint32_t address, std::uint32_t stack, std::uint32_t link) {
-  // A function has returned when the block after its call begins, at the stack of the call.
+  // A function has returned when the block after its call begins with the stack pointer of the
+  // call.
   while (!calls_.empty() && calls_.back().returnsTo == address && calls_.back().stack <= stack) {
     leave();
   }
@@ -53,7 +54,8 @@ void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) 
 }
 
 void CallRecorder::exceptionLeft() {
-  // The calls that jumps left before the return of the handler, and the handler itself.
+  // Ends the calls that were left by jumps before the return of the handler, and the handler
+  // itself.
   while (!calls_.empty()) {
     const bool handler = calls_.back().returnsTo == 0;
     const std::size_t begin = calls_.back().begin;
@@ -65,7 +67,7 @@ void CallRecorder::exceptionLeft() {
   }
 }
 
-// The interrupts of fast timers call the same again and again: it is recorded once.
+// The interrupts of fast timers repeat the same calls, which are recorded once.
 void CallRecorder::forgetRepeated(std::size_t begin) {
   const auto first = events_.begin() + static_cast<std::ptrdiff_t>(begin);
   if (!truncated_ && !handled_.emplace(first, events_.end()).second) {

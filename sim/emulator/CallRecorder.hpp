@@ -10,21 +10,21 @@
 
 namespace wr::emulator {
 
-/// @brief Records which functions of an image are entered and left. An interrupt that calls the same as one
-/// before is not recorded again.
+/// @brief Records the entries and exits of the functions of an image. An interrupt with the same
+/// calls as an earlier one is not recorded again.
 ///
 /// The file has one little-endian number of 64 bits for each event: the address of the function,
-/// with bit 63 set when it is left, as the traces of the tests on the host.
+/// with bit 63 set when it is left, like the traces of the tests on the host.
 class CallRecorder {
  public:
   /// @brief Reads the addresses of the functions.
   /// @param elf file of the image with its symbols
-  /// @param most events after which nothing more is recorded
+  /// @param most greatest number of recorded events
   explicit CallRecorder(const std::filesystem::path& elf, std::size_t most = 30000);
 
   /// @brief Records the calls of some functions.
   /// @param functions addresses of the functions
-  /// @param most events after which nothing more is recorded
+  /// @param most greatest number of recorded events
   CallRecorder(std::vector<std::uint32_t> functions, std::size_t most);
 
   /// @brief A block of instructions begins.
@@ -36,7 +36,7 @@ class CallRecorder {
   /// @brief An exception was left.
   void exceptionLeft();
 
-  /// @brief The processor was reset: nothing is entered any more.
+  /// @brief The processor was reset: no function is active any more.
   void reset();
 
   /// @brief Clears the events; open calls stay open.
@@ -51,7 +51,7 @@ class CallRecorder {
   /// @brief The events, oldest first.
   [[nodiscard]] const std::vector<std::uint64_t>& events() const { return events_; }
 
-  /// @brief Returns whether events were left out.
+  /// @brief Returns whether events were dropped.
   [[nodiscard]] bool truncated() const { return truncated_; }
 
   /// @brief Writes the events to a file.

@@ -6,18 +6,18 @@
 
 namespace wr::emulator {
 
-/// @brief Time on the board. A picosecond is fine enough to distinguish the edges of each clock.
+/// @brief Time on the board. A resolution of a picosecond distinguishes the edges of each clock.
 using Time = std::chrono::duration<std::int64_t, std::pico>;
 
-/// @brief A time that does not come.
+/// @brief A time that never comes.
 inline constexpr Time kNever = Time::max();
 
 /// @brief A clock signal whose frequency can change; it counts its edges since the board was
 /// switched on.
 class Clock {
  public:
-  /// @brief Changes the frequency. The count goes on.
-  /// @param now when it changes
+  /// @brief Changes the frequency. The count continues.
+  /// @param now time of the change
   /// @param hz new frequency; 0 stops the clock
   void set(Time now, std::uint64_t hz) {
     count_ = count(now);
@@ -62,7 +62,7 @@ class Clock {
   __extension__ using Wide = unsigned __int128;
   static constexpr std::uint64_t kSecond = 1'000'000'000'000;
 
-  // (value * factor + more) / divisor. A product that fits in 64 bits is divided there, which is
+  // (value * factor + more) / divisor. A product of up to 64 bits is divided with 64 bits, which is
   // much faster.
   static std::uint64_t scale(std::uint64_t value, std::uint64_t factor, std::uint64_t more,
                              std::uint64_t divisor) {
@@ -79,7 +79,7 @@ class Clock {
   Time from_{0};
   std::uint64_t count_ = 0;
   std::uint64_t hz_ = 0;
-  // The frequency as a fraction in its lowest terms: so many edges in so many picoseconds.
+  // The frequency as a fraction in its lowest terms: a number of edges in a number of picoseconds.
   std::uint64_t edges_ = 0;
   std::uint64_t picoseconds_ = 1;
 };

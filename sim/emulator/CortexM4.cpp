@@ -282,12 +282,12 @@ void CortexM4::takePending() {
     deliver(exception, pc());
     return;
   }
-  // After an entry the next one may preempt before its first instruction: that of a late arrival.
+  // After an entry another exception may preempt before the first instruction: late arrival.
   while (enterNext()) {
   }
 }
 
-// Enters the first pending exception if its turn has come.
+// Enters the first pending exception if its priority permits.
 bool CortexM4::enterNext() {
   const unsigned next = nvic_.first();
   if (next == 0) {
@@ -297,7 +297,7 @@ bool CortexM4::enterNext() {
   if (wanted >= nvic_.activePriority()) {
     return false;  // until an exception returns or a register of the NVIC is written
   }
-  // WFI ends also for an interrupt that PRIMASK alone keeps away: ARMv7-M ARM, B1.5.18.
+  // WFI ends also for an interrupt that only PRIMASK blocks: ARMv7-M ARM, B1.5.18.
   if (sleeping_) {
     sleeping_ = wanted >= executionPriority(false);
   }
@@ -447,8 +447,8 @@ void CortexM4::fault(unsigned exception, std::uint32_t status, std::uint32_t pc,
   deliver(exception, pc);
 }
 
-// ARMv7-M ARM, B1.5.14: a fault that may not be taken becomes a HardFault; a HardFault that may not
-// be taken locks up the processor.
+// ARMv7-M ARM, B1.5.14: a fault that cannot be entered becomes a HardFault; a HardFault that cannot
+// be entered locks up the processor.
 void CortexM4::deliver(unsigned exception, std::uint32_t pc) {
   const int running = executionPriority();
   unsigned taken = exception;
@@ -516,7 +516,7 @@ void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
       report("unmapped-memory", what);
       return;
     }
-    // The fault that stacking met is taken in place of the exception, which stays pending. A
+    // A fault during stacking is entered instead of the exception, which stays pending. A
     // handler of faults runs although its own frame is lost (ARM DDI 0337E, 5.12.1).
     const int running = executionPriority();
     const bool bus = nvic_.isEnabled(kBusFault) &&

@@ -17,7 +17,7 @@ namespace wr::emulator {
 /// @brief A Cortex-M4F: the core that executes the instructions, with its exceptions, interrupt
 /// controller and system control.
 ///
-/// Time is counted in cycles, by the rules of Timing. The same program gives the same run, always.
+/// Time is counted in cycles, according to Timing. Each run of a program is equal.
 ///
 /// Not modelled: bit-banding, the memory protection unit, lazy stacking of the floating-point
 /// registers (they are stacked at entry), LDM and STM that an interrupt divides.
@@ -30,8 +30,8 @@ class CortexM4 {
   /// @brief Action of the program that stopped it.
   struct Problem {
     std::string id;        ///< kind of finding
-    std::string what;      ///< what happened, in words
-    std::uint32_t pc = 0;  ///< instruction that did it
+    std::string what;      ///< description
+    std::uint32_t pc = 0;  ///< instruction that caused it
   };
 
   /// @brief Why run() returned.
@@ -42,10 +42,10 @@ class CortexM4 {
     Exit      ///< exit() was called
   };
 
-  /// @brief Why an exception was entered or left.
+  /// @brief Reason for the entry or the exit of an exception.
   enum class Step { Entered, Left };
 
-  /// @brief Makes a processor without memory.
+  /// @brief Constructs a processor without memory.
   /// @param lines number of interrupt lines, 1 to 240
   /// @param priorityBits number of bits of a priority, 3 to 8
   /// @param timing cost of instructions
@@ -64,7 +64,7 @@ class CortexM4 {
   /// @param address first address, a multiple of 4096
   /// @param size bytes, a multiple of 4096
   /// @param read returns the value that the program reads
-  /// @param write gets the value that the program writes
+  /// @param write receives the value that the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
   /// @brief Writes memory from outside, also where the program may not.
@@ -80,19 +80,19 @@ class CortexM4 {
 
   /// @brief Runs the program.
   /// @param limit number of cycles since construction at which to return
-  /// @return why it returned
+  /// @return reason of the return
   Stop run(std::uint64_t limit);
 
-  /// @brief Makes run() return at a cycle earlier than its limit. For calls of windows.
+  /// @brief Makes run() return at a cycle earlier than its limit. Used in the calls of windows.
   void limitTo(std::uint64_t cycle);
 
-  /// @brief Makes run() return before the next instruction. For calls of windows.
+  /// @brief Makes run() return before the next instruction. Used in the calls of windows.
   void stop() { limitTo(0); }
 
   /// @brief Makes run() return Stop::Exit before the next instruction.
   void exit();
 
-  /// @brief Lets time pass without an instruction, as in sleep.
+  /// @brief Lets time pass without an instruction, as during sleep.
   void skipTo(std::uint64_t cycle);
 
   /// @brief Cycles since construction; a reset does not clear them.
@@ -111,31 +111,33 @@ class CortexM4 {
   /// @brief Number of the exception that runs, 0 in thread mode.
   [[nodiscard]] unsigned exception() const { return core_.registers.exception; }
 
-  /// @brief Priority of an exception, as its register holds it.
+  /// @brief Priority of an exception, as in its register.
   [[nodiscard]] int priority(unsigned exception) const { return nvic_.priority(exception); }
 
   /// @brief Sets the level of an interrupt line.
   void setLine(unsigned line, bool high);
 
-  /// @brief Triggers an exception as the hardware does; a fault is taken at the next instruction.
+  /// @brief Triggers an exception as the hardware does; a fault is entered at the next instruction.
   /// @param exception number, 2 NMI, 3 HardFault, ... 16 interrupt line 0
   void raise(unsigned exception);
 
-  /// @brief An access of a window gets a bus fault, or is a problem when faults are.
+  /// @brief An access to a window causes a bus fault, or a problem when faults are problems.
   /// @param id kind of finding
-  /// @param event in words
+  /// @param event description
   void refuse(std::uint32_t address, std::string id, std::string event);
 
-  /// @brief Stops the program with a problem, whatever the treatment of faults.
+  /// @brief Stops the program with a problem, independent of the handling of faults.
   void report(std::string id, std::string what);
 
   /// @brief The problem that stopped the program.
   [[nodiscard]] const std::optional<Problem>& problem() const;
 
-  /// @brief Faults stop the program as problems (true), or are delivered to it (false, at first).
+  /// @brief Faults stop the program as problems (true), or are passed to its handlers (false, at
+  /// first).
   void setFaultsAreProblems(bool problems);
 
-  /// @brief Sets the callback at BKPT 0xAB. The call sets register 0; the program goes on after it.
+  /// @brief Sets the callback at BKPT 0xAB. The call sets register 0, and the program continues
+  /// after it.
   void onSemihosting(std::function<void(CortexM4&)> call);
 
   /// @brief Sets the callback when an exception was entered or left.
@@ -144,19 +146,19 @@ class CortexM4 {
   /// @brief Sets the callback for reset requests of the program.
   void onResetRequest(std::function<void()> call);
 
-  /// @brief Sets the callback when a fault meets no handler that may run. Without it: a problem.
+  /// @brief Sets the callback when a fault has no handler that can run. Without it: a problem.
   void onLockup(std::function<void()> call);
 
   /// @brief Sets the callback before an access that is not modelled is a problem.
-  /// @param call gets the access in words; returns true when the program goes on: a load gives 0, a
-  /// store does nothing
+  /// @param call gets a description of the access; returns true if the program continues: a load
+  /// then returns 0, a store has no effect
   void onUnmodelled(std::function<bool(const std::string& what)> call);
 
   /// @brief Sets the callback before the first instruction after a reset and after each branch.
   void onBlock(std::function<void(std::uint32_t address)> call);
 
-  /// @brief Sets the callback before each instruction. For a debugger: it may change the registers, and
-  /// memory with load().
+  /// @brief Sets the callback before each instruction. For a debugger, which may change the
+  /// registers, and memory with load().
   void onInstruction(std::function<void()> call) { core_.onInstruction(std::move(call)); }
 
   /// @brief Sets the callback after each load and store of the program; empty: none.
@@ -172,16 +174,16 @@ class CortexM4 {
 
   /// @brief Reads a register of system control without an effect.
   /// @param address a multiple of 4
-  /// @param value gets the content
-  /// @return false where there is none, or where reading has an effect
+  /// @param value receives the content
+  /// @return false if there is no register, or if reading has an effect
   [[nodiscard]] bool inspectSystem(std::uint32_t address, std::uint32_t& value);
 
-  /// @brief Notes each instruction that is executed from now on.
-  /// @param code where they are noted; must outlive the processor
+  /// @brief Records each instruction that is executed from now on.
+  /// @param code receives the records; must outlive the processor
   void noteExecuted(ExecutedCode& code) { core_.noteExecuted(code); }
 
   /// @brief Records the lowest stack pointer from now on.
-  /// @param lowest keeps the lowest; must outlive the processor
+  /// @param lowest receives the lowest value; must outlive the processor
   void noteStack(std::uint32_t& lowest) { core_.noteStack(lowest); }
 
  private:
@@ -225,7 +227,7 @@ class CortexM4 {
   std::uint64_t limit_ = 0;
   bool running_ = false;  ///< inside the core
   bool sleeping_ = false;
-  std::vector<bool> blockWaits_;  ///< of each entered exception: whether it came before a block
+  std::vector<bool> blockWaits_;  ///< for each entered exception, whether it came before a block
   bool exit_ = false;
   bool faultsAreProblems_ = false;
   unsigned raised_ = 0;

@@ -55,7 +55,7 @@ std::uint32_t& special(Registers& x, std::size_t number) {
   }
 }
 
-// The widest access that begins at an address and has no more than so many bytes.
+// The widest access that begins at an address and is not longer than a number of bytes.
 unsigned widest(std::uint32_t address, std::size_t left) {
   if (address % 4 == 0 && left >= 4) {
     return 4;
@@ -108,7 +108,7 @@ std::optional<std::uint32_t> DebugPort::inspect(std::uint32_t address, unsigned 
   return bus_.read(address, size, value) ? std::optional(value) : std::nullopt;
 }
 
-// The registers of a block differ in size: an access of the wrong size is refused, and a narrower
+// The registers of a block differ in size: an access of the wrong size is rejected, and a narrower
 // one is tried.
 std::size_t DebugPort::readMemory(std::uint32_t address, std::span<std::uint8_t> bytes) const {
   std::size_t done = 0;

@@ -13,8 +13,8 @@ namespace wr::emulator {
 
 class CortexM4;
 
-/// @brief The access of a debugger to the processor and its memory. No access makes time pass, and none
-/// is a finding.
+/// @brief The access of a debugger to the processor and its memory. An access takes no time and is
+/// never a finding.
 class DebugPort {
  public:
   /// @brief A register that a debugger sees.
@@ -25,16 +25,16 @@ class DebugPort {
 
   /// @brief Accesses of the peripherals, and the time.
   struct Bus {
-    /// Reads 1, 2 or 4 bytes; false where that is refused.
+    /// Reads 1, 2 or 4 bytes; false if the access is rejected.
     std::function<bool(std::uint32_t address, unsigned size, std::uint32_t& value)> read;
-    /// Writes 1, 2 or 4 bytes; false where that is refused.
+    /// Writes 1, 2 or 4 bytes; false if the access is rejected.
     std::function<bool(std::uint32_t address, unsigned size, std::uint32_t value)> write;
     /// Time since the board was switched on.
     std::function<std::chrono::nanoseconds()> now;
   };
 
   /// @param cpu the processor
-  /// @param bus the way to the peripherals
+  /// @param bus access to the peripherals
   DebugPort(CortexM4& cpu, Bus bus) : cpu_(cpu), bus_(std::move(bus)) {}
 
   /// @brief Number of the program counter.
@@ -51,7 +51,8 @@ class DebugPort {
   /// @param number index in registers()
   void write(std::size_t number, std::uint64_t value);
 
-  /// @brief Reads memory and registers of peripherals. A register that reading would change is not read.
+  /// @brief Reads memory and registers of peripherals. A register that changes when it is read is
+  /// not read.
   /// @return number of bytes up to the first one that cannot be read
   [[nodiscard]] std::size_t readMemory(std::uint32_t address, std::span<std::uint8_t> bytes) const;
 

@@ -8,13 +8,13 @@ namespace wr::emulator {
 /// @brief Cause of a reset of the board, from outside or from inside.
 enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Software, LockLost };
 
-/// @brief Something that happened on the board.
+/// @brief An event on the board.
 struct Event {
   enum class Kind {
     ExceptionEntered,  ///< number: of the exception
     ExceptionLeft,     ///< number: of the exception
     Reset,             ///< number: of the Reset
-    PinChanged,        ///< number: 32 * port + pin; value: level that the program puts out
+    PinChanged,        ///< number: 32 * port + pin; value: level that the program outputs
     ByteSent,          ///< number: of the UART; value: the byte, at the end of its stop bit
     PwmChanged,        ///< number: 8 * FTM + channel; value: millionths of the period at high level
     LineRaised,        ///< number: of the exception whose interrupt line a device raises

@@ -10,22 +10,22 @@ namespace wr::emulator {
 /// @brief Returns the name of a kind of event in the files.
 [[nodiscard]] const char* nameOf(Event::Kind kind);
 
-/// @brief What happened on a virtual board: a number for the whole of it, and a line for each event.
+/// @brief The events of a virtual board: a hash of all of them, and a line for each event.
 class EventTrace {
  public:
   /// @brief Begins a trace.
-  /// @param lines gets the events as comma-separated values; null: only the hash is made
+  /// @param lines receives the events as comma-separated values; null: only the hash is computed
   explicit EventTrace(std::ostream* lines = nullptr);
 
   /// @brief Adds an event.
-  /// @param event what happened
+  /// @param event the event
   void add(const emulator::Event& event);
 
   /// @brief Number of events.
   /// @return the number
   [[nodiscard]] std::uint64_t events() const { return events_; }
 
-  /// @brief FNV-1a of all events: two runs that differ in anything have different ones.
+  /// @brief FNV-1a of all events: runs that differ have different hashes.
   /// @return the hash
   [[nodiscard]] std::uint64_t hash() const { return hash_; }
 

@@ -7,10 +7,10 @@
 
 namespace wr::emulator {
 
-/// @brief How often each instruction was executed that is in flash or in the lower RAM.
+/// @brief The number of executions of each instruction in flash or in the lower RAM.
 class ExecutedCode {
  public:
-  /// @brief Counts an instruction; one in other memory is not counted.
+  /// @brief Counts an instruction; instructions in other memory are not counted.
   /// @param address its first address
   void note(std::uint32_t address) {
     const std::size_t half = halfOf(address);
@@ -22,7 +22,7 @@ class ExecutedCode {
   /// @brief Returns whether the instruction at an address was executed.
   [[nodiscard]] bool noted(std::uint32_t address) const { return timesOf(address) != 0; }
 
-  /// @brief Returns how often the instruction at an address was executed.
+  /// @brief Returns the number of executions of the instruction at an address.
   [[nodiscard]] std::uint64_t timesOf(std::uint32_t address) const {
     const std::size_t half = halfOf(address);
     return half < counts_.size() ? counts_[half] : 0;
@@ -37,7 +37,7 @@ class ExecutedCode {
   /// @brief Forgets all.
   void clear() { std::ranges::fill(counts_, std::uint64_t{0}); }
 
-  /// @brief Which instructions were executed: one bit for each half-word, those of the lower RAM first,
+  /// @brief The executed instructions: one bit for each half-word, those of the lower RAM first,
   /// then those of the flash; the lowest bit of a byte first.
   [[nodiscard]] std::vector<std::uint8_t> bits() const {
     std::vector<std::uint8_t> bits(counts_.size() / 8);

@@ -6,11 +6,11 @@
 
 namespace wr::emulator {
 
-/// @brief Something that the firmware did, or left undone, that a board would not forgive.
+/// @brief A mistake of the firmware that would be a fault on a real board.
 struct Finding {
   std::string id;               ///< kind of finding, e.g. clock-gate
-  std::string what;             ///< what happened, in words
-  std::uint32_t pc = 0;         ///< instruction that did it
+  std::string what;             ///< description
+  std::uint32_t pc = 0;         ///< instruction that caused it
   std::string function;         ///< function of the instruction; empty without an ELF file
   std::string place;            ///< file and line of the instruction; empty without an ELF file
   std::chrono::nanoseconds at;  ///< time since the board was switched on

@@ -114,7 +114,7 @@ void Ftm::show() {
   }
 }
 
-// Returns whether the write protection keeps a field as it is.
+// Returns whether the write protection prevents a change of a field.
 bool Ftm::isProtected(std::uint32_t before, std::uint32_t after, const char* what) {
   if (protectionOff_ || before == after) {
     return false;
@@ -148,7 +148,7 @@ void Ftm::takeWritten() {
   show();
 }
 
-// A value of MOD + 1 gives a pin that is always high, a greater one is of no use.
+// A value of MOD + 1 keeps the pin high; greater values have no purpose.
 void Ftm::checkValues() {
   for (const Channel& channel : channels_) {
     if (counts() && (channel.control & kPwm) != 0 && channel.value > period()) {
@@ -242,7 +242,7 @@ void Ftm::setMode(std::uint32_t value) {
   if ((value & ~kProtectionOff) != 0) {
     unmodelled(name_ + "_MODE with more than WPDIS", kMode);
   }
-  // WPDIS is set by a one after FMS.WPEN was read as one; a zero does nothing.
+  // Writing 1 sets WPDIS after FMS.WPEN was read as 1; writing 0 has no effect.
   if ((value & kProtectionOff) != 0 && std::exchange(protectionSeen_, false)) {
     protectionOff_ = true;
   }

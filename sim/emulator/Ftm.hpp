@@ -10,12 +10,12 @@
 
 namespace wr::emulator {
 
-/// @brief A timer that makes pulses of a width: edge-aligned pulse-width modulation on its channels,
-/// counted with the bus clock.
+/// @brief A timer that generates pulses of a width: edge-aligned pulse-width modulation on its
+/// channels, counted with the bus clock.
 /// K64P144M120SF5RM, chapter FlexTimer Module (FTM).
 ///
 /// Not modelled: all other modes, interrupts, the flags of channels (they read 0), and MODE.FTMEN
-/// with the registers that it opens: those can only be written with their values after a reset.
+/// with the registers that it enables: those can only be written with their values after a reset.
 class Ftm final : public Peripheral {
  public:
   /// @param number 0 to 3
@@ -38,14 +38,15 @@ class Ftm final : public Peripheral {
   /// @brief Returns whether the counter runs.
   [[nodiscard]] bool counts() const { return (control_ >> 3 & 3U) != 0; }
 
-  /// @brief Reports the channels whose duty cycle has changed. For the board, when the pins may have.
+  /// @brief Reports the channels whose duty cycle has changed. The board calls it when the pins may
+  /// have changed.
   void show();
 
  private:
   struct Channel {
     std::uint32_t control = 0;
-    std::uint32_t value = 0;                 ///< CnV as the comparator has it
-    std::optional<std::uint32_t> written{};  ///< CnV as it waits for the end of the period
+    std::uint32_t value = 0;                 ///< CnV in the comparator
+    std::optional<std::uint32_t> written{};  ///< CnV that takes effect at the end of the period
     std::uint32_t shown = 0;
   };
 
@@ -73,13 +74,13 @@ class Ftm final : public Peripheral {
 
   std::array<Channel, 8> channels_{};
   std::uint32_t control_ = 0;  ///< SC without its flag
-  std::uint32_t modulo_ = 0;   ///< MOD as the counter has it
+  std::uint32_t modulo_ = 0;   ///< MOD in the counter
   std::optional<std::uint32_t> moduloWritten_;
   std::uint32_t configuration_ = 0;
   bool protectionOff_ = true;  ///< MODE.WPDIS
   bool protectionSeen_ = false;
   std::uint64_t from_ = 0;  ///< count of the bus clock at which the counter was 0
-  std::uint32_t held_ = 0;  ///< the counter while it is stopped
+  std::uint32_t held_ = 0;  ///< value of the counter while it is stopped
   std::uint64_t overflowsBefore_ = 0;
   std::uint64_t overflowsSeen_ = 0;
   bool flagRead_ = false;

@@ -31,7 +31,7 @@ constexpr unsigned kFromInternal = 1;
 constexpr unsigned kFromExternal = 2;
 constexpr unsigned kFromPll = 3;
 
-// The manual bounds these by a few cycles of the clocks involved.
+// The manual limits these times to a few cycles of the clocks involved.
 constexpr Time kReferenceDelay = 60us;
 constexpr Time kSwitchDelay = 5us;
 constexpr Time kPllChosenDelay = 5us;
@@ -204,7 +204,7 @@ void Mcg::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       c6_ = value;
       break;
     case kS:
-      lostLock_ = lostLock_ && (value & 0x80U) == 0;  // LOLS0 is cleared by a one
+      lostLock_ = lostLock_ && (value & 0x80U) == 0;  // LOLS0 is cleared by writing 1
       return;
     case kSc:
       sc_ = value;
@@ -224,7 +224,7 @@ void Mcg::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
   }
   if (((c5_ ^ c5Before) & 0x1FU) != 0 || ((c6_ ^ c6Before) & 0x1FU) != 0) {
     if (source_.now == kFromPll) {
-      misuse("MCG: divider of the PLL changed while it is the clock");
+      misuse("MCG: divider of the PLL changed while the PLL is the clock");
     }
     locked_ = {};
   }
@@ -236,7 +236,7 @@ void Mcg::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
 void Mcg::checkChange(Mode before, bool wasSettled) {
   const Mode after = mode();
   if (after == Mode::None || !leadsTo(before, after)) {
-    misuse("MCG: change of mode that the state diagram does not have");
+    misuse("MCG: change of mode that the state diagram does not contain");
   } else if (after != before && !wasSettled) {
     misuse("MCG: change of mode before the last one is complete");
   } else if (after == Mode::Pee && before == Mode::Pbe && locked_.now == 0) {
@@ -316,7 +316,7 @@ void Mcg::advance() {
 
 void Mcg::lockIsLost() {
   lostLock_ = true;
-  // C8.LOLRE: the loss of the lock resets.
+  // C8.LOLRE: the loss of the lock causes a reset.
   if ((c8_ & 0x40U) != 0) {
     board_.requestReset(Reset::LockLost, "reset-request", "the PLL lost its lock");
   }
@@ -331,7 +331,7 @@ void Mcg::loseLock() {
 void Mcg::setExternalClock(bool present) {
   const bool lost = external_ && !present;
   external_ = present;
-  // C6.CME0 with C2.LOCRE0: the loss of the clock resets.
+  // C6.CME0 with C2.LOCRE0: the loss of the clock causes a reset.
   if (lost && (c6_ & 0x20U) != 0 && (c2_ & 0x80U) != 0) {
     board_.requestReset(Reset::ClockLost, "reset-request", "the external clock was lost");
     return;

@@ -12,7 +12,7 @@ class Mcg final : public Peripheral {
  public:
   static constexpr std::uint64_t kExternalHz = 50'000'000;
 
-  /// @param externalClock whether the external clock is there
+  /// @param externalClock whether the external clock is present
   /// @param failingStep step that never ends, 0 for none: 2 the change to the external clock, 3 the lock
   /// of the PLL, 4 the change to the PLL
   Mcg(Microcontroller& board, bool externalClock, unsigned failingStep)
@@ -24,13 +24,13 @@ class Mcg final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief Lets the external clock come or go.
+  /// @brief Starts or stops the external clock.
   void setExternalClock(bool present);
 
-  /// @brief The PLL loses its lock.
+  /// @brief Makes the PLL lose its lock.
   void loseLock();
 
-  /// @brief Lets each step end that was not there at the start.
+  /// @brief Ends the failure of the step that the options set.
   void endFailure() { failingStep_ = 0; }
 
   /// @brief Frequency of the output, MCGOUTCLK.

@@ -6,10 +6,10 @@
 
 namespace wr::emulator {
 
-/// @brief State and priorities of the exceptions: which are enabled, pending and active, and which
-/// comes next. Registers and order of ARMv7-M ARM, B1.5 and B3.4.
+/// @brief State and priorities of the exceptions: the enabled, pending and active ones, and the
+/// next one. Registers and order of ARMv7-M ARM, B1.5 and B3.4.
 ///
-/// Exceptions are counted as the architecture does: 2 NMI, 3 HardFault, ... 16 interrupt line 0.
+/// Exceptions are numbered as in the architecture: 2 NMI, 3 HardFault, ... 16 interrupt line 0.
 class Nvic {
  public:
   /// @brief Lower than the priority of each exception.
@@ -17,7 +17,7 @@ class Nvic {
 
   Nvic(unsigned lines, unsigned priorityBits);
 
-  /// @brief Nothing is enabled, pending or active; levels of the lines stay.
+  /// @brief Nothing is enabled, pending or active; levels of the lines do not change.
   void reset();
 
   void pend(unsigned exception) { pending_.set(exception); }
@@ -37,7 +37,7 @@ class Nvic {
   /// @return true when it did.
   bool setLine(unsigned line, bool high);
 
-  /// @brief Times an interrupt was entered since its line rose.
+  /// @brief Number of entries of an interrupt since its line rose.
   [[nodiscard]] unsigned entriesOfHighLine(unsigned exception) const;
 
   /// @brief The pending and enabled exception that comes first; 0 without one.
@@ -53,7 +53,7 @@ class Nvic {
     return priority < 0 ? priority : priority & ~((2 << priorityGroup_) - 1);
   }
 
-  /// @brief The priority of the running code, by the active exceptions.
+  /// @brief The priority of the running code, from the active exceptions.
   [[nodiscard]] int activePriority() const;
 
   void setPriority(unsigned exception, std::uint8_t value);
@@ -61,7 +61,7 @@ class Nvic {
   void setPriorityGroup(unsigned group) { priorityGroup_ = group; }
   [[nodiscard]] unsigned priorityGroup() const { return priorityGroup_; }
 
-  /// @brief Enables an exception; those below 16 but 4, 5 and 6 are always enabled.
+  /// @brief Enables an exception; those below 16 except 4, 5 and 6 are always enabled.
   void enable(unsigned exception, bool enabled) { enabled_.set(exception, enabled); }
   [[nodiscard]] bool isEnabled(unsigned exception) const { return enabled_[exception]; }
 

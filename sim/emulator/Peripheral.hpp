@@ -9,7 +9,7 @@
 
 namespace wr::emulator {
 
-/// @brief The part of the microcontroller that a peripheral can see.
+/// @brief The part of the microcontroller that a peripheral can use.
 class Microcontroller {
  public:
   Microcontroller(const Microcontroller&) = delete;
@@ -25,16 +25,16 @@ class Microcontroller {
   /// @brief Raises the non-maskable interrupt.
   virtual void raiseNmi() = 0;
 
-  /// @brief The sources or dividers of the clocks have changed.
+  /// @brief Reports a change of the sources or dividers of the clocks.
   virtual void clocksChanged() = 0;
 
   /// @brief Stops the run with a finding.
   virtual void report(std::string id, std::string what) = 0;
 
-  /// @brief The access that is served gets a bus fault.
+  /// @brief Answers the present access with a bus fault.
   virtual void refuse(std::string id, std::string what) = 0;
 
-  /// @brief Resets the microcontroller; a finding when resets are.
+  /// @brief Resets the microcontroller; a finding when resets are findings.
   virtual void requestReset(Reset cause, std::string id, std::string what) = 0;
 
   /// @brief Reports an event.
@@ -52,7 +52,7 @@ class Peripheral {
   Peripheral& operator=(const Peripheral&) = delete;
   virtual ~Peripheral() = default;
 
-  /// @brief Takes the state that a reset leaves.
+  /// @brief Sets the state after a reset.
   virtual void reset(Reset cause) = 0;
 
   /// @brief Reads a register.
@@ -70,7 +70,7 @@ class Peripheral {
   /// @brief Writes a register.
   virtual void write(std::uint32_t offset, unsigned size, std::uint32_t value) = 0;
 
-  /// @brief When something happens by itself; kNever when nothing does.
+  /// @brief The time of the next event without an access; kNever without one.
   [[nodiscard]] virtual Time nextEvent() const { return kNever; }
 
   /// @brief Updates the state to the present time.
@@ -79,7 +79,7 @@ class Peripheral {
   /// @brief Last result of nextEvent().
   [[nodiscard]] Time due() const { return due_; }
 
-  /// @brief Asks nextEvent() again. For the board, after all that may have changed it.
+  /// @brief Asks nextEvent() again. The board calls it after each possible change.
   void renewDue() { due_ = nextEvent(); }
 
  protected:
@@ -88,7 +88,7 @@ class Peripheral {
   /// @brief Reports an access of a register that the model does not have.
   void unmodelled(std::string_view block, std::uint32_t offset);
 
-  /// @brief Reports an access whose size is not that of the register.
+  /// @brief Reports an access with another size than the register.
   /// @return true when the size is right.
   bool hasSize(std::string_view block, std::uint32_t offset, unsigned size, unsigned right);
 

@@ -46,8 +46,8 @@ inline constexpr std::array<PinFunction, 12> kUartPins{{
     {'E', 24, 3, 4, kSend},
 }};
 
-/// @brief The single-ended inputs of the converters: the same tables. Of channels 4 to 7 those are
-/// the inputs b.
+/// @brief The single-ended inputs of the converters: the same tables. The channels 4 to 7 are the
+/// inputs b.
 inline constexpr std::array<PinFunction, 21> kAdcPins{{
     {'C', 2, 0, 0, 4},   {'D', 1, 0, 0, 5},  {'D', 5, 0, 0, 6},   {'D', 6, 0, 0, 7},
     {'B', 0, 0, 0, 8},   {'B', 1, 0, 0, 9},  {'B', 2, 0, 0, 12},  {'B', 3, 0, 0, 13},

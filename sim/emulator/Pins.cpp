@@ -17,7 +17,7 @@ constexpr std::uint32_t kDfcr = 0xC4;
 constexpr std::uint32_t kDfwr = 0xC8;
 
 constexpr unsigned kPortWithFilters = 3;        // D
-constexpr std::uint32_t kPinsOfFilters = 0xFF;  // the pins that the port has
+constexpr std::uint32_t kPinsOfFilters = 0xFF;  // the pins of the port
 constexpr std::uint32_t kWidth = 0x1F;
 constexpr std::uint64_t kClocksOfSynchronizer = 3;
 
@@ -66,7 +66,7 @@ void Port::updateLine() {
   board_.setLine(kFirstLine + number_, flags_ != 0);
 }
 
-// A level that differs from that behind the filter must stay for a while.
+// A level that differs from the filtered level must last for some time.
 void Port::passLater(unsigned pin) {
   const std::uint32_t bit = 1U << pin;
   if ((pins_.filters & bit) == 0 || pins_.level(pin) == ((pins_.passed & bit) != 0)) {
@@ -164,7 +164,7 @@ void Port::setControl(unsigned pin, std::uint32_t value) {
   pins_.control[pin] = value & kFields;
   const std::uint32_t bit = 1U << pin;
   if (!was) {
-    // That a pin becomes digital is no edge.
+    // A change of a pin to digital is not an edge.
     before_ = (before_ & ~bit) | (pins_.seen(pin) ? bit : 0);
   }
   const unsigned kind = pins_.control[pin] >> 16 & 0xFU;

@@ -7,12 +7,12 @@
 
 namespace wr::emulator {
 
-/// @brief The pins of one port, with the registers that decide on them.
+/// @brief The pins of one port, with the registers that control them.
 struct PinState {
   std::array<std::uint32_t, 32> control{};  ///< PCR
   std::uint32_t output = 0;                 ///< PDOR
   std::uint32_t direction = 0;              ///< PDDR
-  std::uint32_t driven = 0;                 ///< pins on which something outside puts a level
+  std::uint32_t driven = 0;                 ///< pins with a level from outside
   std::uint32_t outside = 0;                ///< those levels
   std::uint32_t shown = 0;                  ///< levels of the outputs that were reported
   std::uint32_t shownOutputs = 0;           ///< outputs that were reported
@@ -27,7 +27,7 @@ struct PinState {
     return function(pin) == 1 && (direction >> pin & 1U) != 0;
   }
 
-  /// @brief The level that the inside of the chip sees: a pin without digital function is not seen.
+  /// @brief The level inside the chip: a pin without digital function reads as 0.
   [[nodiscard]] bool seen(unsigned pin) const {
     return function(pin) != 0 &&
            ((filters >> pin & 1U) != 0 ? (passed >> pin & 1U) != 0 : level(pin));
@@ -48,8 +48,9 @@ struct PinState {
 /// @brief Pin control and interrupts of one port.
 /// K64P144M120SF5RM, chapter Port Control and Interrupts (PORT).
 ///
-/// Only port D has digital filters, with the bus clock: the level behind a filter is 0 when it is
-/// switched on, and follows that of the pin when this was different for the width and 3 clocks. The
+/// Only port D has digital filters, with the bus clock: the filtered level is 0 when the filter is
+/// switched on, and changes to the level of the pin when this has differed for the width plus 3
+/// clocks. The
 /// passive filters have no effect in the model.
 class Port final : public Peripheral {
  public:
@@ -63,7 +64,7 @@ class Port final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief Something may have changed the levels: reports outputs, raises interrupts.
+  /// @brief Reports outputs and raises interrupts after a possible change of levels.
   /// @param which pins whose levels or control may have changed
   void settle(std::uint32_t which = ~std::uint32_t{0});
 
@@ -81,7 +82,7 @@ class Port final : public Peripheral {
   std::uint32_t before_ = 0;   ///< levels seen last
   std::uint32_t onLevel_ = 0;  ///< pins whose interrupt is raised by a level
   std::array<std::uint32_t, 3> filter_{};
-  std::uint32_t waiting_ = 0;  ///< pins whose level differs from that behind the filter
+  std::uint32_t waiting_ = 0;                 ///< pins whose level differs from the filtered level
   std::array<std::uint64_t, 32> passesAt_{};  ///< count of the bus clock
 };
 

@@ -51,7 +51,8 @@ void Pit::update(std::size_t index) {
                  channel.flag && (channel.control & kInterrupt) != 0);
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): a channel is chained to the one before it; the last ends it
+// NOLINTNEXTLINE(misc-no-recursion): a channel is chained to the previous one; the first channel
+// ends it
 void Pit::expire(std::size_t index) {
   Channel& channel = channels_[index];
   channel.flag = true;
@@ -148,8 +149,8 @@ void Pit::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     return;
   }
   if (!controlRead_) {
-    // Errata of the K64: a write at once after the clock gate was opened may be lost; a
-    // read of MCR lets the clock come first.
+    // Errata of the K64: a write immediately after the clock gate was opened may be lost; a read of
+    // MCR waits for the clock.
     misuse("PIT written after its clock gate was opened, before MCR was read");
   }
   if (offset == kMcr) {
@@ -170,7 +171,7 @@ void Pit::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
   Channel& channel = channels_[index];
   switch (offset & 0xFU) {
     case kLdval:
-      channel.load = value;  // taken at the next start or reload
+      channel.load = value;  // used at the next start or reload
       break;
     case kCval:
       misuse("store to the current value of a PIT channel");
@@ -183,7 +184,7 @@ void Pit::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       update(index);
       break;
     default:
-      channel.flag = channel.flag && (value & 1U) == 0;  // TFLG.TIF is cleared by a one
+      channel.flag = channel.flag && (value & 1U) == 0;  // TFLG.TIF is cleared by writing 1
       update(index);
       break;
   }

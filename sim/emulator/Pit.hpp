@@ -28,9 +28,9 @@ class Pit final : public Peripheral {
     std::uint32_t load = 0;
     std::uint32_t control = 0;
     bool flag = false;
-    std::uint32_t reload = 0;    ///< value from which it counts now
+    std::uint32_t reload = 0;    ///< value from which the channel counts at present
     std::uint64_t loadedAt = 0;  ///< count of the bus clock; for a channel that is not chained
-    std::uint32_t value = 0;     ///< for a chained channel, and one that is stopped
+    std::uint32_t value = 0;     ///< for a chained channel or a stopped one
     [[nodiscard]] bool enabled() const { return (control & 1U) != 0; }
     [[nodiscard]] bool chained() const { return (control & 4U) != 0; }
   };

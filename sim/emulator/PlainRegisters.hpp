@@ -9,7 +9,7 @@
 
 namespace wr::emulator {
 
-/// @brief A register that keeps the written value and does nothing else.
+/// @brief A register that only stores the written value.
 struct PlainRegister {
   std::uint32_t offset;
   std::uint32_t atReset;

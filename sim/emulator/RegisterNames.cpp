@@ -13,7 +13,8 @@ namespace wr::emulator {
 
 namespace {
 
-/// @brief A register, or a row of registers at equal distances. '#' in a name is the place in the row.
+/// @brief A register, or an array of registers at equal distances. '#' in a name is the index in
+/// the array.
 struct Row {
   std::string_view kind;  ///< name of the block without its number
   std::uint32_t offset;
@@ -327,7 +328,7 @@ std::string registerName(std::uint32_t address) {
   const std::uint32_t offset = address - block->base;
   for (const Row& row : kRows) {
     if (const auto place = placeIn(row, offset); place && isOfKind(block->name, row.kind)) {
-      // The three comparators share a block, and the descriptors of DMA are in a page of their own.
+      // The three comparators share a block, and the descriptors of DMA are in a separate page.
       const bool whole = row.kind == "CMP" || row.kind == "DMA_TCD";
       return (whole ? "" : std::string(block->name) + "_") + nameIn(row, *place);
     }

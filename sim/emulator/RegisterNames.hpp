@@ -5,9 +5,9 @@
 
 namespace wr::emulator {
 
-/// @brief Returns the name of a peripheral register as the manual prints it, e.g. UART0_BDH.
+/// @brief Returns the name of a peripheral register as in the manual, e.g. UART0_BDH.
 /// @param address address in the range of the peripherals
-/// @return the name; for a register that is not in the table its block and offset, e.g. USB0 + 0x40;
+/// @return the name; for an unknown register its block and offset, e.g. USB0 + 0x40;
 /// empty when the address is in no block
 [[nodiscard]] std::string registerName(std::uint32_t address);
 

@@ -6,7 +6,7 @@
 
 namespace wr::emulator {
 
-/// @brief Random number generator. The same numbers come in each run, so that a run can be
+/// @brief Random number generator. The numbers are equal in each run, so that a run can be
 /// repeated.
 /// K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers and bits agree
 /// with the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
@@ -23,10 +23,11 @@ class Rnga final : public Peripheral {
   [[nodiscard]] bool wordIsReady() const;
   [[nodiscard]] std::uint32_t draw();
 
-  std::uint64_t drawn_ = 0;  // words that were drawn; goes on over a reset, as noise does
+  std::uint64_t drawn_ = 0;  // number of drawn words; a reset does not clear it, so that the
+                             // numbers continue
   std::uint32_t control_ = 0;
   bool underflow_ = false;
-  std::uint64_t since_ = 0;  // count of the bus clock when the present word began
+  std::uint64_t since_ = 0;  // count of the bus clock at the beginning of the present word
 };
 
 }  // namespace wr::emulator

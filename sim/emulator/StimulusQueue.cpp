@@ -7,7 +7,7 @@
 namespace wr::emulator {
 
 void StimulusQueue::add(const Level& level) {
-  // Most levels come in the order of their times.
+  // Most levels are added in the order of their times.
   auto place = levels_.end();
   while (place != levels_.begin() && std::prev(place)->at > level.at) {
     --place;
@@ -18,7 +18,7 @@ void StimulusQueue::add(const Level& level) {
 
 void StimulusQueue::every(Time period, Time now, std::function<void()> call) {
   if (period <= Time(0)) {
-    throw std::invalid_argument("a period must be longer than nothing");
+    throw std::invalid_argument("a period must be longer than 0");
   }
   calls_.push_back({period, (now / period + 1) * period, std::move(call)});
   renew();

@@ -7,7 +7,7 @@
 
 namespace wr::emulator {
 
-/// @brief Stimuli of the world around the board, each with its time.
+/// @brief Inputs of the board from its surroundings, each with its time.
 class StimulusQueue {
  public:
   /// @brief A level that is put on a pin at a time.
@@ -21,13 +21,14 @@ class StimulusQueue {
   /// @brief Sets the function that puts a level on a pin.
   explicit StimulusQueue(std::function<void(const Level&)> drive) : drive_(std::move(drive)) {}
 
-  /// @brief Adds a level. Levels of the same time come in the order in which they were added.
+  /// @brief Adds a level. Levels of the same time are applied in the order in which they were
+  /// added.
   void add(const Level& level);
 
   /// @brief Adds a call at each multiple of a period, from the first one after a time.
   void every(Time period, Time now, std::function<void()> call);
 
-  /// @brief When the next of them comes; kNever without one.
+  /// @brief Time of the next stimulus; kNever without one.
   [[nodiscard]] Time next() const { return next_; }
 
   /// @brief Runs all stimuli up to a time, in order; at the same time levels before calls.
@@ -45,7 +46,7 @@ class StimulusQueue {
 
   std::function<void(const Level&)> drive_;
   std::deque<Level> levels_;
-  std::deque<Call> calls_;  // a call may add calls: those that are there stay where they are
+  std::deque<Call> calls_;  // a call may add calls; existing ones do not move
   Time next_ = kNever;
 };
 

@@ -17,7 +17,7 @@ namespace wr::emulator {
 
 namespace {
 
-/// @brief A piece of the file with its type.
+/// @brief A section of the file with its type.
 template <typename Part>
 Part partAt(const std::vector<char>& file, std::size_t offset) {
   Part part{};
@@ -95,7 +95,7 @@ std::string Symbols::placeOf(std::uint32_t address) const {
   // The command is that of the toolchain, with a path of the project and a number.
   // NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
-  // The last line has the place in the function itself, the lines before it those in inlined
+  // The last line is the place in the function itself; the lines before it are places in inlined
   // functions.
   std::array<char, 1024> line{};
   while (pipe && std::fgets(line.data(), line.size(), pipe.get()) != nullptr) {

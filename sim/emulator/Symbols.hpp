@@ -22,7 +22,7 @@ class Symbols {
   /// @brief All functions, by rising address.
   [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
 
-  /// @brief The function at an address, readable; empty when there is none.
+  /// @brief The function at an address, in readable form; empty when there is none.
   [[nodiscard]] std::string nameAt(std::uint32_t address) const;
 
   /// @brief The address of a symbol of any kind; 0 when there is none.

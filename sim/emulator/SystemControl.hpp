@@ -52,10 +52,10 @@ class SystemControl {
   /// @brief The cycle at which SysTick triggers its exception.
   [[nodiscard]] std::uint64_t nextEvent() const;
 
-  /// @brief Lets SysTick count up to a cycle.
+  /// @brief Advances SysTick to a cycle.
   void advance(std::uint64_t cycle);
 
-  /// @brief Notes a bus fault at an address that is known.
+  /// @brief Records a bus fault at a known address.
   void noteBusAddress(std::uint32_t address);
   void noteFault(std::uint32_t status) { faultStatus_ |= status; }
   void noteHardFault(std::uint32_t status) { hardFaultStatus_ |= status; }
@@ -95,10 +95,10 @@ class SystemControl {
   std::uint32_t tickControl_ = 0;
   std::uint32_t tickReload_ = 0;
   std::uint64_t tickZeroAt_ = 0;  ///< cycle at which SysTick reaches 0
-  std::uint32_t tickValue_ = 0;   ///< while it is stopped
+  std::uint32_t tickValue_ = 0;   ///< value of SysTick while it is stopped
   std::uint32_t traceControl_ = 0;
-  std::uint64_t cyclesFrom_ = 0;  ///< CYCCNT is the cycle less this
-  std::uint32_t cyclesHeld_ = 0;  ///< CYCCNT while it is stopped
+  std::uint64_t cyclesFrom_ = 0;  ///< CYCCNT is the cycle minus this
+  std::uint32_t cyclesHeld_ = 0;  ///< CYCCNT value of SysTick while it is stopped
 };
 
 }  // namespace wr::emulator

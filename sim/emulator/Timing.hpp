@@ -6,23 +6,23 @@ namespace wr::emulator {
 
 /// @brief Model of the time of an instruction.
 enum class Timing : std::uint8_t {
-  NoWaitStates,  ///< the cycles of the processor's manual, as if all memory answered at once
-  SlowFlash      ///< besides, the flash answers in kFlashCycles and nothing is kept or read ahead
+  NoWaitStates,  ///< the cycles of the processor's manual, with memory without wait states
+  SlowFlash      ///< in addition, each read of flash takes kFlashCycles, without cache and prefetch
 };
 
 // Cortex-M4 TRM (ARM DDI 0439), table 3-1 (processor) and table 7-1 (floating-point unit). Where
 // the manual gives a range, it is the upper end. An instruction begins with one cycle; these are
-// the cycles besides.
+// the additional cycles.
 
 /// @brief P of the manual, 1 to 3: the pipeline is filled again after each branch that is taken.
 inline constexpr std::uint32_t kRefillCycles = 3;
-/// @brief Load or store of one register; no two neighbours overlap.
+/// @brief Load or store of one register; neighbouring accesses do not overlap.
 inline constexpr std::uint32_t kAccessCycles = 1;
 /// @brief SDIV and UDIV, 2 to 12 with the numbers.
 inline constexpr std::uint32_t kDivideCycles = 11;
 /// @brief CPS, MRS and MSR, 1 or 2.
 inline constexpr std::uint32_t kSpecialCycles = 1;
-/// @brief B of the manual for ISB; DMB and DSB need none, for no access is left behind.
+/// @brief B of the manual for ISB; DMB and DSB need none, because no access is pending.
 inline constexpr std::uint32_t kBarrierCycles = kRefillCycles;
 /// @brief VDIV and VSQRT.
 inline constexpr std::uint32_t kFpDivideCycles = 13;

@@ -39,7 +39,8 @@ constexpr std::uint32_t kReceived = 1U << 5;
 constexpr std::uint32_t kComplete = 1U << 6;
 constexpr std::uint32_t kEmpty = 1U << 7;
 
-// Ten bits leave half a bit at the stop bit: 5 % for both sides. The PC has a part of it.
+// Over ten bits the error may be half a bit at the stop bit, which is 5 % for both sides. A part of
+// this tolerance belongs to the PC.
 constexpr double kMostDeviation = 0.03;
 
 constexpr std::int64_t kBits = 10;
@@ -144,7 +145,7 @@ void Uart::received(const Arriving& arriving) {
     return;
   }
   if ((errors_ & (kOverrun | kFraming)) != 0) {
-    return;  // OR and FE keep the receiver from going on
+    return;  // OR and FE stop the receiver
   }
   if (receivedBytes_.size() >= receiveDepth()) {
     errors_ |= kOverrun;
@@ -181,7 +182,7 @@ void Uart::startSending() {
     return;
   }
   if (!sends_()) {
-    misuse(name_ + " sends and no pin is connected to it");
+    misuse(name_ + " sends, but no pin is connected to it");
     return;
   }
   sending_ = true;

@@ -16,8 +16,8 @@ namespace wr::emulator {
 /// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO:
 /// PFIFO is written only while receiver and transmitter are off; S1[RDRF] is set from RWFIFO
 /// waiting bytes on, S1[TDRE] while at most TWFIFO bytes wait; a read of S1 and then of D clears
-/// RDRF when fewer wait. A byte for which the FIFO has no place sets S1[OR]; OR and FE keep the
-/// receiver from going on until they are cleared. UART0 has FIFOs of 8 bytes, UART4 buffers of 1
+/// RDRF when fewer bytes wait. A byte that does not fit into the FIFO sets S1[OR]; OR and FE stop
+/// the receiver until they are cleared. UART0 has FIFOs of 8 bytes, UART4 buffers of 1
 /// (chapter Chip Configuration, UART).
 ///
 /// Not modelled: noise on the line (S1[NF], ED), parity, 9 bits, loops, wake-up, LIN break,
@@ -29,7 +29,7 @@ class Uart final : public Peripheral {
     unsigned number;
     bool coreClock;     ///< counts the core clock, not the bus clock
     std::uint8_t fifo;  ///< PFIFO after a reset: 0x22 for FIFOs of 8 bytes, 0 for 1 byte
-    unsigned line;      ///< interrupt for bytes; that for errors is the next one
+    unsigned line;      ///< interrupt for bytes; the interrupt for errors is the next one
   };
 
   Uart(Microcontroller& board, const Kind& kind);
@@ -44,9 +44,9 @@ class Uart final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief A byte comes from outside.
-  /// @param notBefore when it may begin; it waits for those before it
-  /// @param stopBit whether the stop bit is right
+  /// @brief Receives a byte from outside.
+  /// @param notBefore earliest time of its beginning; it waits for earlier bytes
+  /// @param stopBit whether the stop bit is correct
   void arrive(Time notBefore, std::uint8_t byte, bool stopBit = true);
 
   /// @brief Bytes sent since the last call.

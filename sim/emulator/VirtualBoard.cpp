@@ -234,7 +234,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   std::array<Port, kPorts> ports_;
   std::array<Gpio, kPorts> gpios_;
   std::map<std::string_view, Peripheral*> byName_;
-  std::array<Peripheral*, 12> timed_;  ///< those that do something by themselves
+  std::array<Peripheral*, 12> timed_;  ///< peripherals with events of their own
   StimulusQueue agenda_;
   struct Place {
     const Block* block = nullptr;
@@ -245,7 +245,7 @@ class VirtualBoard::Parts final : public Microcontroller {
     std::uint32_t address = 0;
     bool store = false;
   };
-  std::optional<Access> access_;  ///< the access to a peripheral that is served
+  std::optional<Access> access_;  ///< the present access to a peripheral
   std::set<std::string> warned_;
   bool pitGate_ = false;
   mutable std::uint64_t knownCycle_ = 0;
@@ -253,9 +253,9 @@ class VirtualBoard::Parts final : public Microcontroller {
   bool sleeps_ = false;
   std::uint64_t sleptCycles_ = 0;
   std::bitset<128> lines_;
-  std::bitset<128> held_;  ///< lines that the processor does not see
+  std::bitset<128> held_;  ///< lines that are hidden from the processor
   std::optional<Reset> wantedReset_;
-  bool debugs_ = false;        ///< the access that is served is a debugger's: it causes no finding
+  bool debugs_ = false;        ///< the present access is from a debugger and causes no finding
   bool debugRefused_ = false;  ///< and was refused
   DebugPort debugPort_{
       cpu_,
@@ -345,7 +345,7 @@ Uart& VirtualBoard::Parts::uart(int number) {
 }
 
 void VirtualBoard::Parts::fillRam() {
-  // RAM holds anything when the power comes; this is anything, the same each time.
+  // The content of RAM after power-on is undefined; the model uses fixed values.
   std::vector<std::uint8_t> content(kRamUpperSize);
   std::uint32_t state = 0x12345678;
   for (std::uint8_t& byte : content) {
@@ -420,7 +420,7 @@ void VirtualBoard::Parts::clocksChanged() {
 
 void VirtualBoard::Parts::checkClocks() {
   // Data sheet K64P144M120SF5, device clock specifications, and K64P144M120SF5RM, chapter Clock
-  // Distribution: limits, and buses at a whole part of the core clock.
+  // Distribution: limits, and buses at the core clock divided by an integer.
   const Sim::Dividers dividers = sim_.dividers();
   const std::uint64_t output = mcg_.outputHz();
   const auto check = [this, output](const char* name, unsigned divider, std::uint64_t most) {
@@ -434,7 +434,8 @@ void VirtualBoard::Parts::checkClocks() {
   check("FlexBus", dividers.flexBus, 50'000'000);
   check("flash", dividers.flash, 25'000'000);
   if (dividers.bus % dividers.core != 0 || dividers.flash % dividers.core != 0) {
-    report("register-misuse", "SIM_CLKDIV1: a bus clock is no whole part of the core clock");
+    report("register-misuse",
+           "SIM_CLKDIV1: a bus clock is not the core clock divided by an integer");
   }
 }
 
@@ -477,7 +478,7 @@ std::uint32_t VirtualBoard::Parts::read(std::uint32_t address, unsigned size) {
   return value;
 }
 
-// A debugger sees a register only where reading it changes nothing.
+// A debugger can read a register only if reading it has no effect.
 bool VirtualBoard::Parts::debugRead(std::uint32_t address, unsigned size, std::uint32_t& value) {
   debugs_ = true;
   debugRefused_ = false;
@@ -567,8 +568,9 @@ void VirtualBoard::Parts::gatesChanged() {
       {{6, 24}, {6, 25}, {6, 26}, {3, 25}}};
   for (unsigned i = 0; i < kTimers; ++i) {
     if (ftms_[i].counts() && !sim_.gateIsOpen(kTimerGates[i].first, kTimerGates[i].second)) {
-      report("register-misuse", "the clock gate of FTM" + std::to_string(i) +
-                                    " is closed while its counter runs: its pins stay as they are");
+      report("register-misuse",
+             "the clock gate of FTM" + std::to_string(i) +
+                 " is closed while its counter runs: its pins keep their levels");
     }
   }
 }
@@ -592,7 +594,7 @@ void VirtualBoard::Parts::advance() {
   }
 }
 
-// Lets the core run, sleep or stand still until a time.
+// Runs the core, or lets it sleep or stand still, until a time.
 bool VirtualBoard::Parts::runCore(Time until) {
   if (core_.hz() == 0) {
     standsAt_ = until;
@@ -637,7 +639,7 @@ void VirtualBoard::Parts::report(std::string id, std::string what) {
   }
 }
 
-// Warns of accesses that are not modelled, where they are no finding.
+// Warns of accesses that are not modelled, if they are not findings.
 bool VirtualBoard::Parts::warn(const std::string& what) {
   if (options_.unmodelledIsFinding) {
     return false;
@@ -675,7 +677,7 @@ bool VirtualBoard::Parts::runUntil(Time limit, Done done) {
     }
     const Time next = std::min(nextEvent(), limit);
     if (next > time() && runCore(next) && sleeps_ && core_.hz() != 0 && !done()) {
-      // The program may have made an event come sooner since the run began.
+      // Since the start of the run the program may have caused an earlier event.
       const std::uint64_t before = cpu_.cycles();
       cpu_.skipTo(core_.reach(std::min(nextEvent(), limit)));
       sleptCycles_ += cpu_.cycles() - before;

@@ -23,16 +23,16 @@ class ExecutedCode;
 /// @brief Options of a virtual board.
 struct Options {
   std::filesystem::path elf{};  ///< names the functions of findings; may be empty
-  bool externalClock = true;    ///< the clock of 50 MHz is there
+  bool externalClock = true;    ///< the clock of 50 MHz is present
   unsigned failingClockStep =
       0;  ///< step of the clock generator that never ends: 2 the change to the
           ///< external clock, 3 the lock of the PLL, 4 the change to the PLL
   std::array<bool, 2> calibrates{true, true};  ///< the calibration of each converter succeeds
   bool resetsAreFindings = true;               ///< a reset that the program causes stops the run
   Timing timing = Timing::NoWaitStates;        ///< cost of instructions
-  bool faultsAreFindings = true;    ///< a fault stops the run; false: the program gets it
+  bool faultsAreFindings = true;    ///< a fault stops the run; false: the program handles it
   bool unmodelledIsFinding = true;  ///< an access that is not modelled stops the run; false: it is
-                                    ///< a warning, a load gives 0 and a store does nothing
+                                    ///< a warning; a load returns 0 and a store has no effect
 };
 
 /// @brief A K64 microcontroller with its clock and a line to a PC, which runs an image unchanged.
@@ -54,41 +54,42 @@ class VirtualBoard {
 
   /// @brief Runs until an interrupt has been entered.
   /// @param irq its line
-  /// @param limit time at which to give up
+  /// @param limit greatest time
   /// @return true when it was entered; false: see finding(), or the limit was reached.
   bool runToInterrupt(int irq, nanoseconds limit);
 
   /// @brief Runs until the program waits for an interrupt.
-  /// @param limit time at which to give up
+  /// @param limit greatest time
   /// @return true when it waits; false: see finding(), or the limit was reached.
   bool runToSleep(nanoseconds limit);
 
   /// @brief Time since the board was switched on.
   [[nodiscard]] nanoseconds now() const;
 
-  /// @brief The finding that stopped the run. A run that a finding stopped does not go on.
+  /// @brief The finding that stopped the run. A run that a finding stopped does not continue.
   [[nodiscard]] const std::optional<Finding>& finding() const;
 
   /// @brief Returns the warnings since the last call: one for each kind of access that is not
   /// modelled.
   [[nodiscard]] std::vector<Finding> takeWarnings();
 
-  /// @brief Bytes that the PC sends from now on, after those it is still sending, at 115200 baud.
+  /// @brief Sends bytes of the PC from now on, after those that are still being sent, at 115200
+  /// baud.
   void receive(std::span<const std::uint8_t> bytes);
 
-  /// @brief Bytes that the PC sends from a time on. Times must not decrease.
+  /// @brief Sends bytes of the PC from a time on. Times must not decrease.
   void receiveAt(nanoseconds time, std::span<const std::uint8_t> bytes);
 
-  /// @brief The PC sends one byte whose stop bit is wrong.
+  /// @brief Sends one byte of the PC with a wrong stop bit.
   void receiveBroken(std::uint8_t byte);
 
   /// @brief Changes the speed of the PC's side of the line, in both directions; 115200 at first.
   void setLineBaud(std::uint32_t baud);
 
-  /// @brief Bytes that the board has sent since the last call.
+  /// @brief Returns the bytes that the board has sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
-  /// @brief Bytes that come from now on at another serial port, after those that are still coming.
+  /// @brief Sends bytes to another serial port from now on, after those that are still being sent.
   /// @param uart 0 for the line to the PC, 4
   /// @param bytes the bytes
   void receiveOn(int uart, std::span<const std::uint8_t> bytes);
@@ -100,7 +101,7 @@ class VirtualBoard {
   /// @brief Changes the speed of the device at a serial port; 115200 at first.
   void setLineBaudOn(int uart, std::uint32_t baud);
 
-  /// @brief Returns whether no byte is on its way to or from the PC.
+  /// @brief Returns whether no byte is being transferred to or from the PC.
   [[nodiscard]] bool lineIdle() const;
 
   /// @brief Level of a pin, e.g. ('B', 22).
@@ -109,8 +110,8 @@ class VirtualBoard {
   /// @brief Puts a level on a pin from outside.
   void drive(char port, int number, bool level);
 
-  /// @brief Puts a level on a pin from outside at a time to come; at once when it is past. Levels of
-  /// the same time come in the order of the calls.
+  /// @brief Puts a level on a pin from outside at a given time; at once if the time has passed.
+  /// Levels of the same time are applied in the order of the calls.
   void driveAt(nanoseconds time, char port, int number, bool level);
 
   /// @brief Returns whether the program drives the pin as a digital output.
@@ -128,8 +129,8 @@ class VirtualBoard {
   /// @param volts against ground
   void setAnalog(int converter, int channel, double volts);
 
-  /// @brief Opens an input of an analog-to-digital converter: nothing is connected to it, no resistor
-  /// either. Each conversion gives the voltage of the conversion before it.
+  /// @brief Opens an input of an analog-to-digital converter: neither a source nor a resistor is
+  /// connected to it. Each conversion returns the voltage of the previous conversion.
   void openAnalog(int converter, int channel);
 
   /// @brief Sets a callback at each multiple of a period of board time, before the instructions and
@@ -137,7 +138,7 @@ class VirtualBoard {
   /// not run it. Callbacks for the same time run in the order in which they were set.
   void onTime(nanoseconds period, std::function<void()> call);
 
-  /// @brief The hardware raises an exception before the next instruction, e.g. 3 HardFault.
+  /// @brief Raises an exception by hardware before the next instruction, e.g. 3 HardFault.
   void raise(int exception);
 
   /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument where neither is.
@@ -151,30 +152,30 @@ class VirtualBoard {
   /// @brief Sets a core register of the processor.
   void setCore(unsigned number, std::uint32_t value);
 
-  /// @brief Keeps the processor from seeing an interrupt line, or lets it see the line again.
+  /// @brief Hides an interrupt line from the processor, or shows it again.
   /// @param irq the line
-  /// @param held true: it is seen as low
+  /// @param held true: the processor reads it as low
   void holdInterrupt(int irq, bool held);
 
-  /// @brief Lets the external clock of 50 MHz come or go.
+  /// @brief Starts or stops the external clock of 50 MHz.
   void setExternalClock(bool present);
 
-  /// @brief The PLL loses its lock, and finds it again.
+  /// @brief Makes the PLL lose its lock and lock again.
   void loseLock();
 
-  /// @brief Ends the failure of the clock generator that the options asked for.
+  /// @brief Ends the failure of the clock generator that the options set.
   void endClockFailure();
 
-  /// @brief Resets the board. RAM keeps its content but for PowerOn.
+  /// @brief Resets the board. RAM keeps its content, except with PowerOn.
   void reset(Reset cause);
 
-  /// @brief Number of resets since the board was switched on; switching on is none.
+  /// @brief Number of resets since the board was switched on; switching on does not count.
   [[nodiscard]] int resets() const;
 
   [[nodiscard]] std::uint64_t instructions() const;
   [[nodiscard]] std::uint64_t cycles() const;
 
-  /// @brief Those of the cycles in which the program waited for an interrupt.
+  /// @brief Returns the number of cycles in which the program waited for an interrupt.
   [[nodiscard]] std::uint64_t sleptCycles() const;
 
   /// @brief Priority of an exception from 16 on, 0 to 15; 0 is the highest.
@@ -198,12 +199,12 @@ class VirtualBoard {
   /// @brief Records calls from now on. Set before the first run.
   void record(CallRecorder& recorder);
 
-  /// @brief Notes each instruction that is executed from now on.
-  /// @param code where they are noted; must outlive the board
+  /// @brief Records each instruction that is executed from now on.
+  /// @param code receives the records; must outlive the board
   void noteExecuted(ExecutedCode& code);
 
   /// @brief Records the lowest stack pointer from now on.
-  /// @param lowest keeps the lowest; must outlive the board
+  /// @param lowest receives the lowest value; must outlive the board
   void noteStack(std::uint32_t& lowest);
 
  private:

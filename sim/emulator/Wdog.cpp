@@ -202,7 +202,7 @@ void Wdog::refresh(std::uint32_t key) {
   }
   refreshKeyAt_.reset();
   if (unlockKeyAt_ || lock_ == Lock::Open) {
-    return;  // goes undetected between the unlock and the end of the configuration time
+    return;  // is not detected between the unlock and the end of the configuration time
   }
   const std::uint32_t window =
       static_cast<std::uint32_t>(registers_[kWinh / 2]) << 16 | registers_[kWinl / 2];
@@ -257,7 +257,7 @@ Time Wdog::nextEvent() const {
 void Wdog::advance() {
   const std::uint64_t now = bus();
   if (lock_ == Lock::FreshlyReset && now > lockChanged_ + kConfigurationTime) {
-    // The first key is enough to be in time; the second has its own limit.
+    // The first key must come in time; the second key has its own limit.
     const bool keyGiven = unlockKeyAt_ && *unlockKeyAt_ <= lockChanged_ + kConfigurationTime;
     if (keyGiven && now <= *unlockKeyAt_ + kKeyTime) {
       lockChanged_ = *unlockKeyAt_ + kKeyTime - kConfigurationTime;

@@ -24,12 +24,12 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr std::string_view kDone = "OK";
-constexpr std::string_view kWrong = "E01";  // the packet is wrong
+constexpr std::string_view kWrong = "E01";  // the packet is invalid
 constexpr std::string_view kFault = "E14";  // no such memory
 constexpr std::string_view kFeatures = "PacketSize=4000;QStartNoAckMode+;qXfer:features:read+";
 constexpr std::string_view kWaysBack = ";ReverseStep+;ReverseContinue+";
-constexpr std::size_t kMostBytes = 0x1F00;  // of a packet, as digits
-constexpr microseconds kPatience{200};      // between two looks at the line
+constexpr std::size_t kMostBytes = 0x1F00;  // greatest length of a packet, in digits
+constexpr microseconds kPatience{200};      // time between two reads of the line
 
 // Divides "a,b" or "a=b".
 std::pair<std::string_view, std::string_view> divided(std::string_view text, char at) {
@@ -85,7 +85,7 @@ void Commands::glance() {
 
 void Commands::serve(const std::string& why) {
   why_ = "T" + why;
-  static_cast<void>(stream_.takeInterrupt());  // one that came too late
+  static_cast<void>(stream_.takeInterrupt());  // a request that came too late
   const Owed owed = std::exchange(owed_, Owed::Nothing);
   if (owed != Owed::Nothing) {
     stream_.send(owed == Owed::Stop ? why_ : hexOf(std::string_view(timeText())));
@@ -103,7 +103,7 @@ void Commands::serve(const std::string& why) {
   }
 }
 
-// Returns whether the program goes on.
+// Returns whether the program continues.
 bool Commands::obey(std::string_view packet) {
   constexpr std::string_view kMonitor = "qRcmd,";
   if (packet == "k" || packet.starts_with("vKill")) {
@@ -317,8 +317,8 @@ bool Commands::monitor(const std::string& words) {
   owed_ = Owed::Nothing;
   const std::string text =
       words == "time" ? timeText()
-                      : "time        the time of the board, and how many instructions it executed\n"
-                        "reset       begins the run again\n"
+                      : "time the time of the board, and its number of executed instructions\n"
+                        "reset restarts the run\n"
                         "run-to MS   runs, or goes back, to a time of the board in ms\n"
                         "After reset and run-to: maintenance flush register-cache\n";
   stream_.send(hexOf(std::string_view(text)));

@@ -9,26 +9,27 @@
 
 namespace wr::gdb {
 
-/// @brief GDB wants the program to end.
+/// @brief Thrown when GDB ends the program.
 struct Killed {};
 
 /// @brief The commands of the GDB remote serial protocol, and those of `monitor`.
 class Commands {
  public:
   /// @param line the line to GDB; must outlive the object
-  /// @param ends returns whether this program is to end, also while the board is stopped
-  /// @param goesBack the owner of the board can begin the run again; without it, time goes forwards only
+  /// @param ends returns whether this program shall end, also while the board is stopped
+  /// @param goesBack the owner of the board can restart the run; otherwise time only goes forwards
   Commands(programs::SerialLine& line, std::function<bool()> ends, bool goesBack = true);
 
-  /// @brief The debugger that obeys the commands.
+  /// @brief The debugger that executes the commands.
   [[nodiscard]] Debugger& debugger() { return debugger_; }
 
-  /// @brief Looks for a wish of GDB to stop while the processor sleeps. Call it between two runs of the
-  /// board. Stops only a processor that does not wake up from one call to the next but one.
+  /// @brief Checks whether GDB demands a stop while the processor sleeps. Call it between two runs
+  /// of the
+  /// board. Stops only a processor that sleeps during two successive calls.
   void glance();
 
  private:
-  // How the next stop is reported.
+  // Report of the next stop.
   enum class Owed { Nothing, Stop, Monitor };
 
   void serve(const std::string& why);

@@ -9,7 +9,7 @@ namespace {
 constexpr const char* kTrap = "05";
 constexpr const char* kInterrupt = "02";
 constexpr const char* kBeginning = "05replaylog:begin;";
-// Instructions between two looks at the line: far less than 1 ms of the machine.
+// Number of instructions between two reads of the line: far less than 1 ms of the machine.
 constexpr std::uint32_t kLook = 4096;
 
 }  // namespace
@@ -89,7 +89,7 @@ void Debugger::lookAhead(std::uint64_t position) {
   }
 }
 
-// A watchpoint stops before the instruction that did the access.
+// A watchpoint stops before the instruction that follows the access.
 void Debugger::lookBack(std::uint64_t position) {
   if (const auto hit = rules_.takeHit()) {
     found_ = position - 1;
@@ -113,7 +113,7 @@ void Debugger::endSearch() {
   throw BeginsAgain();
 }
 
-// A change that was made later belongs to a run that is no longer.
+// A later change belongs to a discarded run.
 void Debugger::stop(const std::string& why) {
   from_ = port_->instructions();
   std::erase_if(changes_, [this](const Change& each) { return each.position > from_; });

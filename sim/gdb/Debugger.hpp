@@ -14,38 +14,41 @@
 
 namespace wr::gdb {
 
-/// @brief Thrown out of a run that begins again. The owner of the board makes a new one, gives it to
+/// @brief Thrown when a run restarts. The owner of the board constructs a new board, passes it to
 /// begin(), and runs it as before.
 struct BeginsAgain {};
 
-/// @brief Stops the program, and goes back in its time.
+/// @brief Stops the program, and goes back in time.
 ///
 /// The position is the number of instructions that were executed. The same input gives the same
-/// run, so an earlier position is reached by a second run from the start: nothing is undone.
+/// run, so an earlier position is reached by a second run from the start, and no state has to be
+/// restored.
 class Debugger {
  public:
   /// @brief Serves the user while the program is stopped.
   ///
-  /// It returns when the program is to go on. The text is the reason of
+  /// It returns when the program shall continue. The text is the reason of
   /// the stop, as a stop reply of GDB: e.g. `05` or `05watch:20000004;`.
   using Serve = std::function<void(const std::string& why)>;
 
   /// @param serve called at each stop, before an instruction or after the end of the run
-  /// @param asked returns whether the user wants the program to stop now
+  /// @param asked returns whether the user requests a stop of the program
   Debugger(Serve serve, std::function<bool()> asked);
 
-  /// @brief A run begins. The first one stops before its first instruction.
+  /// @brief A run begins. The first run stops before its first instruction.
   /// @param port the board that runs; must outlive the run
   void begin(emulator::DebugPort& port);
 
-  /// @brief The run has ended: the program stops a last time, and resumes only backwards.
+  /// @brief Reports the end of the run: the program stops a last time, and can only resume
+  /// backwards.
   /// @param why as in Serve
   void end(const std::string& why);
 
-  /// @brief Stops the program where it is. For a program that waits and executes nothing.
+  /// @brief Stops the program at its present position. Used for a program that waits.
   void stopHere(const std::string& why) { stop(why); }
 
-  // Orders for the time after a stop; without one the program goes on to the next stop. Those that
+  // Orders for the time after a stop; without an order the program continues runs to the next stop.
+  // Those that
   // go back throw BeginsAgain.
   void step();
   void stepBack();
@@ -56,7 +59,7 @@ class Debugger {
   /// @brief Removes all breakpoints and watchpoints, and resumes.
   void leave();
 
-  // Changes are repeated when a run goes through their position again.
+  // Changes are repeated when a run passes their position again.
   void write(std::size_t number, std::uint64_t value);
   [[nodiscard]] bool writeMemory(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
@@ -72,10 +75,10 @@ class Debugger {
 
  private:
   enum class Mode {
-    Forward,  ///< to the next stop
-    Return,   ///< to the position target_
-    Search,   ///< to the position target_, to find the last stop before it
-    Time      ///< to the time until_
+    Forward,  ///< runs to the next stop
+    Return,   ///< runs to the position target_
+    Search,   ///< runs runs to the position target_ to find the last stop before it
+    Time      ///< runs to the time until_
   };
 
   struct Change {
@@ -97,7 +100,7 @@ class Debugger {
   StopRules rules_;
   Mode mode_ = Mode::Return;
   std::uint64_t target_ = 0;
-  std::string why_ = "05";  ///< of the stop at target_
+  std::string why_ = "05";  ///< reason of the stop at target_
   std::uint64_t from_ = 0;  ///< position of the last stop
   bool steps_ = false;
   std::chrono::nanoseconds until_{};

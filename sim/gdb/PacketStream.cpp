@@ -54,7 +54,7 @@ void PacketStream::fill() {
   }
 }
 
-// Takes the first packet from the received bytes; the rest begins with the next one.
+// Removes the first packet from the received bytes.
 std::optional<std::string> PacketStream::cut() {
   const std::size_t end = received_.find('#');
   if (end == std::string::npos || received_.size() < end + kChecksum) {

@@ -12,17 +12,17 @@ namespace wr::gdb {
 /// acknowledgements. See the manual of GDB, appendix Remote Protocol.
 class PacketStream {
  public:
-  /// @brief Begins with acknowledgements.
+  /// @brief Constructs the stream, with acknowledgements.
   /// @param line the line to GDB; must outlive the object
   explicit PacketStream(programs::SerialLine& line) : line_(line) {}
 
-  /// @brief Returns the content of the next packet; nothing while none is complete.
+  /// @brief Returns the content of the next packet; nothing while no packet is complete.
   [[nodiscard]] std::optional<std::string> take();
 
-  /// @brief Returns whether Ctrl-C came since the last call. Looks at the line.
+  /// @brief Returns whether Ctrl-C came since the last call. Reads the line.
   [[nodiscard]] bool takeInterrupt();
 
-  /// @brief Returns whether bytes of a packet wait. Looks at the line.
+  /// @brief Returns whether a part of a packet was received. Reads the line.
   [[nodiscard]] bool waiting();
 
   /// @brief Sends a packet.

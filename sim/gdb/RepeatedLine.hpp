@@ -9,14 +9,14 @@
 
 namespace wr::gdb {
 
-/// @brief A line whose input can come a second time: a run that begins again reads the same bytes at the
-/// same calls of read(), and nobody gets its output a second time.
+/// @brief A line whose input can be repeated: a restarted run reads the same bytes at the same
+/// calls of read(), and its repeated output is dropped.
 class RepeatedLine final : public programs::SerialLine {
  public:
   /// @param line the line
   explicit RepeatedLine(std::unique_ptr<programs::SerialLine> line) : line_(std::move(line)) {}
 
-  /// @brief The run begins again.
+  /// @brief Restarts the run.
   void beginAgain() { next_ = 0; }
 
   [[nodiscard]] const std::string& name() const override { return line_->name(); }

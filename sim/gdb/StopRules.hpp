@@ -8,13 +8,13 @@
 
 namespace wr::gdb {
 
-/// @brief Accesses of the program that a watchpoint stops.
+/// @brief Accesses of the program at which a watchpoint stops.
 enum class Watch { Write, Read, Access };
 
 /// @brief The breakpoints and watchpoints.
 class StopRules {
  public:
-  /// @brief Sets a breakpoint; a second one at an address is the same.
+  /// @brief Sets a breakpoint; repeating it has no effect.
   void addBreakpoint(std::uint32_t address) { breakpoints_.insert(address); }
   void removeBreakpoint(std::uint32_t address) { breakpoints_.erase(address); }
 
@@ -22,7 +22,7 @@ class StopRules {
   [[nodiscard]] bool stopsAt(std::uint32_t address) const { return breakpoints_.contains(address); }
 
   /// @brief Sets a watchpoint.
-  /// @param kind accesses that it stops
+  /// @param kind accesses at which it stops
   /// @param address first byte
   /// @param size number of bytes
   void addWatchpoint(Watch kind, std::uint32_t address, std::uint32_t size);

@@ -15,7 +15,7 @@ class HostAnalogInput final : public AnalogInput {
   [[nodiscard]] std::optional<std::uint16_t> sample() override;
 
   /// @brief Puts a voltage on the input; half of the range at first.
-  /// @param share share of the range; a value beyond 0 to 1 counts as the limit
+  /// @param share fraction of the range; a value beyond 0 to 1 counts as the limit
   void drive(double share);
 
  private:

@@ -8,7 +8,7 @@ namespace wr::host {
 
 class HostScheduler;
 
-/// @brief An input with edges on the host. Its level is high at first, as a pull-up makes it.
+/// @brief An input with edges on the host. Its level is high at first, as with a pull-up.
 class HostEdgeInput final : public EdgeInput {
  public:
   /// @brief Binds the input to the scheduler that serves its interrupt.

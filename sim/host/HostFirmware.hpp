@@ -27,7 +27,7 @@
 
 namespace wr::host {
 
-/// @brief How much of the firmware a robot on the host has.
+/// @brief Parts of the firmware in a robot on the host.
 enum class HostEquipment {
   Whole,       ///< all control systems, without safety functions
   Safe,        ///< all control systems, with the safety functions
@@ -42,38 +42,38 @@ class HostFirmware {
   /// @brief Priority of the threads of the wheels.
   static constexpr int kWheelPriority = 2;
 
-  /// @brief Memory that a reset leaves as it is.
+  /// @brief Memory that a reset does not change.
   struct Retained {
     RetainedStop::Cells stop;              ///< stop of the PC
     RetainedProtection::Cells protection;  ///< protective stop
   };
 
   /// @brief Constructs the robot and binds it to its devices.
-  /// @param timebase gives the time
+  /// @param timebase returns the time
   /// @param pcPort line to the PC
-  /// @param start why the firmware starts; without it the cause is unknown
-  /// @param equipment how much of the firmware it has
-  /// @param retained memory that the last reset left as it was
+  /// @param start cause of the start; without it the cause is unknown
+  /// @param equipment parts of the firmware
+  /// @param retained memory from before the last reset
   HostFirmware(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {},
                HostEquipment equipment = HostEquipment::Whole, const Retained& retained = {});
   HostFirmware(const HostFirmware&) = delete;
   HostFirmware& operator=(const HostFirmware&) = delete;
 
-  /// @brief Returns the memory that a reset leaves as it is.
+  /// @brief Returns the memory that a reset does not change.
   /// @return the memory of the stops
   [[nodiscard]] const Retained& retained() const { return retained_; }
 
   /// @brief Starts the control cycles.
   void start();
 
-  /// @brief Puts a clock pulse to the firmware; the cycle has run when this returns.
+  /// @brief Sends a clock pulse to the firmware; the cycle has ended when this function returns.
   void clockPulse();
 
-  /// @brief Puts a value on the velocity signal of the remote control, now.
+  /// @brief Sets the velocity signal of the remote control at the present time.
   /// @param velocity the value
   void rcVelocity(Velocity velocity);
 
-  /// @brief Puts a value on the direction signal of the remote control, now.
+  /// @brief Sets the direction signal of the remote control at the present time.
   /// @param direction the value
   void rcDirection(Angle direction);
 

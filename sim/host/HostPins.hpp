@@ -15,7 +15,7 @@ class HostScheduler;
 
 /// @brief Pins of one wheel.
 struct HostWheelPins {
-  /// @brief Makes the pins.
+  /// @brief Constructs the pins.
   /// @param scheduler serves the interrupts
   explicit HostWheelPins(HostScheduler& scheduler)
       : hall{HostEdgeInput(scheduler, false), HostEdgeInput(scheduler, false)} {}
@@ -29,7 +29,7 @@ struct HostWheelPins {
 
 /// @brief Pins of the steering.
 struct HostSteeringPins {
-  /// @brief Makes the pins.
+  /// @brief Constructs the pins.
   /// @param scheduler serves the interrupts
   explicit HostSteeringPins(HostScheduler& scheduler)
       : leftEnd(scheduler, false), rightEnd(scheduler, false) {}
@@ -42,10 +42,10 @@ struct HostSteeringPins {
   HostAnalogInput angle;
 };
 
-/// @brief All pins of the firmware on the host, with nothing on them: currents and steering in the
+/// @brief All pins of the firmware on the host, without connections: currents and steering in the
 /// middle, no edges, no end stop, no emergency stop.
 struct HostPins {
-  /// @brief Makes the pins.
+  /// @brief Constructs the pins.
   /// @param scheduler serves the interrupts
   explicit HostPins(HostScheduler& scheduler)
       : wheels{HostWheelPins(scheduler), HostWheelPins(scheduler), HostWheelPins(scheduler),

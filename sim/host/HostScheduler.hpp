@@ -10,14 +10,14 @@ class HostThread;
 /// @brief Runs threads on the host in the order in which the interrupt controller would run them.
 ///
 /// A thread of higher priority than the running one runs at once, before pend() returns. The others
-/// run when the running one ends. While an interrupt is served no thread begins.
+/// run when the running one ends. No thread starts while an interrupt is served.
 class HostScheduler {
  public:
   HostScheduler() = default;
   HostScheduler(const HostScheduler&) = delete;
   HostScheduler& operator=(const HostScheduler&) = delete;
 
-  /// @brief Makes a thread known.
+  /// @brief Registers a thread.
   /// @param thread thread that lives as long as the scheduler
   void add(HostThread& thread);
 

@@ -11,23 +11,26 @@
 
 namespace wr::host {
 
-/// @brief A serial port in memory, with as much storage as a real one.
+/// @brief A serial port in memory, with buffers as large as those of a real port.
 class HostSerialPort final : public SerialPort {
  public:
-  /// @brief Received bytes that can be stored: more than the 1152 that 115200 baud bring in one cycle.
+  /// @brief Received bytes that can be stored: more than the 1152 that 115200 baud transfer in one
+  /// cycle.
   static constexpr std::size_t kReceived = 2048;
   /// @brief Written bytes that can be stored.
   static constexpr std::size_t kSent = 512;
 
-  /// @brief Sets the clock that gives the time of received bytes. Without one the time is always 0.
+  /// @brief Sets the clock that returns the time of received bytes. Without one the time is always
+  /// 0.
   /// @param clock the clock
   void setClock(const Timebase& clock) { clock_ = &clock; }
 
-  /// @brief Receives bytes from the line, now. Bytes without room are lost and counted.
+  /// @brief Receives bytes from the line at the present time. Bytes that do not fit are lost and
+  /// counted.
   /// @param bytes the bytes
   void arrive(std::span<const std::uint8_t> bytes);
 
-  /// @brief Lets the line take everything that was written.
+  /// @brief Returns all written bytes to the line.
   /// @return the bytes, oldest first
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 

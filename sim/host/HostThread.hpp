@@ -9,12 +9,12 @@ class HostScheduler;
 /// @brief A control thread on the host.
 class HostThread final : public ControlThread {
  public:
-  /// @brief Makes a thread and adds it to the scheduler.
+  /// @brief Constructs a thread and adds it to the scheduler.
   /// @param scheduler runs the thread
   /// @param priority 1 is the lowest
   HostThread(HostScheduler& scheduler, int priority);
 
-  /// @brief Returns whether an activation waits to be run.
+  /// @brief Returns whether an activation is pending.
   /// @return true from post() to runPended().
   [[nodiscard]] bool pended() const;
 

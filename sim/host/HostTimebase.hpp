@@ -14,7 +14,7 @@ class HostTimebase final : public Timebase {
   [[nodiscard]] std::uint32_t awakeCycles() const override { return 0; }
 
   /// @brief Lets time pass.
-  /// @param duration how much
+  /// @param duration duration
   void advance(Microseconds duration) { now_ = now_ + duration; }
 
  private:

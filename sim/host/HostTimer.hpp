@@ -9,7 +9,7 @@ namespace wr::host {
 
 class HostScheduler;
 
-/// @brief A periodic timer on the host; the driver of the host reports when a period has passed.
+/// @brief A periodic timer on the host; the simulation reports the end of each period.
 class HostTimer final : public PeriodicTimer {
  public:
   /// @brief Binds the timer to the scheduler that serves its interrupt.
@@ -20,7 +20,7 @@ class HostTimer final : public PeriodicTimer {
   /// @param vector command of the interrupt
   void connect(std::function<void()> vector);
 
-  /// @brief Raises the interrupt. A timer that is stopped raises none.
+  /// @brief Raises the interrupt. A stopped timer raises no interrupt.
   void periodPassed();
 
   /// @brief The period that was set.

@@ -8,7 +8,8 @@
 
 namespace wr::host {
 
-/// @brief A watchdog on the host. It resets nothing; it records that a watchdog would have reset the robot.
+/// @brief A watchdog on the host. It does not reset; it records that a watchdog would have reset
+/// the robot.
 class HostWatchdog final : public Watchdog {
  public:
   /// @brief Starts the watchdog, as a reset does.
@@ -20,7 +21,7 @@ class HostWatchdog final : public Watchdog {
   [[nodiscard]] std::uint32_t refreshes() const;
 
   /// @brief Returns whether the watchdog would have reset the system.
-  /// @return true once the time-out has passed without a refresh, also when one came later.
+  /// @return true once the time-out has passed without a refresh, also if a refresh came later.
   [[nodiscard]] bool missed() const;
 
   void refresh() override;

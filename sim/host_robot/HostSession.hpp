@@ -6,11 +6,11 @@
 
 namespace wr::host_robot {
 
-/// @brief The firmware on the host, in stepped time. Its line takes no time.
+/// @brief The firmware on the host, in stepped time. Transfers on its line take no time.
 class HostSession final : public scenario::RobotSession {
  public:
-  /// @brief Makes the robot. It does not run yet.
-  /// @param equipment how much of the firmware it has
+  /// @brief Constructs the robot. It does not run yet.
+  /// @param equipment parts of the firmware
   explicit HostSession(host::HostEquipment equipment = host::HostEquipment::Whole);
 
   /// @brief Switches the robot on.

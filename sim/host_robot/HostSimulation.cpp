@@ -11,17 +11,17 @@ namespace {
 constexpr std::uint32_t kSeed = 1;
 constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).count());
 
-// From power-on to the start of the periods of the timers, as the image takes it on the virtual
-// K64: clock, calibration of the converters, construction.
+// From power-on to the start of the periods of the timers, as measured with the image on the
+// virtual K64: clock, calibration of the converters, construction.
 constexpr Microseconds kStartUp(5364);
 
-// From a tick to the first turn of a wheel's thread in the cycle that begins with it, and from one
-// such turn to the next, as the image takes them on the virtual K64. All else on the host takes no
-// time, so the clock pulse is at the turn of the first thread.
+// Times from a tick to the start of the first wheel thread in its cycle, and from one wheel thread
+// to the next, as measured with the image on the virtual K64. All other code takes no time on the
+// host, so the clock pulse is at the start of the first wheel thread.
 constexpr Microseconds kToWheels(9);
 constexpr Microseconds kOfWheel(51);
 
-// The microsecond that an edge is in; the firmware's clock has no finer time.
+// Rounds an edge to its microsecond, the resolution of the firmware's clock.
 Instant at(Instant begin, std::chrono::nanoseconds offset) {
   return begin +
          Microseconds(std::chrono::duration_cast<std::chrono::microseconds>(offset).count());
@@ -58,7 +58,8 @@ void HostSimulation::beginPeriods() {
   nextPulse_ = begin + robot.period() + kToWheels;
 }
 
-// The new firmware is where the old one was, so that all references to the robot stay valid.
+// The new firmware is at the same address as the old one, so that all references to the robot stay
+// valid.
 void HostSimulation::reset(ResetCause cause) {
   const host::HostFirmware::Retained retained = robot.retained();
   edges_.clear();

@@ -15,14 +15,15 @@ namespace wr::host_robot {
 
 /// @brief The firmware on the host in the simulated robot, in stepped time.
 ///
-/// Things happen in the order of time: at each ms since power-on the physics take a step; at each
-/// ms since the firmware has started the second timer ticks, and each 100 ms the clock pulse comes;
-/// between, the edges of the Hall sensors and of the remote control come at their own times.
+/// Events are executed in the order of time: at each ms since power-on the physics advance by a
+/// step; at each ms since the firmware has started the second timer ticks, and each 100 ms the
+/// clock pulse comes; between, the edges of the Hall sensors and of the remote control are executed
+/// at their own times.
 class HostSimulation {
  public:
-  /// @brief Puts a robot on its wheels. Its firmware does not run yet.
+  /// @brief Constructs a robot that is at rest. Its firmware does not run yet.
   /// @param pcPort line to the PC
-  /// @param equipment how much of the firmware it has; with Main Control only, nothing happens between
+  /// @param equipment parts of the firmware; with Main Control only, there are no events between
   /// the clock pulses
   explicit HostSimulation(SerialPort& pcPort,
                           host::HostEquipment equipment = host::HostEquipment::Whole);
@@ -30,8 +31,8 @@ class HostSimulation {
   /// @brief Switches the robot on.
   void start();
 
-  /// @brief Resets the microcontroller: its firmware starts again. Time and physics go on.
-  /// @param cause cause that the firmware finds
+  /// @brief Resets the microcontroller: its firmware starts again. Time and physics continue.
+  /// @param cause cause that the firmware reads
   void reset(ResetCause cause);
 
   /// @brief Advances to an instant, including events due at it.
@@ -66,7 +67,7 @@ class HostSimulation {
   SerialPort& pcPort_;
   host::HostEquipment equipment_;
   HostWires binding_;
-  std::vector<Edge> edges_;  // of this ms that are to come, in their order
+  std::vector<Edge> edges_;  // remaining edges of this ms, in order
   Instant nextStep_;
   Instant nextBeat_;
   Instant nextPulse_;

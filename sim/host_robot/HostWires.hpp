@@ -10,18 +10,19 @@ namespace wr::host_robot {
 /// @brief The robot's physics on the pins of the firmware on the host.
 class HostWires {
  public:
-  /// @brief Connects pins and physics, and puts the present values of all sensors on the pins.
+  /// @brief Connects pins and physics, and sets the pins to the present values of all sensors.
   /// @param pins pins of the firmware; they live as long as the wires
   /// @param physics the robot; it lives as long as the wires
   HostWires(host::HostPins& pins, plant::Robot& physics);
   HostWires(const HostWires&) = delete;
   HostWires& operator=(const HostWires&) = delete;
 
-  /// @brief Puts the outputs of the firmware on the actuators. The step pulses need no call: each one
+  /// @brief Passes the outputs of the firmware to the actuators. The step pulses need no call: each
+  /// one
   /// acts at once.
   void drive();
 
-  /// @brief Puts the values of the sensors on the pins, except those that come as edges.
+  /// @brief Sets the pins to the values of the sensors, except those that come as edges.
   void measure();
 
  private:

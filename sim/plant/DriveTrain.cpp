@@ -10,7 +10,7 @@ namespace wr::plant {
 
 namespace {
 
-// Shortens a force so that it is not greater than a limit.
+// Limits the magnitude of a force.
 void limit(double& along, double& across, double greatest) {
   const double square = along * along + across * across;
   if (square > greatest * greatest) {
@@ -91,7 +91,7 @@ double DriveTrain::cogging() const {
 }
 
 // Acceleration of a shaft that turns in a direction. The power goes through the gear from the motor
-// to the wheel or back, and the gear keeps its share in either case.
+// to the wheel or back, and the gear loses the same fraction in both cases.
 double DriveTrain::acceleration(double direction, double friction) const {
   const double magnets = speed_ != 0 ? cogging() : 0.0;
   const double motor =

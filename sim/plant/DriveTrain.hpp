@@ -6,7 +6,7 @@ namespace wr::plant {
 
 /// @brief Inputs of the driver of a wheel, from the firmware.
 struct WheelDrive {
-  double duty = 0;         ///< share of the supply that the motor sees, 0 to 1
+  double duty = 0;         ///< fraction of the supply voltage at the motor, 0 to 1
   bool backwards = false;  ///< orientation
   bool enabled = false;    ///< false: no current can flow
 };
@@ -20,19 +20,21 @@ struct Contact {
 
 /// @brief Motor, driver, gear, wheel and tyre of one wheel.
 ///
-/// A brushless motor with its driver is taken for a motor with a commutator. The driver works in
-/// two quadrants of each orientation: the motor sees a share of the supply, and with a share of 0
-/// it is short-circuited and brakes. The gear loses the same share of the power in either
-/// direction. The tyre's force grows with its slip, along and across the wheel, until the two
+/// A brushless motor with its driver is modelled as a motor with a commutator. The driver works in
+/// two quadrants of each orientation: the motor has a fraction of the supply voltage, and with a
+/// fraction of 0 it is short-circuited and brakes. The gear loses the same fraction of the power in
+/// either direction. The tyre's force grows with its slip, along and across the wheel, until the
+/// two
 /// together reach the limit of friction. While the wheel is at rest the tyre is a spring.
 class DriveTrain {
  public:
-  static constexpr double kRatio = 10.0;            ///< turns of the motor for one of the wheel
+  static constexpr double kRatio = 10.0;            ///< turns of the motor per turn of the wheel
   static constexpr double kEfficiency = 0.85;       ///< of the gear
   static constexpr double kRadius = 0.272;          ///< of the wheel, m
   static constexpr double kCoggingPeriods = 90.0;   ///< in a turn of the motor
   static constexpr double kSlipStiffness = 3000.0;  ///< of the tyre, N for a slip of 1
-  static constexpr double kRelaxation = 0.1;        ///< way in which the tyre's force builds up, m
+  static constexpr double kRelaxation = 0.1;        ///< distance in which the tyre's force builds
+                                                    ///< up, m
   static constexpr double kTyreDamping = 500.0;     ///< N s/m
 
   DriveTrain() { configure({}); }
@@ -54,7 +56,7 @@ class DriveTrain {
   void swapLeads(bool swapped) { polarity_ = swapped ? -1.0 : 1.0; }
 
   /// @brief Lets time pass.
-  /// @param seconds how much; at most 0.2 ms
+  /// @param seconds duration; at most 0.2 ms
   /// @param contact the ground
   /// @param supply voltage of the supply, V
   void advance(double seconds, const Contact& contact, double supply);
@@ -71,7 +73,7 @@ class DriveTrain {
   /// @return A, positive when it pulls forwards
   [[nodiscard]] double current() const { return current_; }
 
-  /// @brief Current in the driver, as its sensor has it.
+  /// @brief Current in the driver, as its sensor measures it.
   /// @return A, positive when the driver drives it forwards
   [[nodiscard]] double driverCurrent() const { return polarity_ * current_; }
 
@@ -104,8 +106,9 @@ class DriveTrain {
   [[nodiscard]] double acceleration(double direction, double friction) const;
 
   MotorParameters motor_{};
-  double inertiaDriving_ = 1;  // of all that turns, at the shaft: the motor drives the wheel
-  double inertiaDriven_ = 1;   // the wheel drives the motor
+  double inertiaDriving_ = 1;  // inertia of all rotating parts at the shaft, when the motor drives
+                               // the wheel
+  double inertiaDriven_ = 1;   // the same when the wheel drives the motor
   WheelDrive drive_{};
   bool blocked_ = false;
   double polarity_ = 1;

@@ -11,18 +11,18 @@ namespace wr::plant {
 class HallSensors {
  public:
   static constexpr double kEdgesPerTurn = 60.0;
-  /// Half of the way, in edges, that the shaft must turn back until an edge is taken back.
+  /// Half of the distance, in edges, by which the shaft must turn back before an edge is reversed.
   static constexpr double kHysteresis = 0.05;
 
   /// @brief Returns the positions of the sensors.
-  /// @param misplaced how far each is from its place, in edges
+  /// @param misplaced displacement of each sensor, in edges
   void place(const std::array<double, 2>& misplaced) { misplaced_ = misplaced; }
 
   /// @brief Turns the shaft by less than an edge.
   /// @param sensor 0 for a, 1 for b
   /// @param from turns of the shaft before
   /// @param to turns of the shaft after
-  /// @return which part of the way was turned when the level changed; nothing without an edge
+  /// @return fraction of the movement at which the level changed; nothing without an edge
   [[nodiscard]] std::optional<double> turn(std::size_t sensor, double from, double to);
 
   /// @brief Level of a sensor.

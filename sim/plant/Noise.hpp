@@ -4,8 +4,8 @@
 
 namespace wr::plant {
 
-/// @brief Random numbers that depend only on a seed and their purpose: two runs see the same noise
-/// at the same time, however many numbers each of them has drawn.
+/// @brief Random numbers that depend only on a seed and their purpose: two runs have the same noise
+/// at the same time, independent of how many numbers they have drawn.
 class Noise {
  public:
   /// @brief Makes noise.
@@ -14,13 +14,13 @@ class Noise {
 
   /// @brief A number from a uniform distribution.
   /// @param source purpose of the number
-  /// @param index which number of this source
+  /// @param index index of the number for this purpose
   /// @return -1 to 1
   [[nodiscard]] double uniform(std::uint32_t source, std::uint64_t index) const;
 
   /// @brief A number from a distribution that is nearly normal: the sum of twelve uniform ones.
   /// @param source purpose of the number
-  /// @param index which number of this source
+  /// @param index index of the number for this purpose
   /// @return mean 0, standard deviation 1, at most 6 away from the mean
   [[nodiscard]] double normal(std::uint32_t source, std::uint64_t index) const;
 

@@ -7,7 +7,7 @@ namespace {
 // Numbers of the noise that belong to the plant.
 constexpr std::uint32_t kOfPlant = 64;
 
-// Numbers in their bands, one after the other.
+// Returns successive numbers within their bands.
 class Bands {
  public:
   explicit Bands(const Noise& noise) : noise_(noise) {}
@@ -48,8 +48,8 @@ void setRolling(Plant& plant, double share) {
 }  // namespace
 
 // Copper has 20 percent more resistance 50 K above the nominal temperature. Magnets lose a tenth of
-// their field when they are hot. A lead battery of 24 V gives 21 V at its end, 29 V while it is
-// charged. The mass goes from the robot without panels and sprayers to one with a load.
+// their field when they are hot. A lead battery of 24 V has 21 V when it is empty, 29 V while it is
+// charged. The mass ranges from the robot without panels and sprayers to one with a load.
 Plant Plant::varied(const Noise& noise) {
   Bands bands(noise);
   Plant plant;

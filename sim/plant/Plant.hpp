@@ -35,8 +35,8 @@ struct CurrentSensorParameters {
   double offset = 0.0;  ///< A
 };
 
-/// @brief Properties of the parts of a robot. The nominal robot is one of many: varied() has the
-/// ranges of the properties that differ from one robot to the next, with its load and its battery.
+/// @brief Properties of the parts of a robot. varied() contains the ranges of the properties that
+/// differ between robots, loads and batteries.
 struct Plant {
   std::array<MotorParameters, kWheels> motors{};
   std::array<CurrentSensorParameters, kWheels> currentSensors{};
@@ -49,7 +49,7 @@ struct Plant {
   double angleGain = 1.0;           ///< share of the nominal 80 degrees over 3.3 V
   double angleOffset = 0.0;         ///< degrees
 
-  /// @brief The robot of a seed: each parameter lies somewhere in its band.
+  /// @brief Returns a robot with random parameters within their bands.
   /// @param noise chooses the values
   /// @return the robot
   [[nodiscard]] static Plant varied(const Noise& noise);
@@ -59,7 +59,7 @@ struct Plant {
 enum class Parameter : std::uint8_t {
   Supply,         ///< V
   Battery,        ///< ohm
-  Mass,           ///< share of the nominal value, as all that follow
+  Mass,           ///< factor of the nominal value, like the following ones
   Inertia,        ///< of rotors, wheels and yaw
   Resistance,     ///< of the motors
   MotorConstant,  ///< of the motors
@@ -71,7 +71,7 @@ enum class Parameter : std::uint8_t {
 
 /// @brief Sets a parameter.
 /// @param plant the robot
-/// @param parameter which one
+/// @param parameter parameter to set
 /// @param value the value, in the unit of the parameter
 void setParameter(Plant& plant, Parameter parameter, double value);
 

@@ -14,12 +14,12 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr milliseconds kStep{1};
-// Between the begins of the pulses of two channels.
+// Time between the beginnings of the pulses of two channels.
 constexpr milliseconds kSpacing{3};
 constexpr double kTremorPeriod = 1000;  // ms
 constexpr std::uint32_t kForJitter = 96;
 
-// A receiver makes its pulses with a timer of 1 us.
+// A receiver generates its pulses with a timer of 1 us.
 microseconds deflected(double share, microseconds full) {
   const double part = std::clamp(share, -1.0, 1.0);
   return RemoteControl::kMiddle +

@@ -21,7 +21,7 @@ struct Sticks {
 /// @brief Positions of the enable switch of the remote control.
 enum class EnablePosition : std::uint8_t {
   Stop,    ///< the robot shall stop: 1.1 ms
-  Pc,      ///< the remote control gives no orders: 1.5 ms
+  Pc,      ///< the remote control sends no orders: 1.5 ms
   Drive,   ///< the remote control drives: 1.9 ms
   StopPc,  ///< between stop and pc: 1.3 ms
   PcDrive  ///< between pc and drive: 1.7 ms
@@ -46,7 +46,7 @@ struct RcEdge {
 ///
 /// At first only the enable switch sends, in the position Pc. The channels of the sticks send from
 /// the first call of set() on. While the transmitter is on, the width of a pulse varies by up to 2
-/// us; pulses that the receiver sends by itself are all the same.
+/// us; pulses that the receiver generates itself do not vary.
 class RemoteControl {
  public:
   static constexpr std::size_t kChannels = 3;
@@ -55,7 +55,8 @@ class RemoteControl {
   static constexpr std::chrono::microseconds kDeflection{500};
   static constexpr std::int64_t kJitter = 2;  ///< us
 
-  /// @brief Moves the sticks, and switches the transmitter on. It counts from the next pulses on.
+  /// @brief Moves the sticks, and switches the transmitter on. It takes effect with the next
+  /// pulses.
   /// @param sticks positions of the sticks; nothing: the transmitter is off
   void set(const std::optional<Sticks>& sticks);
 

@@ -14,14 +14,15 @@ constexpr double kStepSeconds = 1e-3;
 
 constexpr double kCurrentNoise = 0.05;  // A
 constexpr double kAngleNoise = 0.05;    // degrees
-constexpr double kMisplacement = 0.03;  // of the way between two edges, at most
+constexpr double kMisplacement = 0.03;  // greatest displacement, as a fraction of the distance
+                                        // between two edges
 constexpr double kJitter = 5'000;       // ns
 
 constexpr double kDegreesPerEdge = 90.0;  // electrical degrees
 constexpr std::chrono::nanoseconds kGlitch{30'000};
-constexpr double kOpenShare =
-    0.05;                          // of the difference to its neighbour that an open input follows
-constexpr double kNoPower = 0.05;  // W, of noise and rounding
+constexpr double kOpenShare = 0.05;  // fraction of the difference to its neighbour by which an open
+                                     // input changes
+constexpr double kNoPower = 0.05;    // W, of noise and rounding
 constexpr double kSlopeSeconds = 2.0;  // longest time in which the slope changes
 
 // Purposes of the random numbers.
@@ -238,8 +239,8 @@ void Robot::sample() {
   sampleAngle();
 }
 
-// An open input keeps the charge of the converter's capacitor, which was at the input before it.
-// One converter has the currents of the wheels 0 and 1, the other one those of 2 and 3 and the
+// An open input keeps the charge of the converter's capacitor, from the previous input.
+// One converter converts the currents of the wheels 0 and 1, the other one those of 2 and 3 and the
 // angle.
 double Robot::voltsBefore(std::size_t wheel) const {
   return wheel == 2 ? steeringVolts() : currentVolts_.at(wheel == 0 ? 1 : wheel - 1);
@@ -265,8 +266,8 @@ double Robot::steeringVolts() const {
   return angleOpen_ || angleStuck_ ? keptVolts_ : trueAngleVolts();
 }
 
-// While only one axle is on the new slope, the robot has a part of the change. All of it acts when
-// the second axle has followed, one wheelbase later.
+// While only one axle is on the new slope, the slope of the robot has a part of the change. The
+// full change acts when the second axle has followed, one wheelbase later.
 void Robot::advanceSlope() {
   if (slopeReached_ >= 1) {
     return;
@@ -276,7 +277,7 @@ void Robot::advanceSlope() {
   surroundings_.slope = std::lerp(slopeBefore_, slopeAhead_, slopeReached_);
 }
 
-// The weight's share along the slope pulls downhill, whatever the direction of the robot.
+// The weight's share along the slope pulls downhill, for any direction of the robot.
 void Robot::feelGround() {
   linkage_.turn(steering_.degrees());
   const double rise = surroundings_.slope / 100.0;
@@ -299,7 +300,7 @@ Contact Robot::contactOf(const WheelPose& pose) const {
           .grip = grip_};
 }
 
-// The tyres push the robot along, across and around; the battery gives less voltage under load.
+// The tyres push the robot along, across and around; the voltage of the battery falls under load.
 void Robot::advance(double seconds) {
   Forces force = ground_;
   double drawn = 0;
@@ -323,7 +324,7 @@ void Robot::advance(double seconds) {
 }
 
 // Rolling resistance acts against the movement, and keeps a robot at rest until a greater force
-// pulls at it.
+// acts on it.
 void Robot::advanceAlong(double force, double seconds) {
   if (speed_ == 0) {
     const double excess = std::abs(force) - plant_.staticResistance * weight_;
@@ -336,7 +337,7 @@ void Robot::advanceAlong(double force, double seconds) {
   speed_ = next * direction > 0 ? next : 0.0;
 }
 
-// Finds the edges of a step. No shaft turns by a whole edge in 1 ms.
+// Computes the edges of a step. No shaft turns by a whole edge in 1 ms.
 void Robot::findEdges(std::size_t wheel, double from) {
   HallFaults& faults = hallFaults_.at(wheel);
   faults.losesNext = faults.losesNext || happens(kForLosses, wheel, faults.losses);
@@ -366,7 +367,7 @@ void Robot::findEdges(std::size_t wheel, double from) {
   }
 }
 
-// A pulse of the other level.
+// Adds a pulse of the opposite level.
 void Robot::addGlitch(std::size_t wheel) {
   const bool level = halls_.at(wheel).level(0);
   const auto source = static_cast<std::uint32_t>(kForGlitchTimes + wheel);

@@ -27,7 +27,7 @@ struct HallEdge {
 /// @brief The ground on which the robot drives.
 struct Ground {
   double slope = 0;   ///< percent, positive uphill in the direction in which the robot starts
-  double grip = 0.6;  ///< greatest share of a wheel's load that its tyre can pull
+  double grip = 0.6;  ///< greatest share of a wheel's load that its tyre can transmit
 };
 
 /// @brief Kind of a fault.
@@ -36,14 +36,14 @@ enum class Fault : std::uint8_t {
   HallA,          ///< sensor a of a wheel keeps its level
   HallB,          ///< sensor b of a wheel keeps its level
   HallSwapped,    ///< the two Hall sensors of a wheel are connected to each other's pins
-  HallMisplaced,  ///< sensor b of a wheel is off its place; value: electrical degrees
+  HallMisplaced,  ///< sensor b of a wheel is displaced; value: electrical degrees
   HallGlitches,   ///< pulses of 30 us on sensor a of a wheel; value: pulses in a second
   HallLosses,     ///< edges of a wheel are lost; value: edges in a second
   Leads,          ///< the leads of a motor are swapped
   Current,        ///< the cable of a current sensor is broken; its input is pulled to 0 V
   CurrentOpen,    ///< the cable is broken, and nothing pulls the input: it follows its neighbour
   CurrentStuck,   ///< a current sensor keeps its value
-  CurrentOffset,  ///< a current sensor is off; value: mA
+  CurrentOffset,  ///< a current sensor has an offset; value: mA
   Angle,          ///< the cable of the angle sensor is broken; its input is pulled to 0 V
   AngleOpen,      ///< the cable is broken, and nothing pulls the input: it follows its neighbour
   AngleStuck,     ///< the angle sensor keeps its value
@@ -57,30 +57,30 @@ enum class Fault : std::uint8_t {
 /// @brief Effect of the emergency stop's circuit on the motors.
 enum class EmergencyStop : std::uint8_t {
   Released,  ///< nothing
-  Coast,     ///< it takes the power from all drivers: the motors have no current
-  Brake      ///< it takes the power, and short-circuits the motors of the wheels
+  Coast,     ///< it removes the power of all drivers: the motors have no current
+  Brake      ///< it removes the power, and short-circuits the motors of the wheels
 };
 
 /// @brief The physics of the robot: from the inputs of its actuators to the values of its sensors.
 ///
-/// Time is cut in steps of 1 ms. A step takes the inputs as they are and returns the edges that
-/// come before the next one. Noise is a number for each step, so that each target of the firmware
-/// sees the same.
+/// Time is divided into steps of 1 ms. A step uses the present inputs and returns the edges before
+/// the next step. Noise depends only on the seed and the step, so it is equal for each target of
+/// the firmware.
 class Robot {
  public:
   static constexpr double kGravity = 9.81;     ///< m/s^2
   static constexpr double kReference = 3.3;    ///< V: full scale of the converters
-  static constexpr double kMiddle = 1.65;      ///< V: no current; steering straight on
+  static constexpr double kMiddle = 1.65;      ///< V: no current; steering straight ahead
   static constexpr double kPerAmpere = 0.1;    ///< V/A of the current sensors
   static constexpr double kAngleRange = 80.0;  ///< degrees over the whole scale
   static constexpr std::chrono::milliseconds kStep{1};
 
   /// @brief Puts the nominal robot on the ground, at rest.
-  /// @param seed chooses the noise and how far the Hall sensors are misplaced
+  /// @param seed chooses the noise and the displacement of the Hall sensors
   /// @param surroundings the ground
   explicit Robot(std::uint32_t seed, Ground surroundings = {});
 
-  /// @brief Chooses other noise, other places of the Hall sensors, and of a varied robot other
+  /// @brief Chooses new noise, new displacements of the Hall sensors and, for a varied robot, new
   /// parameters.
   /// @param seed chooses them
   void setSeed(std::uint32_t seed);
@@ -94,7 +94,7 @@ class Robot {
   void vary(bool varied);
 
   /// @brief Sets one parameter of the robot.
-  /// @param parameter which one
+  /// @param parameter parameter to set
   /// @param value the value, in the unit of the parameter
   void setParameter(Parameter parameter, double value);
 
@@ -102,20 +102,20 @@ class Robot {
   /// @param on true for on
   void setNoise(bool on);
 
-  /// @brief Sets the slope of the ground ahead. The robot comes onto it axle by axle: its own slope changes
-  /// evenly over one wheelbase of way, and within 2 s if it drives slowly or is at rest.
+  /// @brief Sets the slope of the ground ahead. The robot reaches it axle by axle: its own slope
+  /// changes evenly over one wheelbase, and within 2 s if it drives slowly or is at rest.
   /// @param percent positive uphill, in the direction in which the robot started
   void setSlope(double percent);
 
   /// @brief Sets the grip of the ground.
-  /// @param share greatest share of a wheel's load that its tyre can pull
+  /// @param share greatest share of a wheel's load that its tyre can transmit
   void setGrip(double share) { surroundings_.grip = share; }
 
-  /// @brief Breaks something, or repairs it.
+  /// @brief Sets a fault, or repairs it.
   /// @param fault kind
-  /// @param wheel which wheel, where the fault is one of a wheel
+  /// @param wheel number of the wheel, for faults of a wheel
   /// @param present true to break it
-  /// @param value how much, where the fault has a value
+  /// @param value value, for faults with a value
   void setFault(Fault fault, std::size_t wheel, bool present, double value = 0);
 
   /// @brief Presses or releases the emergency stop.
@@ -160,13 +160,15 @@ class Robot {
     return halls_.at(wheel).level(sensor);
   }
 
-  /// @brief Whether the contact of the left end stop is open: the end is reached, or the wire broken.
+  /// @brief Returns whether the contact of the left end stop is open: the end is reached, or the
+  /// wire broken.
   [[nodiscard]] bool leftEnd() const { return leftEndBroken_ || steering_.leftEnd(); }
 
-  /// @brief Whether the contact of the right end stop is open: the end is reached, or the wire broken.
+  /// @brief Returns whether the contact of the right end stop is open: the end is reached, or the
+  /// wire broken.
   [[nodiscard]] bool rightEnd() const { return rightEndBroken_ || steering_.rightEnd(); }
 
-  /// @brief Whether the auxiliary contact of the emergency stop is open: it is pressed.
+  /// @brief Returns whether the auxiliary contact of the emergency stop is open: it is pressed.
   [[nodiscard]] bool emergencyStopOpen() const { return !hasPower(); }
 
   /// @brief True velocity of a wheel's motor shaft.
@@ -191,7 +193,8 @@ class Robot {
   /// @return N m at the shaft, positive forwards
   [[nodiscard]] double torque(std::size_t wheel) const { return trains_.at(wheel).torque(); }
 
-  /// @brief Whether no driver puts power into its motor: the robot brakes, rolls or is at rest.
+  /// @brief Returns whether no driver puts power into its motor: the robot brakes, rolls or is at
+  /// rest.
   [[nodiscard]] bool braking() const;
 
   /// @brief Speed over ground of the middle of the robot, along the robot.
@@ -214,7 +217,7 @@ class Robot {
   /// @return m/s, positive to the left
   [[nodiscard]] double sideSlip(std::size_t wheel) const;
 
-  /// @brief Way since start, along the path.
+  /// @brief Distance since start, along the path.
   /// @return m, positive forwards
   [[nodiscard]] double distance() const { return distance_; }
 
@@ -281,9 +284,9 @@ class Robot {
   bool varied_ = false;
   Plant plant_{};
   Ground surroundings_;
-  double slopeBefore_ = 0;   // percent, behind the place where the slope changes
+  double slopeBefore_ = 0;   // percent, slope after the place of the change
   double slopeAhead_ = 0;    // percent
-  double slopeReached_ = 1;  // share of the change that is complete
+  double slopeReached_ = 1;  // completed fraction of the change
   std::array<DriveTrain, kWheels> trains_{};
   std::array<WheelDrive, kWheels> drives_{};
   std::array<HallSensors, kWheels> halls_{};
@@ -297,7 +300,7 @@ class Robot {
   bool angleStuck_ = false;
   double angleDrift_ = 0;  // degrees in a step
   double angleDrifted_ = 0;
-  double keptVolts_ = 0;  // of an angle input that is open or stuck
+  double keptVolts_ = 0;  // voltage of an angle input that is open or stuck
   bool leftEndBroken_ = false;
   bool rightEndBroken_ = false;
   std::array<double, kWheels> currentVolts_{};

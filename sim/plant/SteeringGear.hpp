@@ -6,8 +6,8 @@ namespace wr::plant {
 class SteeringGear {
  public:
   static constexpr double kStep = 0.05;    ///< degrees
-  static constexpr int kLastStep = 680;    ///< where the steering is stopped: 34 degrees
-  static constexpr double kSwitch = 33.5;  ///< where the switch of an end closes, degrees
+  static constexpr int kLastStep = 680;    ///< mechanical limit of the steering: 34 degrees
+  static constexpr double kSwitch = 33.5;  ///< angle at which the switch of an end closes, degrees
 
   /// @brief Switches the current of the motor.
   /// @param enabled false: steps are lost

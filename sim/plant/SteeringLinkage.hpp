@@ -7,11 +7,11 @@
 
 namespace wr::plant {
 
-/// @brief Where a wheel is and which way it points.
+/// @brief Position and direction of a wheel.
 struct WheelPose {
   double x = 0;       ///< m before the middle of the robot
   double y = 0;       ///< m to the left of it
-  double cosine = 1;  ///< of the angle to the left
+  double cosine = 1;  ///< sine or cosine of the angle to the left
   double sine = 0;
 };
 

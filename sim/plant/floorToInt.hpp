@@ -4,7 +4,8 @@
 
 namespace wr::plant {
 
-/// @brief The greatest whole number that is not above a number, as std::floor, but without a call.
+/// @brief Returns the greatest integer that is not above a number, like std::floor but without a
+/// call.
 inline std::int64_t wholePart(double number) {
   const auto towardsZero = static_cast<std::int64_t>(number);
   return static_cast<double>(towardsZero) > number ? towardsZero - 1 : towardsZero;

@@ -6,15 +6,15 @@
 
 namespace wr::programs {
 
-/// @brief Keeps the time of a simulated robot with the clock of the machine.
+/// @brief Synchronises the time of a simulated robot with the clock of the machine.
 ///
-/// When the machine is late by more than kLate, the robot's time stands still instead of running
-/// after the clock: its PC gets no burst of cycles.
+/// When the machine is late by more than kLate, the robot's time stands still instead of catching
+/// up, so that its PC gets no burst of cycles.
 class Pace final {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// @brief Lateness that is made up for.
+  /// @brief Greatest delay that is compensated.
   static constexpr Clock::duration kLate = std::chrono::milliseconds(20);
 
   /// @brief Begins at time 0 of the robot.
@@ -27,7 +27,7 @@ class Pace final {
   /// @param time since the start of the robot
   void waitFor(Clock::duration time);
 
-  /// @brief Returns for how long the robot's time stood still.
+  /// @brief Returns how long the robot's time stood still.
   [[nodiscard]] Clock::duration lost() const { return lost_; }
 
  private:
@@ -39,8 +39,8 @@ class Pace final {
   Clock::duration lost_{};
 };
 
-/// @brief Prints for how long the robot's time stood still, if it did.
-/// @param pace of the run that ended
+/// @brief Prints how long the robot's time stood still, if it did.
+/// @param pace pace of the ended run
 /// @param output where to print
 void printLost(const Pace& pace, std::FILE* output);
 

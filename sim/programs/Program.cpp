@@ -35,7 +35,7 @@ SymbolicLink::SymbolicLink(std::filesystem::path path, std::filesystem::path tar
 
 SymbolicLink::~SymbolicLink() {
   std::error_code error;
-  // Another program may have taken the link over.
+  // Another program may have replaced the link.
   if (!path_.empty() && std::filesystem::read_symlink(path_, error) == target_) {
     std::filesystem::remove(path_, error);
   }

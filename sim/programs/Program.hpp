@@ -16,8 +16,8 @@ enum class Exit { Done = 0, Failed = 1, Usage = 2, Found = 4 };
 class SymbolicLink {
  public:
   /// @brief Creates the link.
-  /// @param path where; empty for no link
-  /// @param target where it leads
+  /// @param path path of the link; empty for no link
+  /// @param target target of the link
   SymbolicLink(std::filesystem::path path, std::filesystem::path target);
   SymbolicLink(const SymbolicLink&) = delete;
   SymbolicLink& operator=(const SymbolicLink&) = delete;
@@ -28,15 +28,15 @@ class SymbolicLink {
   std::filesystem::path target_;
 };
 
-/// @brief Lets Ctrl-C and SIGTERM ask for the end of the program.
+/// @brief Makes Ctrl-C and SIGTERM request the end of the program.
 void catchEndRequests();
 
-/// @brief Checks whether the end was asked for.
+/// @brief Checks whether the end was requested.
 [[nodiscard]] bool endRequested();
 
 /// @brief Plays a scenario and prints how it ended.
 /// @param file the scenario
-/// @param reports file that gets the reports; empty for none
+/// @param reports file for the reports; empty for none
 /// @param robot a robot that was just switched on
 /// @return exit code of the program
 [[nodiscard]] Exit playScenario(const std::string& file, const std::string& reports,
@@ -49,7 +49,7 @@ void catchEndRequests();
 /// @param app options of the program
 /// @param count number of arguments, with the name of the program
 /// @param arguments the arguments
-/// @param body the program; it throws CLI::ParseError for options that do not fit each other
+/// @param body the program; it throws CLI::ParseError for options that cannot be combined
 /// @return exit code for main()
 int runProgram(CLI::App& app, int count, char** arguments, const std::function<Exit()>& body);
 

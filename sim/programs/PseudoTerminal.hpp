@@ -12,8 +12,8 @@ namespace wr::programs {
 
 /// @brief A pseudo-terminal of this machine.
 ///
-/// It keeps the far end open itself, so a client may leave and another may come. Bytes that the
-/// pseudo-terminal does not accept at once wait in bounded storage.
+/// The object also keeps the far end open, so that clients can disconnect and connect. Bytes that
+/// the pseudo-terminal does not accept at once wait in a bounded buffer.
 class PseudoTerminal final : public SerialLine {
  public:
   /// @brief Bytes that can wait to be sent.

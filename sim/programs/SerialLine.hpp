@@ -8,7 +8,7 @@
 
 namespace wr::programs {
 
-/// @brief The far end of a serial port of the robot, on this machine. No call waits.
+/// @brief The line to a serial port of the robot, on this machine. No call waits.
 class SerialLine {
  public:
   SerialLine() = default;
@@ -20,7 +20,7 @@ class SerialLine {
   [[nodiscard]] virtual const std::string& name() const = 0;
 
   /// @brief Reads bytes that a client has sent.
-  /// @param bytes gets the bytes
+  /// @param bytes receives the bytes
   /// @return number of bytes; 0 while there are none
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
 
@@ -35,7 +35,7 @@ class SerialLine {
 /// @return the line
 [[nodiscard]] std::unique_ptr<SerialLine> openLine(const std::string& kind);
 
-/// @brief Checks whether openLine() has a kind of line.
+/// @brief Checks whether openLine() supports a kind of line.
 [[nodiscard]] bool isLineKind(const std::string& kind);
 
 }  // namespace wr::programs

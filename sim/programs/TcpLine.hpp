@@ -9,8 +9,8 @@
 
 namespace wr::programs {
 
-/// @brief A TCP port of this machine, 127.0.0.1, for one client at a time. A client may leave and
-/// another may come.
+/// @brief A TCP port of this machine, 127.0.0.1, for one client at a time. Clients can disconnect
+/// and connect.
 class TcpLine final : public SerialLine {
  public:
   /// @brief Waits for clients. Throws std::system_error when it cannot.

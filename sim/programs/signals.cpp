@@ -14,7 +14,7 @@ constexpr double kHighestVolts = 3.3;
 constexpr int kLastChannel = 23;
 constexpr int kLastPin = 31;
 
-// Reads a text from its beginning; whatever does not fit makes the whole text unreadable.
+// Reads a text from its beginning; any error makes the whole text invalid.
 class Words {
  public:
   Words(const char* option, const std::string& text) : option_(option), text_(text), rest_(text) {}

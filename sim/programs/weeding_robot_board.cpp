@@ -35,9 +35,9 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-// Time between two looks at the line of UART0.
+// Time between two reads of the line of UART0.
 constexpr milliseconds kSlice{2};
-// Bytes that the line brings in a look; more bytes wait there.
+// Greatest number of bytes per read of the line; more bytes wait.
 constexpr std::size_t kBytes = 64;
 constexpr milliseconds kPeriod{100};
 constexpr double kNanoseconds = 1e9;
@@ -88,24 +88,25 @@ void addImageOptions(CLI::App& app, Settings& settings) {
       ->type_name("MODEL")
       ->check(CLI::IsMember({"no-wait-states", "slow-flash"}))
       ->group(group);
-  app.add_option("--unmodelled", settings.unmodelled,
-                 "an access that is not modelled: stop with a finding, or warn and go on; a load "
-                 "then gives 0, a store does nothing [stop]")
+  app.add_option(
+         "--unmodelled", settings.unmodelled,
+         "an access that is not modelled: stop with a finding, or warn and continue; a load "
+         "then returns 0, a store has no effect [stop]")
       ->type_name("stop|warn")
       ->check(CLI::IsMember({"stop", "warn"}))
       ->group(group);
   app.add_flag("--resets", settings.resets,
-               "go on after a reset that the program causes; without it a reset is a finding")
+               "continue after a reset that the program causes; without it a reset is a finding")
       ->group(group);
   app.add_flag("--faults", settings.faults,
-               "give faults to the handlers of the program; without it a fault is a finding")
+               "pass faults to the handlers of the program; without it a fault is a finding")
       ->group(group);
 }
 
 void addLineOptions(CLI::App& app, Settings& settings) {
   const std::string group = "UART0 and pins";
   app.add_option("--uart0", settings.uart,
-                 "far end of UART0: pty, stdout (sends only), or tcp:PORT at 127.0.0.1, 0 for a "
+                 "connection of UART0: pty, stdout (sends only), or tcp:PORT at 127.0.0.1, 0 for a "
                  "free port [pty]")
       ->type_name("LINE")
       ->check(CLI::Validator(
@@ -114,7 +115,7 @@ void addLineOptions(CLI::App& app, Settings& settings) {
           },
           ""))
       ->group(group);
-  app.add_option("--baud", settings.baud, "baud rate of the far end [115200 Bd]")
+  app.add_option("--baud", settings.baud, "baud rate of the connected device [115200 Bd]")
       ->type_name("BAUD")
       ->check(greaterThanZero())
       ->group(group);
@@ -171,7 +172,7 @@ void addRobotOptions(CLI::App& app, Settings& settings) {
       ->type_name("PATH")
       ->group(group);
   app.add_option("--cycles", settings.cycles,
-                 "end after so many control cycles of 100 ms [until Ctrl-C]")
+                 "end after this number of control cycles of 100 ms [until Ctrl-C]")
       ->type_name("NUMBER")
       ->check(greaterThanZero())
       ->group(group);
@@ -191,7 +192,7 @@ void addRobotOptions(CLI::App& app, Settings& settings) {
       "times in ns; needs --elf and --between [none]");
   CLI::Option* const window =
       app.add_option("--between", settings.window,
-                     "with --calls: begin and end of the part, in ms since the power came")
+                     "with --calls: begin and end of the part, in ms since power-on")
           ->expected(2)
           ->type_name("MS")
           ->group(group);
@@ -206,7 +207,8 @@ void addRobotOptions(CLI::App& app, Settings& settings) {
   window->needs(calls);
   calls->needs(scenario)->needs(window)->needs(app.get_option("--elf"));
   calls->excludes(bench)->excludes(app.get_option("--trace"));
-  app.add_flag("--profile", settings.profile, "with --bench: count how often each instruction runs")
+  app.add_flag("--profile", settings.profile,
+               "with --bench: count the executions of each instruction")
       ->needs(bench)
       ->group(group);
 }
@@ -243,7 +245,7 @@ emulator::Options boardOptions(const Settings& settings) {
           .unmodelledIsFinding = settings.unmodelled == "stop"};
 }
 
-/// @brief The board that runs: alone, or in the robot.
+/// @brief The running board: alone, or in the robot.
 class Machine {
  public:
   explicit Machine(const Settings& settings) {
@@ -275,8 +277,8 @@ class Machine {
   std::optional<emulator::VirtualBoard> alone_;
 };
 
-// Whether the time is over, or so many cycles have begun, and had time to end, before the next one
-// in the slice to come.
+// Returns whether the time has passed, or the number of cycles has begun and ended before the next
+// slice.
 bool hasRun(Machine& machine, const Settings& settings) {
   const nanoseconds now = machine.board().now();
   if (settings.seconds != 0 &&
@@ -305,16 +307,16 @@ void exchangeBytes(SerialLine& line, emulator::VirtualBoard& board) {
   line.write(board.takeSent());  // bytes that nobody reads are lost, as on a line
 }
 
-// Messages do not mix with the bytes of UART0.
+// Messages must not be mixed with the bytes of UART0.
 std::FILE* messagesOf(const Settings& settings) {
   return settings.uart == "stdout" ? stderr : stdout;
 }
 
-/// @brief The line of UART0 and the pace of a run. With a debugger, a run that begins again keeps both.
+/// @brief The line of UART0 and the pace of a run. With a debugger, a restarted run keeps both.
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
-    // A run as fast as possible has no line that a client could follow.
+    // A run as fast as possible has no line for a client.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }
@@ -331,7 +333,7 @@ class Outside {
     }
   }
 
-  /// @brief Makes the link, and prints the name of the line; once.
+  /// @brief Creates the link, and prints the name of the line, only once.
   void announce(const Settings& settings, bool robot) {
     if (line() == nullptr || link_) {
       return;
@@ -360,7 +362,8 @@ Exit runBoard(Machine& machine, const Settings& settings, Outside& outside) {
     control.emplace(settings.control, *machine.robot());
   }
   outside.announce(settings,
-                   machine.robot() != nullptr);  // last: when the link exists, all the rest does
+                   machine.robot() != nullptr);  // the link is created last, when everything else
+                                                 // exists
   Pace& pace = outside.pace;
   bool runs = true;
   while (runs && !endRequested() && !hasRun(machine, settings)) {
@@ -389,7 +392,7 @@ Exit runBoard(Machine& machine, const Settings& settings, Outside& outside) {
   return Exit::Done;
 }
 
-// Plays the scenario and measures its last cycles; one more than these must have begun.
+// Plays the scenario and measures its last cycles; one more cycle must have begun.
 Exit runBench(board_robot::BoardSession& robot, const Settings& settings) {
   const auto end = scenario::Scenario::load(settings.scenario).end();
   const auto measured = kPeriod * (board_robot::CycleMeter::kCycles + 1);
@@ -436,7 +439,7 @@ Exit runAsAsked(Machine& machine, const Settings& settings, Outside& outside) {
   return runBoard(machine, settings, outside);
 }
 
-// Runs under a debugger: each way back is another run, from the start.
+// Runs under a debugger: each step back is another run from the start.
 Exit runDebugged(const Settings& settings) {
   catchEndRequests();
   const std::unique_ptr<SerialLine> door = openLine("tcp:" + std::to_string(settings.gdb));
@@ -481,7 +484,8 @@ Exit run(const Settings& settings) {
   if (trace) {
     machine.onEvent([&](const emulator::Event& event) { trace->add(event); });
   }
-  const std::uint32_t top = machine.board().word(0);  // the first vector: the stack begins there
+  const std::uint32_t top = machine.board().word(0);  // the first vector is the initial stack
+                                                      // pointer
   std::uint32_t lowest = top;
   if (settings.stack) {
     machine.board().noteStack(lowest);
@@ -507,7 +511,7 @@ int main(int count, char** arguments) try {
   wr::programs::Settings settings;
   CLI::App app(
       "Runs a raw image of a K64 (MK64FN1M0) on the virtual board, in real time. The board is\n"
-      "bare, or built into the simulated robot. It stops at a finding.",
+      "alone, or in the simulated robot. It stops at a finding.",
       "weeding_robot_board");
   wr::programs::addImageOptions(app, settings);
   wr::programs::addLineOptions(app, settings);

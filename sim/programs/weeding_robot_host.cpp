@@ -18,9 +18,9 @@ namespace wr::programs {
 
 namespace {
 
-// Time that the robot runs between two looks at the clock of the machine.
+// Time that the robot runs between two reads of the clock of the machine.
 constexpr Microseconds kSlice = milliseconds(1);
-// Bytes that the line brings in a look at the pseudo-terminal; more bytes wait there.
+// Greatest number of bytes per read of the pseudo-terminal; more bytes wait.
 constexpr std::size_t kBytes = 64;
 
 struct Settings {
@@ -41,8 +41,9 @@ void addOptions(CLI::App& app, Settings& settings) {
   auto* const control = app.add_option(
       "--control", settings.control,
       "accept actions of a scenario at this datagram socket while the robot runs [none]");
-  auto* const cycles = app.add_option("--cycles", settings.cycles,
-                                      "end after so many control cycles of 100 ms [until Ctrl-C]");
+  auto* const cycles =
+      app.add_option("--cycles", settings.cycles,
+                     "end after this number of control cycles of 100 ms [until Ctrl-C]");
   auto* const scenario = app.add_option(
       "--scenario", settings.scenario,
       "play this scenario in stepped time, as fast as possible, without PC link [none]");
@@ -70,7 +71,7 @@ bool hasRun(const host_robot::HostSession& robot, std::uint64_t cycles) {
          robot.world.nextPulse() > Instant() + period * static_cast<std::int64_t>(cycles);
 }
 
-// Brings the bytes of the pseudo-terminal to the robot.
+// Passes the bytes of the pseudo-terminal to the robot.
 void listen(SerialLine& line, host_robot::HostSession& robot) {
   std::array<std::uint8_t, kBytes> bytes{};
   for (std::size_t count = line.read(bytes); count != 0; count = line.read(bytes)) {
@@ -84,7 +85,7 @@ void runInRealTime(const Settings& settings) {
   host_robot::HostSession robot(equipmentOf(settings));
   scenario::ControlChannel control(settings.control, robot);
   robot.start();
-  const SymbolicLink link(settings.link, line.name());  // last: when it exists, all the rest does
+  const SymbolicLink link(settings.link, line.name());  // created last, when everything else exists
   std::printf("PC link: %s\n", line.name().c_str());
   std::fflush(stdout);
   Pace pace;

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t kLongest = 512;
 
-// Actions of the PC need its link; a mark and the end of an expectation need a scenario.
+// Actions of the PC need its link; "mark" and "within" need a scenario.
 constexpr auto kRefused = std::to_array<std::string_view>(
     {"connect", "arm", "hello", "confirm", "keepalive", "order", "replay", "bytes", "mark",
      "expect-silence", "expect-finding"});

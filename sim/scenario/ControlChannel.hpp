@@ -22,10 +22,10 @@ class ControlChannel {
   ControlChannel& operator=(const ControlChannel&) = delete;
   ~ControlChannel();
 
-  /// @brief Carries out the actions that have arrived, and answers them.
+  /// @brief Executes the actions that have arrived, and answers them.
   void serve();
 
-  /// @brief Carries out one action.
+  /// @brief Executes one action.
   /// @param words the action
   /// @return "ok", or the error
   [[nodiscard]] std::string perform(const std::string& words);

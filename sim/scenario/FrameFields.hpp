@@ -16,14 +16,14 @@ namespace wr::scenario {
 
 /// @brief Reads a value out of a frame.
 /// @param body a frame of the field's type, without its CRC
-/// @param field which value
+/// @param field the field
 /// @return the value, in the unit of the protocol
 [[nodiscard]] std::int64_t valueOf(const Bytes& body, const FrameField& field);
 
 /// @brief The number that a word of a scenario means in a field, such as Working in state.
 /// @param field the field
 /// @param word a number, or a name of one of the field's values
-/// @return the number; nothing if the word is none
+/// @return the number; nothing if the word is invalid
 [[nodiscard]] std::optional<std::int64_t> numberOf(const FrameField& field, std::string_view word);
 
 }  // namespace wr::scenario

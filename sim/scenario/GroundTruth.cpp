@@ -70,7 +70,7 @@ double heading(const Robot& robot, double /*mark*/) {
   return robot.heading() * kDegree * 100;
 }
 
-// Straight on is a circle of 1 km.
+// Driving straight ahead counts as a circle of 1 km.
 double radius(const Robot& robot, double /*mark*/) {
   const double speed = robot.groundSpeed();
   const double yaw = robot.yawRate();

@@ -11,7 +11,7 @@ namespace wr::scenario {
 struct TruthField {
   std::string_view name;
   /// Reads the value, in the unit of the protocol where the protocol has such a value. The mark is
-  /// the distance [m] from which ways are counted.
+  /// the distance [m] from which `way` is measured.
   double (*valueOf)(const plant::Robot& robot, double mark);
 };
 

@@ -48,11 +48,11 @@ struct FrameLimit {
   std::int32_t limit = 0;
 };
 
-/// @brief Reads a number with the least byte first. Bytes that the body does not have are 0: the sender
-/// may have fewer fields.
+/// @brief Reads a number in little-endian order. Missing bytes are 0, because the sender may have
+/// fewer fields.
 /// @param body a frame without its CRC
 /// @param offset place of the number in the payload
-/// @param value gets the number
+/// @param value receives the number
 template <std::integral Number>
 void readAt(const Bytes& body, std::size_t offset, Number& value) {
   std::make_unsigned_t<Number> read = 0;
@@ -64,8 +64,8 @@ void readAt(const Bytes& body, std::size_t offset, Number& value) {
   value = static_cast<Number>(read);
 }
 
-/// @brief Appends a number with the least byte first.
-/// @param bytes gets the number
+/// @brief Appends a number in little-endian order.
+/// @param bytes receives the number
 /// @param value the number
 template <std::integral Number>
 void append(Bytes& bytes, Number value) {

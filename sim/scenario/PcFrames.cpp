@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint8_t kVersion = 2;
 
-// CRC-16/CCITT-FALSE of each byte value, so that a frame costs one step for each byte.
+// CRC-16/CCITT-FALSE of each byte value, so that the CRC of a frame needs one step per byte.
 std::array<std::uint16_t, 256> makeTable() {
   std::array<std::uint16_t, 256> table{};
   for (unsigned value = 0; value < 256; ++value) {

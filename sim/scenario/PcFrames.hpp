@@ -30,8 +30,8 @@ struct PcOrder {
 using PcReport = ReportPayload;
 using PcWelcome = WelcomePayload;
 
-/// The PC's side of the protocol, without the firmware's codec: makes the bytes of one frame after
-/// another, with their sequence numbers.
+/// The PC's side of the protocol, without the firmware's codec: builds the bytes of successive
+/// frames, with their sequence numbers.
 class PcSender {
  public:
   [[nodiscard]] Bytes hello();
@@ -48,19 +48,19 @@ class PcSender {
 /// The body of a frame without its CRC, or the damage of the frame.
 struct FrameBody {
   Bytes bytes;
-  std::string_view damage;  ///< empty: the frame is in order
+  std::string_view damage;  ///< empty: the frame has no error
 };
 
 /// The body of the bytes between two zeros.
 [[nodiscard]] FrameBody bodyOf(std::span<const std::uint8_t> frame);
 
-/// The bodies of all frames in some bytes, without their CRC. A frame that is not in order throws.
+/// The bodies of all frames in some bytes, without their CRC. Throws on a frame with an error.
 [[nodiscard]] std::vector<Bytes> bodies(std::span<const std::uint8_t> line);
 
-/// The content of a Welcome; nothing if the body is no Welcome.
+/// The content of a Welcome; nothing if the body is not a Welcome.
 [[nodiscard]] std::optional<PcWelcome> welcomeOf(const Bytes& body);
 
-/// The content of a report; nothing if the body is no Report.
+/// The content of a report; nothing if the body is not a Report.
 [[nodiscard]] std::optional<PcReport> reportOf(const Bytes& body);
 
 }  // namespace wr::scenario

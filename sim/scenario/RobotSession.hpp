@@ -16,7 +16,7 @@ namespace wr::scenario {
 /// @brief A fault of the firmware that a simulated board found.
 struct SessionFinding {
   std::string id;    ///< kind of the finding
-  std::string text;  ///< the whole of it, in one line
+  std::string text;  ///< the whole finding in one line
 };
 
 /// @brief A reset of the microcontroller from outside.
@@ -25,7 +25,7 @@ enum class ResetKind : std::uint8_t {
   Power  ///< the supply was off; memory is lost
 };
 
-/// @brief A robot in stepped time, seen from the PC's end of its line.
+/// @brief A robot in stepped time, as used from the PC's end of its line.
 class RobotSession {
  public:
   /// @brief Time since the robot was switched on.
@@ -36,14 +36,15 @@ class RobotSession {
   RobotSession& operator=(const RobotSession&) = delete;
   virtual ~RobotSession() = default;
 
-  /// @brief Puts bytes on the line, which brings them one after the other from now on.
+  /// @brief Sends bytes to the robot, one after the other from now on.
   /// @param bytes the bytes
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
 
-  /// @brief Puts bytes on the line so that the last one is whole some time before the next clock pulse.
-  /// There must have been a clock pulse.
+  /// @brief Sends bytes to the robot so that the last one is complete at a given time before the
+  /// next clock pulse.
+  /// A clock pulse must have come before.
   /// @param bytes the bytes
-  /// @param before how long before the pulse
+  /// @param before time before the pulse
   virtual void sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) = 0;
 
   /// @brief The bytes that the robot has sent since the last call.
@@ -55,7 +56,7 @@ class RobotSession {
   /// @return false if a finding has stopped the robot
   virtual bool runUntil(Time instant) = 0;
 
-  /// @brief Runs to the next clock pulse, through its cycle, and until all that it sent is on the line.
+  /// @brief Runs to the next clock pulse, through its cycle, and until all its bytes are sent.
   /// @return false if a finding has stopped the robot
   virtual bool runThroughPulse() = 0;
 
@@ -64,22 +65,22 @@ class RobotSession {
   [[nodiscard]] virtual Time now() const = 0;
 
   /// @brief The physics of the robot.
-  /// @return the physics: to read the truth, and to change ground, noise and faults
+  /// @return the physics: to read true values, and to change ground, noise and faults
   [[nodiscard]] virtual plant::Robot& robot() = 0;
 
   /// @brief The remote control.
   /// @return the remote control, off at first
   [[nodiscard]] virtual plant::RemoteControl& remoteControl() = 0;
 
-  /// @brief Resets the microcontroller. Throws std::runtime_error where that is not possible.
+  /// @brief Resets the microcontroller. Throws std::runtime_error if this is not possible.
   /// @param kind cause of the reset
   virtual void reset(ResetKind /*kind*/) {
     throw std::runtime_error(
         "this robot cannot be reset: play the scenario with the whole firmware");
   }
 
-  /// @brief Takes the external clock of 50 MHz away, or brings it back. Throws std::runtime_error
-  /// where there is none.
+  /// @brief Stops the external clock of 50 MHz, or starts it again. Throws std::runtime_error if
+  /// there is none.
   /// @param present false: it is lost
   virtual void setExternalClock(bool /*present*/) {
     throw std::runtime_error(

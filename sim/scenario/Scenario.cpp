@@ -15,7 +15,7 @@ constexpr std::size_t kWheels = 4;
 constexpr Time kCycle{100};
 constexpr Time kToFirstOrder{200};  // from Hello: Welcome and Confirm take two cycles
 constexpr int kNeutralOrders =
-    13;  // seven cycles to the first read order, then 0.5 s, and one more
+    13;  // seven cycles to the first read order, then five cycles of 0.1 s, and one more
 
 std::optional<std::uint8_t> quantityOf(std::string_view word) {
   if (word == "velocity") {
@@ -68,7 +68,7 @@ Scenario::Action readBytes(Words& words) {
   return raw;
 }
 
-// The number that a word means in a field. A true value has no words.
+// The number that a word means in a field. A true value has no named values.
 std::int64_t readNumber(Words& words, const std::string& name, const FrameField* field) {
   const std::string word = words.take("the value of " + name);
   const auto number = numberOf(field != nullptr ? *field : FrameField{}, word);

@@ -38,16 +38,16 @@ namespace wr::scenario {
 /// again); bytes with pairs of hexadecimal digits. Orders are numbered from 1.
 ///
 /// Actions of the world are listed at readWorldAction(). mark: the fields 'way' and 'max_velocity'
-/// count from here.
+/// are measured from this time on.
 ///
 /// 'seed N' chooses the noise. 'plant varied' lets the seed choose the robot too, 'plant PARAMETER
 /// VALUE' fixes a parameter. These lines have no time and precede all lines that have one.
 ///
-/// Expectations: expect FIELD VALUE and expect FIELD between LOW HIGH look at the last Report or
-/// Welcome, or at the robot itself (the fields of GroundTruth.hpp). With 'within N ms' or 'within N
-/// mm' behind it the expectation must come true, once, within this time or this way from its own
-/// time on. expect-silence MS (no report came for so long); expect-finding ID (the simulated board
-/// stops before with this finding). The last line is 'end'.
+/// Expectations: expect FIELD VALUE and expect FIELD between LOW HIGH check the last Report or
+/// Welcome, or the robot itself (the fields of GroundTruth.hpp). With 'within N ms' or 'within N
+/// mm' after it, the expectation must become true at least once within this time or distance from
+/// its own time on. expect-silence MS (no report came for this time); expect-finding ID (the
+/// simulated board stops before with this finding). The last line is 'end'.
 class Scenario {
  public:
   using Time = std::chrono::milliseconds;
@@ -64,10 +64,10 @@ class Scenario {
   };
   struct Replay {};
   struct Mark {};
-  /// Room in which an expectation must come true.
+  /// Limit within which an expectation must become true.
   struct Limit {
     double amount;
-    bool isWay;  ///< true: mm of way; false: ms
+    bool isWay;  ///< true: distance in mm; false: time in ms
   };
   struct Expect {
     std::variant<const FrameField*, const TruthField*> field;
@@ -91,7 +91,7 @@ class Scenario {
     Action action;
   };
 
-  /// @brief A text that is no scenario: 'file:line: error'.
+  /// @brief A text that is not a valid scenario: 'file:line: error'.
   using Error = ScenarioError;
 
   /// @brief Reads a scenario. Throws Error.
@@ -103,7 +103,7 @@ class Scenario {
   /// @param file the file
   [[nodiscard]] static Scenario load(const std::filesystem::path& file);
 
-  /// @brief What happens, in the order of time.
+  /// @brief Returns the steps in the order of time.
   /// @return each step; those of one time in the order of their lines
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
 
@@ -115,8 +115,8 @@ class Scenario {
   /// @return the seed; nothing if the text has none
   [[nodiscard]] const std::optional<std::uint32_t>& seed() const { return seed_; }
 
-  /// @brief The robot that the scenario asks for.
-  /// @return actions that happen before all others
+  /// @brief Returns the settings of the robot.
+  /// @return actions that are executed before all others
   [[nodiscard]] const std::vector<WorldAction>& plant() const { return plant_; }
 
   /// @brief Name of the text.

@@ -12,9 +12,9 @@ namespace wr::scenario {
 
 namespace {
 
-// How long the PC does not look at its line.
+// Time between two reads of the PC's line.
 constexpr RobotSession::Time kGlance{5'000};
-// The same while an expectation may come true.
+// Time between two reads while an expectation may become true.
 constexpr RobotSession::Time kClose{1'000};
 
 void writeHeader(std::ostream& reports) {
@@ -30,7 +30,7 @@ void writeHeader(std::ostream& reports) {
   reports << '\n';
 }
 
-// A true value with one decimal.
+// Returns a true value with one decimal.
 std::string tenths(double value) {
   std::array<char, 32> text{};
   const auto [end, error] =
@@ -94,8 +94,8 @@ void ScenarioPlayer::end() {
   }
 }
 
-// Runs for a glance, not past an instant, and reads the received bytes; false if a finding has
-// stopped the robot.
+// Runs until the next read of the line, or an earlier time, and reads the received bytes; returns
+// false if a finding has stopped the robot.
 bool ScenarioPlayer::glance(Time instant) {
   const Time length = pending_.empty() ? kGlance : kClose;
   const bool runs = robot_.runUntil(std::min(instant, robot_.now() + length));
@@ -130,7 +130,7 @@ void ScenarioPlayer::listen() {
     if (const FrameBody body = bodyOf(frame); body.damage.empty()) {
       take(body.bytes);
     } else {
-      fail("the robot sent something that is no frame (" + std::string(body.damage) + ")");
+      fail("the robot sent bytes that are not a frame (" + std::string(body.damage) + ")");
     }
   }
 }
@@ -219,7 +219,7 @@ void ScenarioPlayer::act(const Scenario::Mark& /*action*/) {
   robot_.robot().clearGreatestVelocity();
 }
 
-// The value that an expectation looks at; nothing when no frame has come that has it.
+// Returns the value of an expectation; nothing when no frame with it was received.
 std::optional<double> ScenarioPlayer::valueOf(const Scenario::Expect& expect) const {
   if (const auto* const truth = std::get_if<const TruthField*>(&expect.field)) {
     return (*truth)->valueOf(robot_.robot(), mark_);
@@ -229,7 +229,7 @@ std::optional<double> ScenarioPlayer::valueOf(const Scenario::Expect& expect) co
   return body ? std::optional(static_cast<double>(scenario::valueOf(*body, field))) : std::nullopt;
 }
 
-// Why an expectation does not hold; empty when it does.
+// Returns the reason why an expectation is not met; empty when it is met.
 std::string ScenarioPlayer::mismatch(const Scenario::Expect& expect) const {
   const auto* const truth = std::get_if<const TruthField*>(&expect.field);
   const auto* const field = std::get_if<const FrameField*>(&expect.field);
@@ -267,7 +267,7 @@ bool ScenarioPlayer::isLate(const Pending& pending) const {
   return static_cast<double>((robot_.now() - pending.since).count()) / 1000 > limit.amount;
 }
 
-// Forgets the expectations that have come true, and those for which it is too late.
+// Removes the expectations that were met, and those whose limit has passed.
 void ScenarioPlayer::checkPending() {
   std::erase_if(pending_, [this](const Pending& pending) {
     const std::string wrong = mismatch(pending.expect);

@@ -17,34 +17,34 @@ namespace wr::scenario {
 /// @brief The PC of a scenario, on the line of a robot, and the world around the robot.
 class ScenarioPlayer {
  public:
-  /// @brief How a scenario ended.
+  /// @brief Result of a scenario.
   struct Outcome {
     std::vector<std::string> failures;      ///< expectations that failed: 'file:line: text'
-    std::optional<SessionFinding> finding;  ///< a finding that nothing expected
+    std::optional<SessionFinding> finding;  ///< an unexpected finding
     std::uint64_t reports = 0;              ///< reports that came
   };
 
-  /// @brief Puts a PC on the line of a robot that was just switched on.
+  /// @brief Connects a PC to the line of a robot that was just switched on.
   /// @param scenario the actions of the PC
   /// @param robot the robot
-  /// @param reports gets each report as a line of comma-separated values: all fields of the report,
-  /// then the time [ms] at which the PC had it, and the true values at this time; null: nothing is
-  /// written
+  /// @param reports receives each report as a line of comma-separated values: all fields of the
+  /// report, then the time [ms] at which the PC received it, and the true values at this time;
+  /// null: nothing is written
   ScenarioPlayer(const Scenario& scenario, RobotSession& robot, std::ostream* reports = nullptr);
 
   /// @brief Plays the scenario to its end.
-  /// @return how it ended
+  /// @return the result
   [[nodiscard]] Outcome play();
 
-  /// @brief Runs to the next instant at which the PC looks at its line or acts, and acts there.
+  /// @brief Runs to the next instant at which the PC reads its line or acts, and executes it.
   /// @return false when the scenario has ended
   bool step();
 
-  /// @brief Acts now, besides the steps of the scenario.
+  /// @brief Executes an action now, in addition to the steps of the scenario.
   /// @param action the action
   void perform(const Scenario::Action& action);
 
-  /// @brief The last report without its CRC; nothing as long as none has come.
+  /// @brief The last report without its CRC; nothing before the first one.
   [[nodiscard]] const std::optional<Bytes>& report() const { return report_; }
 
   /// @brief The outcome up to now.
@@ -53,7 +53,7 @@ class ScenarioPlayer {
  private:
   using Time = RobotSession::Time;
 
-  /// An expectation that may still come true.
+  /// An expectation that can still be met.
   struct Pending {
     Scenario::Expect expect;
     int line;
@@ -90,17 +90,17 @@ class ScenarioPlayer {
   RobotSession& robot_;
   std::ostream* reports_;
   PcSender pc_;
-  Bytes line_;  // of a frame that is not whole yet
+  Bytes line_;  // bytes of an incomplete frame
   std::optional<Bytes> welcome_;
   std::optional<Bytes> report_;
   Time reportAt_{};
   std::uint16_t orders_ = 0;
-  double mark_ = 0;  // distance from which ways are counted, m
-  Bytes order_;      // the last one, as it was sent
+  double mark_ = 0;  // distance from which `way` is measured, m
+  Bytes order_;      // the last order, as sent
   std::vector<Pending> pending_;
   bool confirms_ = false;  // the next Welcome is answered with Confirm
   int at_ = 0;             // line of the scenario
-  std::size_t next_ = 0;   // step of the scenario that comes next
+  std::size_t next_ = 0;   // next step of the scenario
   bool ended_ = false;
   Outcome outcome_;
 };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kWheels = 4;
 
-// The number that a word is, if it is one. How numbers are written may be a base.
+// Returns the number of a word, if it is a number. The notation of a number may be given by a base.
 template <class Number, class... Form>
 std::optional<Number> parse(std::string_view word, Form... form) {
   Number number{};

@@ -16,15 +16,15 @@ class ScenarioError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// @brief The words of one line of a scenario, taken one after the other. A word that does not fit
-/// throws ScenarioError.
+/// @brief The words of one line of a scenario, read one after the other. An unexpected word throws
+/// ScenarioError.
 class Words {
  public:
   /// @brief Splits a line; '#' begins a comment.
   /// @param line the line
   explicit Words(const std::string& line);
 
-  /// @brief Checks whether all words are taken.
+  /// @brief Checks whether all words were read.
   [[nodiscard]] bool done() const { return next_ == words_.size(); }
 
   /// @brief Checks whether the next word is a certain word.
@@ -35,38 +35,38 @@ class Words {
   /// @brief Checks whether the next word is a whole number.
   [[nodiscard]] bool nextIsNumber() const;
 
-  /// @brief The next word, which stays; empty when there is none.
+  /// @brief Returns the next word without reading it; empty when there is none.
   [[nodiscard]] std::string next() const { return done() ? "" : words_[next_]; }
 
   /// @brief Takes a word.
   /// @param name name of the word in an error
   std::string take(const std::string& name);
 
-  /// @brief Takes a certain word.
+  /// @brief Reads an expected word.
   void skip(const std::string& word);
 
-  /// @brief Takes a certain word if it is the next one.
-  /// @return true if it was
+  /// @brief Reads a word if it is the next one.
+  /// @return true if it was the next one
   bool takeIf(std::string_view word);
 
-  /// @brief Takes a time in ms, at least 0.
+  /// @brief Reads a time in ms, at least 0.
   std::chrono::milliseconds time();
 
-  /// @brief Takes a number of 16 bits.
+  /// @brief Reads a number of 16 bits.
   std::int16_t value();
 
   /// @brief Takes a number.
   /// @param name name of the number in an error
   double number(const std::string& name);
 
-  /// @brief Takes the number of a wheel, 0 to 3.
+  /// @brief Reads the number of a wheel, 0 to 3.
   std::size_t wheel();
 
-  /// @brief Takes a number of 32 bits, at least 0.
+  /// @brief Reads a number of 32 bits, at least 0.
   /// @param name name of the number in an error
   std::uint32_t natural(const std::string& name);
 
-  /// @brief Takes a byte of two hexadecimal digits.
+  /// @brief Reads a byte of two hexadecimal digits.
   std::uint8_t byte();
 
  private:

@@ -9,7 +9,7 @@ namespace wr::scenario {
 
 namespace {
 
-// The sticks go to the end of their way at the greatest values that can be ordered.
+// The sticks are at their ends at the greatest values that can be ordered.
 constexpr double kFullVelocity = 3000;
 constexpr double kFullSteering = 3200;
 constexpr double kPercent = 100;
@@ -41,7 +41,7 @@ constexpr auto kClock = std::to_array<Named<bool>>({{"lost", false}, {"back", tr
 
 struct ParameterWord {
   plant::Parameter parameter;
-  double unit;  ///< values of the text for one of the plant
+  double unit;  ///< factor from a value of the text to a value of the plant
 };
 
 constexpr auto kParameters = std::to_array<Named<ParameterWord>>({
@@ -95,7 +95,7 @@ std::string listOf(std::span<const Named<Value>> names) {
   return list;
 }
 
-// Takes a word that has a value. Others are an error that lists those that have one.
+// Reads a word with a value. For another word the error lists the known ones.
 template <class Value, std::size_t count>
 Value take(Words& words, const std::string& what, const std::array<Named<Value>, count>& names) {
   const std::string word = words.take(what);
@@ -169,7 +169,7 @@ WorldAction readGround(const std::string& word, Words& words) {
   return world::SetGrip{words.number("a grip in percent") / kPercent};
 }
 
-// Lets each action happen.
+// Executes each action.
 struct Actor {
   RobotSession& robot;
 

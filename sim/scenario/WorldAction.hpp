@@ -13,7 +13,7 @@
 
 namespace wr::scenario {
 
-/// @brief Events around the robot: everything in a scenario that does not come over the line of the PC.
+/// @brief Events around the robot: all actions of a scenario except those of the PC.
 namespace world {
 
 /// @brief The sticks move; nothing: the transmitter is off.
@@ -84,15 +84,15 @@ using WorldAction =
 /// W MA, angle, angle-open, angle-stuck, angle-drift RATE, stall, left-end, right-end.
 /// @param word first word of the action
 /// @param words the words after it
-/// @return the action; nothing if the word begins no action of the world
+/// @return the action; nothing if no action of the world begins with the word
 [[nodiscard]] std::optional<WorldAction> readWorldAction(const std::string& word, Words& words);
 
-/// @brief Reads an action of the world from a line of its own. Throws ScenarioError.
+/// @brief Reads an action of the world from a separate line. Throws ScenarioError.
 /// @param line the line
 /// @return the action
 [[nodiscard]] WorldAction worldActionOf(const std::string& line);
 
-/// @brief Lets an action of the world happen, now.
+/// @brief Executes an action of the world now.
 /// @param action the action
 /// @param robot the robot
 void act(const WorldAction& action, RobotSession& robot);

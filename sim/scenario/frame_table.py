@@ -133,7 +133,7 @@ def table() -> str:
 
 
 def firmware() -> str:
-    """The numbers that the table has for names of the firmware, to include in a test."""
+    """The numbers of the table for names of the firmware, to include in a test."""
     names = {f"FrameType::{one.name}": one.kind for one in FRAMES.frames.values()}
     for enumeration in FRAMES.enumerations.values():
         names |= {entry.firmware: entry.number for entry in enumeration.entries}

@@ -15,8 +15,8 @@
 
 namespace wr::web {
 
-/// @brief An image on the virtual board in the simulated robot. It plays a scenario, and a person can
-/// act besides it.
+/// @brief An image on the virtual board in the simulated robot. It plays a scenario, and the user
+/// can act in addition.
 class LiveRobot {
  public:
   /// @brief Inputs of a run.
@@ -33,11 +33,11 @@ class LiveRobot {
 
   /// @brief The recorded calls from one clock pulse to the next.
   struct Cycle {
-    std::vector<std::uint32_t> calls;  ///< address of a function; with bit 0 set: it is left
+    std::vector<std::uint32_t> calls;  ///< address of a function; bit 0 is set when it is left
     std::uint64_t cycles = 0;          ///< processor cycles
-    std::uint64_t awake = 0;           ///< those in which the processor did not sleep
+    std::uint64_t awake = 0;           ///< cycles in which the processor did not sleep
     std::uint32_t hash = 0;            ///< two cycles with the same calls have the same hash
-    bool truncated = false;            ///< further calls were left out
+    bool truncated = false;            ///< further calls were not recorded
   };
 
   /// @brief Switches the robot on. Throws Scenario::Error.
@@ -45,16 +45,17 @@ class LiveRobot {
   LiveRobot(const LiveRobot&) = delete;
   LiveRobot& operator=(const LiveRobot&) = delete;
 
-  /// @brief Runs until a control cycle has ended; for 200 ms when there is no clock pulse.
+  /// @brief Runs until a control cycle has ended; or for 200 ms without a clock pulse.
   State runCycle();
 
   /// @brief Runs to the end of the scenario.
   State runToEnd();
 
-  /// @brief Acts now: one action of a scenario without its time. Throws Scenario::Error.
+  /// @brief Executes one action of a scenario, without its time, now. Throws Scenario::Error.
   void perform(const std::string& action);
 
-  /// @brief Sets the order that the PC sends every 100 ms, once the robot sends reports. Throws
+  /// @brief Sets the order that the PC sends every 100 ms, as soon as the robot sends reports.
+  /// Throws
   /// Scenario::Error.
   /// @param order the order as in a scenario; empty: the PC sends nothing
   void repeat(const std::string& order);

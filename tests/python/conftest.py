@@ -11,7 +11,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 
-# Programs that a test starts end with Ctrl-C, also where a shell started the tests with SIGINT
+# Programs that a test starts end with Ctrl-C, also if a shell started the tests with SIGINT
 # ignored.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 

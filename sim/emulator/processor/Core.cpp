@@ -9,7 +9,7 @@ namespace wr::emulator {
 
 namespace {
 
-// ARMv7-M ARM, B3.1: from here on nothing may be executed, whatever is there.
+// ARMv7-M ARM, B3.1: from this address on no code may be executed.
 bool isNeverExecuted(std::uint32_t address) {
   return (address >= 0x40000000 && address < 0x60000000) || address >= 0xA0000000;
 }
@@ -60,9 +60,9 @@ Trap Core::run() {
   return std::exchange(trap_, Trap::None);
 }
 
-// Where the program is and how far it has come are kept here, and only written to their members:
-// an instruction need not wait for the result of the one before it. For the same reason the way
-// to the next instruction is chosen, not reckoned: the host guesses a choice.
+// The address and the cycle count are local variables that are only written to their members, so
+// that an instruction need not wait for the previous one. For the same reason the next address is
+// selected by a branch instead of computed: the host predicts a branch.
 template <bool kSlowFlash, bool kLooks>
 void Core::runInstructions() {
   std::uint32_t address = next;
@@ -144,7 +144,7 @@ void Core::note(std::uint32_t address) {
   }
 }
 
-// Where the decoded instruction of an address is, or will be.
+// Returns the entry for the decoded instruction of an address.
 inline const Instruction* Core::placeOf(std::uint32_t address) const {
   const std::uint32_t offset = address - codeAddress_;
   return offset < codeSize_ ? code_ + offset / 2 : &none_;
@@ -248,7 +248,7 @@ bool Core::storeWords(std::uint32_t address, std::span<const std::uint32_t> word
   });
 }
 
-// An unaligned access is made as two or three aligned ones: Cortex-M4 TRM, 3.3.3.
+// An unaligned access is split into two or three aligned ones: Cortex-M4 TRM, 3.3.3.
 bool Core::unalignedIsFine(const Memory::Area* area, std::uint32_t address, std::uint32_t size) {
   const std::uint32_t odd = address & (size - 1);
   if (odd == 0) {

@@ -15,13 +15,13 @@
 
 namespace wr::emulator {
 
-/// @brief An event of an instruction that is handled outside of the program's flow.
+/// @brief An event of an instruction that is handled outside of the normal program flow.
 enum class Trap : std::uint8_t {
   None,
   Sleep,
   SupervisorCall,
-  ExceptionReturn,  ///< trapAddress(): EXC_RETURN
-  // Those below are faults: the instruction has done nothing.
+  ExceptionReturn,  ///< trapAddress(): EXC_RETURN Those below are faults: the instruction had no
+  // effect.
   Breakpoint,
   Undefined,
   NoCoprocessor,
@@ -31,20 +31,20 @@ enum class Trap : std::uint8_t {
   DivideByZero,
   InstructionBus,
   InstructionViolation,
-  LoadBus,  ///< trapAddress(): where nothing is; of those below too
+  LoadBus,  ///< trapAddress() is an address without memory; also for those below
   StoreBus,
   LoadAcross,  ///< across the border of two memories
   StoreAcross,
   FlashStore,
-  Refused  ///< the owner of a window has the reason
+  Refused  ///< the owner of a window has stored the reason
 };
 
 /// @brief Executes instructions, one after the other. Exceptions are handled elsewhere.
 ///
-/// Public are the parts that the operations of the instructions work on.
+/// The public members are used by the operations of the instructions.
 class Core {
  public:
-  /// @brief How the floating-point unit is set up by the registers of system control.
+  /// @brief Settings of the floating-point unit in the registers of system control.
   struct Fpu {
     bool on = false;             ///< CPACR
     bool activates = false;      ///< FPCCR.ASPEN
@@ -59,13 +59,13 @@ class Core {
   Fpu fpu;
   bool trapsUnaligned = false;        ///< CCR.UNALIGN_TRP
   bool trapsDivideByZero = false;     ///< CCR.DIV_0_TRP
-  std::uint32_t priorityMask = 0xF0;  ///< bits of a priority that there are
-  bool maskedPending = false;         ///< an exception waits behind PRIMASK, FAULTMASK or BASEPRI
+  std::uint32_t priorityMask = 0xF0;  ///< implemented bits of a priority
+  bool maskedPending = false;         ///< PRIMASK, FAULTMASK or BASEPRI blocks a pending exception
   bool exclusive = false;             ///< the local monitor: ARMv7-M ARM, A3.4.1
   std::uint32_t next = 0;             ///< address of the next instruction
 
   /// @brief Executes until a cycle, or until a trap.
-  /// @return the trap, which is forgotten then
+  /// @return the trap, which is then cleared
   Trap run();
 
   /// @brief Sets the cycle at which run() returns; the next instruction is not begun then.
@@ -75,20 +75,20 @@ class Core {
   [[nodiscard]] std::uint64_t cycles() const { return instructions_ + otherCycles_; }
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
 
-  /// @brief Lets cycles pass besides the first one of each instruction.
+  /// @brief Adds cycles to the first one of an instruction.
   void spend(std::uint64_t cycles) { otherCycles_ += cycles; }
 
-  /// @brief Address of the instruction that runs, or ran last.
+  /// @brief Address of the running or the last instruction.
   [[nodiscard]] std::uint32_t at() const { return registers.r[Registers::kPc] - 4; }
 
-  /// @brief A mask of exceptions has changed: a masked exception may be taken now.
+  /// @brief Reports a change of a mask: a masked exception may now be entered.
   void masksChanged() {
     if (maskedPending) {
       stopAt_ = 0;
     }
   }
 
-  /// @brief Ends the run after the instruction that runs.
+  /// @brief Ends the run after the running instruction.
   void trap(Trap trap, std::uint32_t address = 0) {
     trap_ = trap;
     trapAddress_ = address;
@@ -96,21 +96,23 @@ class Core {
   }
   [[nodiscard]] std::uint32_t trapAddress() const { return trapAddress_; }
 
-  /// @brief Goes on at another address.
+  /// @brief Continues at another address.
   void branch(std::uint32_t address) {
     spend(kRefillCycles);
     next = address & ~1U;
     branched_ = true;
   }
 
-  /// @brief Goes on at an address whose lowest bit chooses the instruction set: BXWritePC, A2.3.1.
+  /// @brief Continues at an address whose lowest bit chooses the instruction set: BXWritePC,
+  /// A2.3.1.
   void branchAndExchange(std::uint32_t address);
 
-  /// @brief The same where EXC_RETURN means nothing: BLXWritePC.
+  /// @brief Continues at an address where EXC_RETURN has no meaning: BLXWritePC.
   void branchOnly(std::uint32_t address);
 
-  /// @brief Loads a number, with its sign where its type has one, where that needs no call.
-  /// @return false where it does
+  /// @brief Loads a number, sign-extended if its type is signed, if this is possible without a
+  /// call.
+  /// @return false if a call is needed
   template <typename Value>
   [[nodiscard]] bool loadDirectly(std::uint32_t address, std::uint32_t& value) const {
     const Memory::Direct& direct = memory.direct(address);
@@ -125,7 +127,7 @@ class Core {
   }
 
   /// @brief Loads a number from anywhere.
-  /// @return false when there is a trap instead
+  /// @return false in case of a trap
   template <typename Value>
   [[nodiscard]] bool load(std::uint32_t address, std::uint32_t& value) {
     if (loadDirectly<Value>(address, value)) [[likely]] {
@@ -138,8 +140,8 @@ class Core {
     return true;
   }
 
-  /// @brief Stores a number where that needs no call.
-  /// @return false where it does
+  /// @brief Stores a number if this is possible without a call.
+  /// @return false if a call is needed
   template <typename Value>
   [[nodiscard]] bool storeDirectly(std::uint32_t address, std::uint32_t value) const {
     const Memory::Direct& direct = memory.direct(address);
@@ -153,28 +155,29 @@ class Core {
   }
 
   /// @brief Stores a number anywhere.
-  /// @return false when there is a trap instead
+  /// @return false in case of a trap
   template <typename Value>
   [[nodiscard]] bool store(std::uint32_t address, std::uint32_t value) {
     return storeDirectly<Value>(address, value) || storeElsewhere(address, sizeof(Value), value);
   }
 
-  /// @brief A word at an address that must be aligned: of LDRD and the like.
+  /// @brief Loads a word from an address that must be aligned, for LDRD and similar instructions.
   [[nodiscard]] bool loadAligned(std::uint32_t address, std::uint32_t& value);
   [[nodiscard]] bool storeAligned(std::uint32_t address, std::uint32_t value);
 
-  /// @brief Words one after the other, of LDM and VLDM; a trap keeps the values loaded before.
+  /// @brief Loads successive words, for LDM and VLDM; after a trap the values loaded before it are
+  /// kept.
   [[nodiscard]] bool loadWords(std::uint32_t address, std::span<std::uint32_t> words);
   [[nodiscard]] bool storeWords(std::uint32_t address, std::span<const std::uint32_t> words);
 
   /// @brief Begins a floating-point instruction: ExecuteFPCheck, ARMv7-M ARM, A2.5.4.
-  /// @return false when there is a trap instead
+  /// @return false in case of a trap
   [[nodiscard]] bool beginFp();
 
-  /// @brief The cycles of a read of flash by the processor itself, as that of a vector.
+  /// @brief The cycles of a read of flash by the processor itself, such as a vector.
   void spendForRead(std::uint32_t address);
 
-  /// @brief The next instruction begins no block, as after the entry to an exception.
+  /// @brief The next instruction does not begin a block, as after an exception entry.
   void continueBlock() { branched_ = false; }
   void beginBlock() { branched_ = true; }
   [[nodiscard]] bool beginsBlock() const { return branched_; }

@@ -34,9 +34,9 @@ constexpr std::size_t kWhats = 16;
 
 /// The second operand.
 enum class Second : std::uint8_t {
-  Number,         ///< value; the carry stays
+  Number,         ///< value; the carry does not change
   NumberAndFlag,  ///< value; the carry becomes its highest bit
-  Register,       ///< register m; the carry stays
+  Register,       ///< register m; the carry does not change
   Lsl,            ///< register m, shifted by value
   Lsr,            ///< by value, 1 to 32
   Asr,            ///< by value, 1 to 32
@@ -256,7 +256,7 @@ ShiftOfRegister shiftOfRegister(unsigned type, std::uint32_t by) {
   }
 }
 
-/// The long forms: A5.3.1 and A5.3.11 give the same numbers to the same operations.
+/// The long forms: A5.3.1 and A5.3.11 use the same numbers for the same operations.
 struct Choice {
   bool known;
   What what;
@@ -414,7 +414,7 @@ Instruction shortRegisters(Encoding code) {
   }
 }
 
-// A5.2.3, but for BX and BLX
+// A5.2.3, except BX and BLX
 Instruction shortHighRegisters(Encoding code) {
   const auto d = static_cast<std::uint8_t>(code.low(0) | (code.bit(7) ? 8U : 0U));
   Instruction result{.d = d, .n = d, .m = code.reg(3)};

@@ -8,8 +8,8 @@ namespace wr::emulator {
 
 /// @brief The bits of an instruction before it is decoded.
 struct Encoding {
-  std::uint32_t bits = 0;  ///< of 16 bits, or the first half-word above the second one
-  bool inBlock = false;    ///< in an IT block, where the short forms set no flags
+  std::uint32_t bits = 0;  ///< of 16 bits, or 32 bits with the first half-word in the upper half
+  bool inBlock = false;    ///< in an IT block, where the 16-bit forms set no flags
 
   [[nodiscard]] constexpr std::uint32_t field(unsigned to, unsigned from) const {
     return bits >> from & ((2U << (to - from)) - 1);
@@ -25,8 +25,8 @@ struct Encoding {
   }
 };
 
-/// @brief Decodes an instruction: ARMv7-M ARM, A5. A code that the architecture leaves undefined becomes an
-/// instruction that raises the fault for it.
+/// @brief Decodes an instruction: ARMv7-M ARM, A5. A code that is undefined in the architecture
+/// becomes an instruction that raises the fault for it.
 [[nodiscard]] Instruction decode(Encoding code, bool wide);
 
 // The groups of encodings, each with its operations.

@@ -29,7 +29,7 @@ std::uint32_t signOf(bool negative) {
   return negative ? Float::kSign : 0;
 }
 
-// A shift to the right that keeps in the lowest bit whether anything was lost.
+// Shifts to the right; the lowest bit records whether bits were lost.
 std::uint64_t jammed(Wide value, unsigned by) {
   const Wide lost = value & ((Wide{1} << by) - 1);
   return static_cast<std::uint64_t>(value >> by) | (lost != 0 ? 1U : 0U);
@@ -41,8 +41,8 @@ unsigned widthOf(Wide value) {
                                          : std::bit_width(static_cast<std::uint64_t>(value)));
 }
 
-/// The integer part of a number and its fraction: 0 nothing, 1 less than a half, 2 a
-/// half, 3 more.
+/// The integer part of a number and its fraction: 0 zero, 1 less than a half, 2 a half, 3 more than
+/// a half.
 struct Split {
   std::uint64_t integer;
   unsigned rest;
@@ -108,7 +108,7 @@ std::uint32_t Float::overflow(bool negative, Rounding rounding, Format format) {
   return toInfinity ? infinity : infinity - 1;
 }
 
-// FPRound, without the sign for a number of 16 bits. A zero in, a zero out.
+// FPRound, without the sign for a number of 16 bits. The result for zero is zero.
 std::uint32_t Float::round(bool negative, int exponent, std::uint64_t significand,
                            Rounding rounding, Format format) {
   const bool single = format.fraction == kSingle.fraction;
@@ -128,7 +128,8 @@ std::uint32_t Float::round(bool negative, int exponent, std::uint64_t significan
                   : rounding == Rounding::Up    ? rest != 0 && !negative
                   : rounding == Rounding::Down  ? rest != 0 && negative
                                                 : false;
-  // The highest bit of the integer adds one to the exponent field, also when rounding has made it.
+  // The leading bit of the integer increments the exponent field, also when the leading bit comes
+  // from rounding.
   const std::uint32_t field = denormal ? 0 : static_cast<std::uint32_t>(leading - format.least);
   const std::uint32_t result =
       (field << format.fraction) + static_cast<std::uint32_t>(integer) + (up ? 1U : 0U);
@@ -161,7 +162,7 @@ std::uint32_t Float::sum(const Number& a, const Number& b) {
   }
   const Number& high = a.exponent >= b.exponent ? a : b;
   const Number& low = a.exponent >= b.exponent ? b : a;
-  // The other one is far below each digit that counts when it is farther away.
+  // With a greater distance the other number does not affect the result.
   constexpr int kFarthest = 75;
   const int distance = std::min(high.exponent - low.exponent, kFarthest);
   const Wide left = Wide{high.significand} << static_cast<unsigned>(distance);
@@ -275,7 +276,7 @@ std::uint32_t Float::divide(std::uint32_t a, std::uint32_t b) {
   if (x.kind == Kind::Zero || y.kind == Kind::Infinite) {
     return sign;
   }
-  // The dividend gets all 64 bits, so that the quotient has enough of them.
+  // The dividend is shifted to 64 bits, so that the quotient has enough bits.
   const int shift = std::countl_zero(x.significand);
   const std::uint64_t dividend = x.significand << shift;
   const std::uint64_t quotient = dividend / y.significand;
@@ -313,7 +314,7 @@ std::uint32_t Float::squareRoot(std::uint32_t a) {
       root >>= 1;
     }
   }
-  // Two more bits, for whether anything was left.
+  // Two more bits, which show whether there is a remainder.
   return round(false, (x.exponent - shift) / 2 - 1, root << 1 | (rest != 0 ? 1U : 0U), rounding());
 }
 

@@ -4,7 +4,7 @@
 
 namespace wr::emulator {
 
-/// @brief Arithmetic on numbers of 32 bits as the FPv4-SP extension does it, bit by bit:
+/// @brief Arithmetic on numbers of 32 bits as in the FPv4-SP extension, bit by bit:
 /// ARMv7-M ARM, A2.5. The results don't depend on the machine that simulates.
 ///
 /// It reads the modes of FPSCR and adds to its cumulative flags.
@@ -24,18 +24,18 @@ class Float {
   [[nodiscard]] std::uint32_t divide(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] std::uint32_t squareRoot(std::uint32_t a);
 
-  /// @brief Compares, and sets N, Z, C and V of FPSCR.
+  /// @brief Compares two numbers, and sets N, Z, C and V of FPSCR.
   /// @param quietIsInvalid whether each NaN is an invalid operand
   void compare(std::uint32_t a, std::uint32_t b, bool quietIsInvalid);
 
   /// @brief An integer or a fixed-point number.
   struct Fixed {
     unsigned bits;      ///< 16 or 32
-    unsigned fraction;  ///< bits of them behind the point
+    unsigned fraction;  ///< fraction bits
     bool isSigned;
   };
 
-  /// @brief To a number of integers, with the nearest one that it holds.
+  /// @brief Converts to an integer, limited to the nearest one in its range.
   [[nodiscard]] std::uint32_t toFixed(std::uint32_t a, Fixed format, bool towardsZero);
   [[nodiscard]] std::uint32_t fromFixed(std::uint32_t a, Fixed format, bool toNearest);
 

@@ -111,7 +111,7 @@ void negate(Core& core, const Instruction& in) {
   core.registers.s[in.d] = core.registers.s[in.m] ^ Float::kSign;
 }
 
-// Of a comparison: bit 0 of value: with zero; bit 1: each NaN is invalid.
+// Comparison: bit 0 of value means with zero; bit 1 means that each NaN is invalid.
 void compare(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const std::uint32_t other = (in.value & 1U) != 0 ? 0 : x.s[in.m];
@@ -130,7 +130,7 @@ void toHalf(Core& core, const Instruction& in) {
   x.s[in.d] = (x.s[in.d] & ~(0xFFFFU << in.value)) | half << in.value;
 }
 
-// Conversion: value has the bits behind the point, and above them the integer part.
+// Conversion: value contains the number of fraction bits, and above it that of the integer part.
 constexpr std::uint32_t kSignedFixed = 0x100;
 constexpr std::uint32_t kHalfFixed = 0x200;
 constexpr std::uint32_t kGivenRounding = 0x400;  // towards zero, or to the nearest number
@@ -254,12 +254,12 @@ void loadStoreSingles(Core& core, const Instruction& in) {
   (void)transfer<kLoads>(core, fpBase(core.registers, in) + in.value, in.d, in.m);
 }
 
-// Of many: register n keeps the address when bit 0 of value is set, and comes first down when bit 1
-// is.
+// Several registers: register n is written back when bit 0 of value is set, and is decremented
+// first when bit 1 is set.
 template <bool kLoads>
 void loadStoreMany(Core& core, const Instruction& in) {
   Registers& x = core.registers;
-  const std::uint32_t size = 4U * in.m + (in.value & 4U);  // FLDMX has a word more
+  const std::uint32_t size = 4U * in.m + (in.value & 4U);  // FLDMX has one more word
   const std::uint32_t base = fpBase(x, in);
   const bool down = (in.value & 2U) != 0;
   core.spend(in.m);
@@ -297,7 +297,7 @@ Instruction fpLoadStore(Encoding code) {
   return result;
 }
 
-// Moves, A6.6 and A6.7: d and n are core registers, m a single one.
+// Moves, A6.6 and A6.7: d and n are core registers, m is a single-precision register.
 
 void fromCore(Core& core, const Instruction& in) {
   core.registers.s[in.m] = core.registers.r[in.d];

@@ -16,23 +16,24 @@ struct Instruction {
   std::uint8_t d = 0;     ///< register that is written, or loaded, or stored
   std::uint8_t n = 0;     ///< register of the first operand, or of the address
   std::uint8_t m = 0;     ///< register of the second operand
-  std::uint8_t form = 0;  ///< size and place; 0 as long as nothing has been decoded
+  std::uint8_t form = 0;  ///< size and alignment; 0 before decoding
 
   static constexpr std::uint8_t kDecoded = 1;
   static constexpr std::uint8_t kInBlock = 8;
   static constexpr std::uint8_t kPlace = kDecoded | kInBlock;
 
-  /// @brief Value of form & kPlace of an instruction that was decoded for its place.
+  /// @brief The value of form & kPlace after decoding for a given alignment.
   /// @param inBlock whether it is in an IT block
   [[nodiscard]] static constexpr std::uint8_t place(bool inBlock) {
     return inBlock ? kPlace : kDecoded;
   }
 
-  /// @brief Returns whether it was decoded for its place.
+  /// @brief Returns whether the instruction was decoded for its alignment.
   [[nodiscard]] bool isDecoded(bool inBlock) const { return (form & kPlace) == place(inBlock); }
   [[nodiscard]] bool isWide() const { return (form & 4U) != 0; }
   [[nodiscard]] std::uint32_t bytes() const { return form & 6U; }
 };
-static_assert(sizeof(Instruction) <= 16, "as many as possible are to fit in the caches");
+static_assert(sizeof(Instruction) <= 16,
+              "as many instructions as possible must fit into the caches");
 
 }  // namespace wr::emulator

@@ -12,11 +12,11 @@ namespace wr::emulator {
 
 namespace {
 
-/// Where the address comes from.
+/// The source of the address.
 enum class Place : std::uint8_t {
   Offset,   ///< register n and value
-  Before,   ///< the same, and register n keeps it
-  After,    ///< register n, which value is added to then
+  Before,   ///< as above, and register n is written back
+  After,    ///< register n, to which value is added afterwards
   Indexed,  ///< register n and register m, shifted to the left by value
   Literal   ///< the program counter and value
 };
@@ -51,7 +51,7 @@ template <typename Value, Place kPlace>
   }
 }
 
-// Where no call is needed, none is made ready.
+// If no call is needed, no call is prepared.
 template <typename Value, Place kPlace>
 void load(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -126,7 +126,7 @@ constexpr Row kStackLoads{loadStack<Place::Offset>, loadStack<Place::Before>,
 constexpr Row kPcLoads{loadPc<Place::Offset>, loadPc<Place::Before>, loadPc<Place::After>,
                        loadPc<Place::Indexed>, loadPc<Place::Literal>};
 
-/// Size and sign of the access: as opB of A5.2.4 counts.
+/// Size and sign of the access: in the numbering of opB of A5.2.4.
 enum class Access : std::uint8_t {
   StoreWord,
   StoreHalf,
@@ -321,8 +321,8 @@ Instruction exclusiveOrTable(Encoding code) {
   }
 }
 
-// Many registers: value is their list, d their number, and bit 16 of value shows that register n
-// keeps the address.
+// Many registers: value is their list, d their number, and bit 16 of value shows that register n is
+// written back.
 constexpr std::uint32_t kKeeps = 1U << 16;
 constexpr std::uint32_t kList = 0xFFFF;
 

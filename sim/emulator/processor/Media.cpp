@@ -34,7 +34,7 @@ std::int64_t saturatedUnsigned(std::int64_t value, unsigned bits) {
   return std::clamp<std::int64_t>(value, 0, (std::int64_t{1} << bits) - 1);
 }
 
-// Plain numbers and fields, A5.3.3.
+// Immediate numbers and fields, A5.3.3.
 
 void mov(Core& core, const Instruction& in) {
   core.registers.r[in.d] = in.value;
@@ -45,7 +45,7 @@ void movt(Core& core, const Instruction& in) {
   d = (d & 0xFFFFU) | in.value << 16;
 }
 
-// Of a field: value is its lowest bit, m its width.
+// For a field value is the lowest bit and m the width.
 
 template <bool kSigned>
 void extractField(Core& core, const Instruction& in) {
@@ -246,7 +246,7 @@ void parallel(Core& core, const Instruction& in) {
   std::uint32_t word = 0;
   unsigned ge = 0;
   for (unsigned shift = 0; shift < 32; shift += kBits) {
-    // ASX adds the upper half and subtracts the lower one; SAX the other way round.
+    // ASX adds the upper half and subtracts the lower one; SAX does the reverse.
     const bool subtracts = kExchanges ? (shift == 0) == (kLanes == Lanes::AddSubtract) : kSubtracts;
     const std::int32_t a = lane(x.r[in.n], shift, kSigned, kBits);
     const std::int32_t b = lane(x.r[in.m], kExchanges ? 16 - shift : shift, kSigned, kBits);

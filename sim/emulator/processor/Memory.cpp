@@ -9,7 +9,7 @@ namespace wr::emulator {
 
 namespace {
 
-// The system gives zeros, and takes memory only for those that are touched.
+// The operating system returns zeros, and uses memory only for accessed pages.
 template <typename Item>
 std::unique_ptr<Item, Memory::Release> zeros(std::size_t count) {
   std::unique_ptr<Item, Memory::Release> items(
@@ -47,7 +47,7 @@ Memory::Direct Memory::directOf(const Area& area) const {
 
 void Memory::observe(std::function<void(std::uint32_t, std::uint32_t, bool)> call) {
   observer_ = std::move(call);
-  for (const Area& area : all_) {  // the direct stores begin again, and so does the decoding
+  for (const Area& area : all_) {  // direct stores and decoding start again
     forget(area, area.address, area.size);
   }
   for (std::size_t i = 0; i < kMegabytes; ++i) {
@@ -62,7 +62,7 @@ void Memory::map(std::uint32_t address, std::uint32_t size, Access access) {
             .mayExecute = access != Access::ReadWrite,
             .bytes = zeros<std::uint8_t>(size)};
   if (area.mayExecute) {
-    area.instructions = zeros<Instruction>(size / 2 + 2);  // behind the last one there is none
+    area.instructions = zeros<Instruction>(size / 2 + 2);  // there is none after the last one
   }
   add(std::move(area));
 }
@@ -82,7 +82,7 @@ void Memory::forget(const Area& area, std::uint32_t address, std::uint32_t size)
   if (area.instructions == nullptr) {
     return;
   }
-  // An instruction of two halves begins in front of its second one.
+  // An instruction of two halves begins before its second half.
   const std::uint32_t first = (address - area.address) / 2;
   const std::uint32_t last = (address - area.address + size - 1) / 2;
   for (std::uint32_t half = first == 0 ? 0 : first - 1; half <= last; ++half) {

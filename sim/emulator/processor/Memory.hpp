@@ -25,7 +25,7 @@ class Memory {
   using Read = std::function<std::uint32_t(std::uint32_t address, unsigned size)>;
   using Write = std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)>;
 
-  /// @brief Gives memory back that was taken with calloc.
+  /// @brief Frees memory that was allocated with calloc.
   struct Release {
     void operator()(void* memory) const { std::free(memory); }
   };
@@ -37,8 +37,9 @@ class Memory {
     bool mayWrite = false;
     bool mayExecute = false;
     std::unique_ptr<std::uint8_t, Release> bytes{};        ///< none of a window
-    std::unique_ptr<Instruction, Release> instructions{};  ///< one for each half-word, as decoded;
-                                                           ///< none where nothing may be executed
+    std::unique_ptr<Instruction, Release> instructions{};  ///< decoded instructions, one for each
+                                                           ///< half-word; none if the memory cannot
+                                                           ///< be executed
     Read read{};
     Write write{};
 
@@ -49,25 +50,25 @@ class Memory {
     [[nodiscard]] std::uint8_t* at(std::uint32_t place) const {
       return bytes.get() + (place - address);
     }
-    /// @brief Memory that cannot be stored to, which is flash.
+    /// @brief Flash, which a program cannot write.
     [[nodiscard]] bool isFlash() const { return bytes != nullptr && !mayWrite; }
   };
 
   /// @brief Memory for aligned loads and stores without a call.
   struct Direct {
     std::uint8_t* bytes = nullptr;
-    std::uint32_t address = 0;  ///< of the first byte
-    std::uint32_t loads = 0;    ///< how many bytes can be loaded
-    std::uint32_t stores = 0;   ///< how many can be stored
+    std::uint32_t address = 0;  ///< address of the first byte
+    std::uint32_t loads = 0;    ///< number of bytes that can be loaded
+    std::uint32_t stores = 0;   ///< number of bytes that can be stored
 
-    /// @brief Returns whether words are among the first ones of so many bytes.
+    /// @brief Returns whether words are within the first bytes, up to a size.
     [[nodiscard]] bool holds(std::uint32_t count, std::uint32_t place, std::uint32_t wanted) const {
       const std::uint32_t offset = place - address;
       return offset < count && count - offset >= wanted && (place & 3U) == 0;
     }
   };
 
-  /// @brief Makes an empty memory.
+  /// @brief Constructs an empty memory.
   /// @param readsFlashDirectly false: each load from flash is a call
   explicit Memory(bool readsFlashDirectly) : readsFlashDirectly_(readsFlashDirectly) {}
 
@@ -83,27 +84,30 @@ class Memory {
     return directs_[address / kMegabyte];
   }
 
-  /// @brief Words that can be loaded without a call; none where not all of them can.
+  /// @brief Returns words for loads without a call; none if not all of them can be loaded in this
+  /// way.
   [[nodiscard]] const std::uint8_t* loadable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.loads, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief Words that can be stored without a call; none where not all of them can.
+  /// @brief Returns words for stores without a call; none if not all of them can be stored in this
+  /// way.
   [[nodiscard]] std::uint8_t* storable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief An instruction was decoded: from there on a store into this memory is a call, which forgets
-  /// decoded instructions. Stores below it, as those into a stack, are as fast as before.
+  /// @brief Reports a decoded instruction: from its address on a store into this memory is a call,
+  /// which clears decoded instructions. Stores below this address, such as those to a stack, stay
+  /// fast.
   void decoded(std::uint32_t address);
 
-  /// @brief Forgets the decoded instructions that a store has changed.
+  /// @brief Clears the decoded instructions that a store has changed.
   static void forget(const Area& area, std::uint32_t address, std::uint32_t size);
 
-  /// @brief Sets the callback of each load and store that the program does, after it was done. While
-  /// there is one, no access is direct.
+  /// @brief Sets the callback of each load and store of the program, after the access. While there
+  /// is a callback, no access is direct.
   /// @param call the callback; empty: none
   void observe(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call);
 
@@ -114,7 +118,7 @@ class Memory {
     }
   }
 
-  /// @brief The area of an address; none where nothing is.
+  /// @brief Returns the area of an address; none without memory.
   [[nodiscard]] const Area* find(std::uint32_t address) const;
 
   /// @brief Writes from outside, also where the program may not.
@@ -131,7 +135,7 @@ class Memory {
     return value;
   }
 
-  /// @brief The words of a stack; none where not all of it can be written.
+  /// @brief The words of a stack; none if not all of it can be written.
   [[nodiscard]] std::uint8_t* stack(std::uint32_t address, std::uint32_t size) const;
 
  private:

@@ -12,7 +12,7 @@ namespace {
 // Field value of an instruction: the register that is added, above bits of the form.
 constexpr std::uint32_t kFirstHigh = 1;   // upper half of the first operand
 constexpr std::uint32_t kSecondHigh = 2;  // upper half of the second operand
-constexpr std::uint32_t kExchanged = 2;   // halves of the second operand change places
+constexpr std::uint32_t kExchanged = 2;   // halves of the second operand are swapped
 constexpr std::uint32_t kRounded = 1;
 constexpr unsigned kAddendShift = 8;
 
@@ -122,7 +122,7 @@ void sumOfDifferences(Core& core, const Instruction& in) {
   core.registers.r[in.d] = sum;
 }
 
-// Long products: register d takes the lower word, that in value the higher one.
+// Long products: register d receives the lower word, the register in value the upper one.
 
 std::uint64_t longAddend(const Core& core, const Instruction& in) {
   return std::uint64_t{addend(core, in)} << 32 | core.registers.r[in.d];
@@ -171,7 +171,7 @@ void divide(Core& core, const Instruction& in) {
     }
     return;
   }
-  // The most negative number by -1 stays itself: wide numbers contain the quotient.
+  // The most negative number by -1 does not change; the 64-bit type contains the quotient.
   x.r[in.d] =
       kSigned ? static_cast<std::uint32_t>(wide(dividend) / wide(divisor)) : dividend / divisor;
 }

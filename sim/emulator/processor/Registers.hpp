@@ -22,9 +22,9 @@ struct Registers {
   std::uint32_t otherStack = 0;  ///< the stack pointer that is not in use
   bool onProcessStack = false;   ///< which one is
 
-  // Flags, as the results that gave them: it is seldom that one is asked for.
+  // Flags, stored as the results that define them, because they are seldom read.
   std::uint32_t n = 0;  ///< bit 31
-  std::uint32_t z = 1;  ///< set when this is 0
+  std::uint32_t z = 1;  ///< Z is set when this is 0
   std::uint32_t c = 0;  ///< 0 or 1
   std::uint32_t v = 0;  ///< bit 31
   bool q = false;
@@ -71,7 +71,7 @@ struct Registers {
            (std::uint32_t{it} >> 2) << 10;
   }
 
-  /// @brief Sets all of them.
+  /// @brief Sets all flags.
   void setState(std::uint32_t xpsr) {
     setFlags(xpsr);
     setGe(xpsr);
@@ -82,7 +82,7 @@ struct Registers {
 
   [[nodiscard]] bool privileged() const { return exception != 0 || (control & kUnprivileged) == 0; }
 
-  /// @brief Puts the main or the process stack into use.
+  /// @brief Selects the main or the process stack.
   void useStack(bool process) {
     if (process != onProcessStack) {
       std::swap(r[kStack], otherStack);

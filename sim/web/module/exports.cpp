@@ -23,7 +23,7 @@ enum class Text { Thrown, Failures, Finding, Names, Reports };
 struct Module {
   std::unique_ptr<LiveRobot> robot;
   std::vector<double> numbers;
-  Bytes bytes;  // of the result of the last call that returns bytes
+  Bytes bytes;  // length of the result of the last call that returns bytes
 };
 
 Module& module() {
@@ -86,7 +86,7 @@ void liveFree(std::uint8_t* memory) {
   std::free(memory);
 }
 
-/// Switches a robot on. Of the options, bit 0 lets the run go on after a reset, and bit 1 keeps all
+/// Switches a robot on. Bit 0 of the options continues the run after a reset, and bit 1 records all
 /// events and reports.
 void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint32_t* functions,
                std::size_t functionCount, const char* scenario, std::size_t scenarioSize,
@@ -101,7 +101,7 @@ void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint
   module().robot = std::make_unique<LiveRobot>(std::move(setup));
 }
 
-/// Runs until a control cycle has ended, or for 200 ms without a clock pulse: 0 it goes on, 1 the
+/// Runs until a control cycle has ended, or for 200 ms without a clock pulse: 0 it continues, 1 the
 /// scenario has ended, 2 a finding.
 int liveCycle() {
   return static_cast<int>(module().robot->runCycle());
@@ -120,7 +120,7 @@ void liveRepeat(const char* order, std::size_t size) {
   module().robot->repeat(std::string(order, size));
 }
 
-/// The numbers of the present instant. Text 3 names them.
+/// Returns the present values. Text 3 names them.
 const double* liveNumbers() {
   LiveRobot& robot = *module().robot;
   const wr::emulator::VirtualBoard& board = robot.session().board;
@@ -148,12 +148,12 @@ void liveText(int which) {
   module().bytes.assign(text.begin(), text.end());
 }
 
-/// Keeps the last report.
+/// Stores the last report.
 void liveReport() {
   module().bytes = module().robot->player().report().value_or(Bytes());
 }
 
-/// Keeps the bytes on the line since the last call. Each piece has its time in us (8 bytes), its
+/// Stores the bytes on the line since the last call. Each piece has its time in us (8 bytes), its
 /// sender (1: the PC), its length (4 bytes) and its bytes.
 void liveLine() {
   Bytes& bytes = module().bytes;

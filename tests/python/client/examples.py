@@ -1,6 +1,6 @@
-"""The worked examples of the protocol. As a script, it gives them the present layout.
+"""The worked examples of the protocol. As a script, it writes them in the present layout.
 
-Fields that they lack become 0 at the end of the payload; the schema hash becomes the present one.
+Missing fields become 0 at the end of the payload; the schema hash becomes the present one.
 """
 
 from __future__ import annotations

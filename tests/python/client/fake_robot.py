@@ -54,7 +54,8 @@ class FakeRobot:
     schema: int = SCHEMA_HASH
     start: tuple[int, int, int, int] = (1, 0, 0, 0)
     conditions: tuple[int, ...] = (1, 0, 0, 0, 0, 0, 0, 0)
-    numbers: dict[int, int] = field(default_factory=dict)  # bytes of the report that are fixed
+    numbers: dict[int, int] = field(default_factory=dict)  # number of bytes in the fixed part of
+    # the report
     more: bytes = b""  # bytes that a later version appends to Report and Welcome
     noise: bytes = b""
     silent: bool = False

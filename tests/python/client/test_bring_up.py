@@ -27,7 +27,7 @@ WHEEL_0 = "wheel 0, front left"
 
 @pytest.fixture(autouse=True)
 def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The robot in Python has no inertia: shorter times show the same."""
+    """The robot in Python has no inertia: so shorter times are sufficient."""
     monkeypatch.setattr(bring_up, "OBSERVE_S", 0.2)
     monkeypatch.setattr(bring_up, "WHEEL_S", 0.5)
     monkeypatch.setattr(SimulatedOperator, "patience_s", 1.0)
@@ -35,7 +35,7 @@ def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def images(tmp_path: Path) -> Path:
-    """A folder with the image that the robot in Python pretends to run."""
+    """A folder with the image that the robot in Python reports as its own."""
     folder = tmp_path / "k64"
     folder.mkdir()
     (folder / "weeding_robot.bin").write_bytes(b"code 0123abcd code")
@@ -43,7 +43,7 @@ def images(tmp_path: Path) -> Path:
 
 
 class First(BringUp):
-    """The first steps only, up to one of them."""
+    """Only the first steps, up to the given one."""
 
     last = ""
 
@@ -326,7 +326,7 @@ class Person:
         self.shown = b""
 
     def reads(self, text: str, seconds: float = 15.0) -> None:
-        """Reads until a text is shown. Output that was read before does not count again."""
+        """Reads until a text is shown. Output that was read before is not searched again."""
         end = time.monotonic() + seconds
         while text.encode() not in self.shown:
             assert time.monotonic() < end, self.shown.decode()

@@ -22,7 +22,7 @@ tshark = pytest.mark.skipif(not shutil.which("tshark"), reason="tshark is not in
 
 
 def frames_shown(capture: Path, folder: Path) -> list[dict[str, str]]:
-    """Of each packet, the fields that the dissector adds: filter name and value."""
+    """The fields that the dissector adds to each packet: filter name and value."""
     script = folder / "dissector.lua"
     write_dissector(script)
     done = subprocess.run(

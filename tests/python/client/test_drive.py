@@ -486,7 +486,7 @@ class Terminal:
     program: subprocess.Popen[bytes]
 
     def type(self, text: bytes, seconds: float = 0.0) -> None:
-        """Types a text once, or again and again for a time, as a key that is held."""
+        """Types a text once, or repeatedly for a time, like a pressed key."""
         end = time.monotonic() + seconds
         os.write(self.keys, text)
         while time.monotonic() < end:

@@ -104,7 +104,7 @@ def test_from_power_up_with_a_silent_remote_control_the_pc_commands_within_n_and
     driven = reports[working:]
     assert {(report.mode, report.source) for report in driven} == {("PC", "PC")}
     read = [report for report in driven if report.state == "Working" and report.order_read]
-    assert len(read) >= 0.8 * len(driven)  # a busy machine is late with an order now and then
+    assert len(read) >= 0.8 * len(driven)  # a busy machine sometimes sends an order too late
 
 
 def test_the_robot_tells_why_it_started_and_no_fault(
@@ -118,7 +118,7 @@ def test_the_robot_tells_why_it_started_and_no_fault(
 
 
 def test_an_order_sent_before_a_clock_pulse_is_in_the_report_of_that_cycle(robot: Path) -> None:
-    """Judges each order that was written at least 20 ms before the clock pulse by this clock."""
+    """Checks each order that was written at least 20 ms before the clock pulse of this clock."""
     received: list[tuple[float, Report]] = []
     sent: list[float] = []
     with Link(robot) as link:
@@ -223,7 +223,7 @@ def brought_up(robot: Path, world: Control, images: Path) -> Record:
 
 @pytest.fixture
 def images(program: list[Path | str], tmp_path: Path) -> Path:
-    """A folder with the program that runs, in place of the image that was built."""
+    """A folder with the program that runs, instead of the built image."""
     folder = tmp_path / "images"
     folder.mkdir()
     (folder / "weeding_robot.bin").symlink_to(program[-1])

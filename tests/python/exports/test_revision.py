@@ -1,4 +1,4 @@
-"""Two revisions: which differences are shown, and how each is shown."""
+"""Two revisions: the shown differences and their form."""
 
 from dataclasses import replace
 from pathlib import Path

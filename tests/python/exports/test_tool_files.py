@@ -1,4 +1,4 @@
-"""The exports for other tools: each is read by a tool of others, or fits a published schema."""
+"""The exports for other tools: each is read by an independent tool, or fits a published schema."""
 
 import csv
 import json

@@ -34,7 +34,7 @@ def output(*words: str | Path) -> str:
 
 
 def symbols(program: Path) -> list[Symbol]:
-    """All symbols, those that are only wanted too."""
+    """All symbols, including undefined ones."""
     found = []
     for line in output("arm-none-eabi-nm", "--format=posix", program).splitlines():
         name, _kind, *numbers = line.split()

@@ -15,7 +15,7 @@ BOARD = ROOT / "build" / "host" / "sim" / "weeding_robot_board"
 FOUND = 4  # exit code of the board program: the run ended with a finding
 SOURCES = ROOT / "src" / "k64"
 
-# Two seconds of a robot that is driven: reports go out, orders come in.
+# Two seconds of a robot that is driven: reports are sent and orders are received.
 DRIVE = """\
 at 300 connect
 from 640 to 1940 every 100 order velocity 300 steering 150
@@ -55,7 +55,7 @@ def seeded(folder: Path, changes: tuple[Change, ...]) -> Path:
         original, words = compile_command(file)
         words[words.index("-c") + 1] = str(source)
         words[words.index("-o") + 1] = str(compiled)
-        words.append(f"-ffile-prefix-map={folder}=src/k64")  # findings name the true place
+        words.append(f"-ffile-prefix-map={folder}=src/k64")  # so that findings show the true place
         subprocess.run(words, check=True, cwd=BUILD, timeout=60)
         link[link.index(original)] = str(compiled)
     image = folder / "weeding_robot_paper"
@@ -76,7 +76,7 @@ def changed(file: str, changes: tuple[Change, ...]) -> str:
 
 
 def compile_command(file: str) -> tuple[str, list[str]]:
-    """The object of a source, and the words that compile it."""
+    """The object of a source, and the command that compiles it."""
     entries = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
     (entry,) = [one for one in entries if one["file"] == str(SOURCES / file)]
     words = shlex.split(entry["command"])
@@ -84,7 +84,7 @@ def compile_command(file: str) -> tuple[str, list[str]]:
 
 
 def link_command() -> list[str]:
-    """The words that link the image; without its map, which belongs to the image of the build."""
+    """The command that links the image, without the map file of the build."""
     ninja = ["ninja", "-C", str(BUILD), "-t", "commands", "weeding_robot_paper.elf"]
     done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
     line = done.stdout.splitlines()[-1].removeprefix(": && ")

@@ -97,7 +97,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "received byte of the UART not taken": (
-        "uart-overrun",  # before the interrupt has come so often that it is a storm
+        "uart-overrun",  # before the interrupt counts as a storm
         (Change("K64Uart.cpp", "uart::D.at(offset()).read()", "uart::BDL.at(offset()).read()"),),
     ),
     "transmit interrupt of the UART never switched off": (
@@ -271,7 +271,8 @@ def test_the_image_itself_has_no_finding(tmp_path: Path) -> None:
 
 
 def test_an_image_that_is_linked_again_is_the_same(tmp_path: Path) -> None:
-    """So a finding comes from the change, not from the way in which it was made."""
+    """This verifies that a finding is caused by the change, and not by the way in which it is
+    applied."""
     image = seeded(tmp_path, ())
     assert (
         image.with_suffix(".bin").read_bytes() == (BUILD / "weeding_robot_paper.bin").read_bytes()

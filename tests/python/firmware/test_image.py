@@ -34,7 +34,7 @@ ELF = BUILD / "weeding_robot.elf"
 BIN = BUILD / "weeding_robot.bin"
 HARD_FLOAT = ("-mfloat-abi=hard", "-mfpu=fpv4-sp-d16")
 
-# For each kind that an image must not have: a program that has it, and how it is compiled.
+# For each forbidden part: a program that contains it, and its options of the compiler.
 HOLDERS = {
     "heap": ("int* f() { return new int; }", HARD_FLOAT),
     "heap, in C": ('extern "C" void free(void*); void f(int* p) { free(p); }', HARD_FLOAT),
@@ -143,7 +143,7 @@ def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Pa
 
 
 def test_the_binary_holds_what_the_program_does(image: bytes, tmp_path: Path) -> None:
-    """All that is loaded lies in flash, and its end is the end of the binary."""
+    """All loaded data are in flash, and end at the end of the binary."""
     copy = tmp_path / "copy.bin"
     output("arm-none-eabi-objcopy", "-O", "binary", ELF, copy)
     assert copy.read_bytes() == image

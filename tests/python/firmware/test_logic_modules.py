@@ -71,7 +71,7 @@ def test_a_forbidden_use_fails_the_build(
 
 
 def test_cmake_reads_each_use() -> None:
-    """CMake reads lines, Python reads TOML: each use is in a line of the form that CMake reads."""
+    """CMake reads lines, Python reads TOML: each use must be in a line that CMake can read."""
     lines = (ROOT / "design" / "uses.toml").read_text(encoding="utf-8").splitlines()
     allowed = read_declared(ROOT).allowed
     assert allowed

@@ -67,7 +67,7 @@ def test_all_else_is_the_same_in_all_products(product: str) -> None:
 
 @pytest.mark.parametrize("product", PRODUCTS)
 def test_an_intruder_is_found(product: str) -> None:
-    """Whatever a product has, it would be found in one that should not have it."""
+    """Each part of a product would be detected in a product that must not have it."""
     for module in HAS[product]:
         assert intruders(held(product), HAS[product] - {module}) == {module}
 

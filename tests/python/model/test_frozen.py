@@ -1,4 +1,4 @@
-"""Nothing that the model or the report holds can be assigned to."""
+"""The model and the report cannot be changed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from traceability.model.report import Report
 
 
 def reachable(kind: Any, known: set[type]) -> Iterator[type]:
-    """The record classes that a type names, and those that their fields name."""
+    """The record classes that a type names, and those of their fields."""
     hints = get_args(kind)
     if dataclasses.is_dataclass(kind) and isinstance(kind, type) and kind not in known:
         known.add(kind)

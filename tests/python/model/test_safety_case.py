@@ -121,7 +121,7 @@ def test_a_scenario_that_did_not_pass_in_this_run_leaves_its_goal_open(
 def test_an_instance_of_a_test_decides_about_its_scenario(
     tmp_path: Path, own: str, state: str
 ) -> None:
-    """Others that fail do not fail this one."""
+    """Other failed tests do not affect this one."""
     write_case(tmp_path)
     model = settled(tmp_path, "failed")
     runs = model.tests["Safety.FR1_Stops"].results

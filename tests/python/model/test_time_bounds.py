@@ -1,4 +1,4 @@
-"""The longest way through a small program: its loops, its calls, and a loop that is added."""
+"""The longest path through a small program: its loops, its calls, and a loop that is added."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ LOOP = """
     bne 1b
     bx lr
 """
-# One way costs a division more than the other.
+# One path costs one division more than the other.
 FORK = """
     cmp r0, #0
     beq 1f

@@ -89,7 +89,7 @@ def tree(sound: Path, tmp_path: Path) -> Path:
 
 
 def checked(root: Path) -> tuple[str, set[str], Model, Report]:
-    """The state of the requirement, and which checks find something of it."""
+    """The state of the requirement, and the checks with a finding about it."""
     model, facts = build(root)
     report = run_checks(model, facts)
     checks = {

@@ -1,4 +1,4 @@
-"""A small project with a model of its own: enough for every kind of page."""
+"""A small project with its own model, which has every kind of page."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from traceability.reading.traces import EXIT, Row, Traces, embed
 from traceability.schema import TreeNode
 
 SCRIPT = Path(__file__).parents[3] / "site/theme/static/live/trees.js"
-METHODS, HARDWARE = 6, 6  # methods 0 to 5; 6 is entered by the hardware
+METHODS, HARDWARE = 6, 6  # methods 0 to 5; the hardware calls 6
 NODE = """
 const trees = require(process.argv[1]);
 const cases = JSON.parse(require("fs").readFileSync(0, "utf8"));
@@ -42,7 +42,7 @@ class Node:
 
 
 class Recorded(Traces):
-    """Recorded calls that no file has."""
+    """Generated recorded calls."""
 
     def __init__(self, calls: list[int]) -> None:
         names = {16 * (number + 1): f"M{number}" for number in range(METHODS)}
@@ -55,7 +55,7 @@ class Recorded(Traces):
 
 
 def random_calls(chance: random.Random) -> list[int]:
-    """Some calls; now and then one is left that was never seen to be entered."""
+    """Random calls; sometimes a call is left that was never recorded as entered."""
     found: list[int] = []
     open_calls: list[int] = []
     for _ in range(chance.randrange(4, 60)):

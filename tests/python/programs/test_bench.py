@@ -26,7 +26,7 @@ FEW = "at 50 arm\nfrom 1550 to 101050 every 100 order velocity 500\nat 101150 en
 
 
 def slowed(folder: Path) -> Path:
-    """The image with a busy loop in an algorithm; its name without suffix."""
+    """The image with a busy loop in an algorithm; returns its name without suffix."""
     source = folder / ALGORITHM.name
     begin = "  setPoint_.fill(setPoint);\n"
     text = ALGORITHM.read_text(encoding="utf-8")
@@ -43,7 +43,8 @@ def slowed(folder: Path) -> Path:
     link = link_command()
     image = folder / "weeding_robot"
     link[link.index("-o") + 1] = f"{image}.elf"
-    link.insert(link.index("-o"), str(compiled))  # before the library, which has the module too
+    link.insert(link.index("-o"), str(compiled))  # before the library, which also contains the
+    # module
     subprocess.run(link, check=True, cwd=BUILD, timeout=60)
     words = ["arm-none-eabi-objcopy", "-O", "binary", f"{image}.elf", f"{image}.bin"]
     subprocess.run(words, check=True, timeout=60)
@@ -70,7 +71,7 @@ def test_a_slowed_algorithm_shows_in_its_row(tmp_path: Path) -> None:
     assert max(more, key=lambda name: more[name]) == "VelocityAlgorithm"
     assert (
         more["VelocityAlgorithm"] > 4 * 1000 * 3
-    )  # four wheels, three instructions a turn at least
+    )  # four wheels, at least three instructions per round
     others = sum(abs(count) for name, count in more.items() if name != "VelocityAlgorithm")
     assert others < more["VelocityAlgorithm"] / 10
 

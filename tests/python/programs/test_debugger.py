@@ -1,4 +1,4 @@
-"""GDB at the virtual board: the image runs, stops, and goes back in its time."""
+"""GDB at the virtual board: the image runs, stops, and goes back in time."""
 
 import re
 import shutil
@@ -198,7 +198,7 @@ def test_registers_and_memory_are_read_and_written(start: Start) -> None:
 
 
 def test_a_read_with_an_effect_is_refused(start: Start) -> None:
-    """The data register of UART0 gives its byte to the first reader: the debugger leaves it."""
+    """The data register of UART0 returns its byte only once, so the debugger does not read it."""
     _, port = start("--scenario", SCENARIO)
     words = gdb_words(port, f"break {CYCLE}", "continue", "x/1xb 0x4006a002", "x/1xb 0x4006a007")
     done = subprocess.run(words, capture_output=True, text=True, timeout=60, check=False)
@@ -270,7 +270,7 @@ def test_the_time_stands_still_while_the_program_is_stopped(start: Start) -> Non
 
 
 def test_bytes_of_the_pc_come_again_at_the_same_instant(start: Start) -> None:
-    """A run that begins again gets the input of the first one, though the PC sends no more."""
+    """A restarted run gets the input of the first run, although the PC sends nothing more."""
     board, port = start("--robot", "--uart0", "tcp:0")
     assert board.stdout is not None
     line = board.stdout.readline()
@@ -293,7 +293,7 @@ def test_bytes_of_the_pc_come_again_at_the_same_instant(start: Start) -> None:
         for said in run.stdout:
             shown.append(said)
             if len(instants("".join(shown))) == 1 and instants(said):  # its port is open
-                for number in range(3):  # each byte comes in an interrupt of its own
+                for number in range(3):  # each byte causes its own interrupt
                     Timer(0.2 * number, pc.sendall, [b"x"]).start()
     guard.cancel()
     _, third, second, start_again, second_again, third_again = instants("".join(shown))

@@ -42,7 +42,7 @@ def program(request: pytest.FixtureRequest) -> Words:
 
 
 Row = dict[str, str]
-# Columns that depend on the instant of a reading, or on the run time of the image. The firmware
+# Columns that depend on the time of a reading, or on the run time of the image. The firmware
 # decides all others in a report.
 MEASURED = {"time_ms", "steering", "velocity", "current", "position", "tension"}
 MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}
@@ -54,11 +54,11 @@ SET_POINTS = {"set_point", "steering_set_point", "turn", "steering_state"}
 RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_000}
 RANGES_OF_REMOTE_CONTROL = {"set_point": 3000, "steering_set_point": 3200}
 WHEELS = "0123"
-# The greatest difference of one value in one cycle, and that of all but six in a hundred [%]. A
-# wheel that reverses may do so one cycle earlier in one of the two, which no report states.
+# The greatest difference of one value in one cycle, and the greatest of all but six of a hundred
+# [%]. A wheel may reverse one cycle earlier in one of the two runs, which no report shows.
 ONCE = 8
 USUALLY = 1.2
-# A wheel with one Hall sensor measures no velocity that control can follow: its values are chance.
+# A wheel with one Hall sensor measures no usable velocity: its values are random.
 CHANCE = {"one_hall_sensor"}
 RARE = 0.06  # share of the cycles
 
@@ -85,7 +85,8 @@ def difference(first: Row, second: Row) -> float:
 def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:
-    """Both make the same decisions; one that depends on a measured value may be a cycle apart.
+    """Both runs make the same decisions; a decision that depends on a measured value may differ by
+    a cycle.
 
     Measured and applied values differ by at most 1.2 % of the range in 94 of 100 cycles. They
     differ by more than 8 % only in a cycle next to such a decision; while pulses order, by at most
@@ -117,7 +118,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 
 
 def shifted_decisions(common: list[tuple[Row, Row]]) -> list[int]:
-    """The cycles in which the two decided differently; each value is of a neighbouring cycle."""
+    """The cycles with different decisions of the two runs; each value then occurs in a neighbouring
+    cycle."""
     found = []
     for index, (first, second) in enumerate(common):
         one, other = decided(first), decided(second)
@@ -220,7 +222,7 @@ def test_without_link_the_same_run_gives_the_same_trace(tmp_path: Path) -> None:
 
 
 def test_a_finding_is_printed_and_has_its_own_exit_code(tmp_path: Path) -> None:
-    """Without a vector for the cycle timer, the first clock pulse leads nowhere."""
+    """Without a vector for the cycle timer, the first clock pulse has no handler."""
     image = tmp_path / "broken.bin"
     content = bytearray(IMAGE.read_bytes())
     content[CYCLE_TIMER_VECTOR : CYCLE_TIMER_VECTOR + 4] = bytes(4)

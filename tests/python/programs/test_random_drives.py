@@ -1,4 +1,4 @@
-"""Random drives of robots whose parts vary: no false alarm without a fault, and a stop with one.
+"""Random drives of robots whose parts vary: no stop without a fault, and a stop with one.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series, and prints
 how many drives were stopped, how far the robot went until then, and its greatest velocity. A series
@@ -34,14 +34,14 @@ SERIES = tuple(itertools.product((100, 200, 500, 1000, 2000, 3000), (0, 20), (-1
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a drive ended: way until the stop in mm, greatest velocity in 0.1 rpm."""
+    """Result of a drive: distance until the stop in mm, greatest velocity in 0.1 rpm."""
 
     way: float | None
     fastest: float
 
 
 def wheels(velocity: int, degrees: int) -> str:
-    """Set-points that fit the angle: each wheel rolls on its own circle."""
+    """Set-points that match the steering angle: each wheel rolls on its own circle."""
     if degrees == 0:
         return str(velocity)
     middle = WHEELBASE / math.tan(math.radians(abs(degrees)))
@@ -85,7 +85,7 @@ def without_fault(seed: int) -> Outcome:
 
 
 def with_fault(fault: str, seed: int, velocity: int, degrees: int, slope: int) -> Outcome:
-    """A steady drive of a varied robot, in the middle of which a part breaks."""
+    """A steady drive of a varied robot, during which a part breaks."""
     order = f"order velocity {wheels(velocity, degrees)} steering {degrees}00"
     lines = [f"seed {seed}", "plant varied", f"at 20 slope {slope}", "at 50 arm"]
     lines += [f"from 1550 to {DRIVE_END} every 100 {order}", f"at {FAULT_AT} mark"]

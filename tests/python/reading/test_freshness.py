@@ -1,4 +1,4 @@
-"""A result counts for the sources that it was made from, and for no others."""
+"""A result is valid only for the sources from which it was made."""
 
 from __future__ import annotations
 

@@ -49,9 +49,9 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def shape(folder: Path, test: str) -> str:
-    """Brackets of the calls, with a letter for each function in the order in which they came.
+    """Brackets of the calls, with a letter for each function in order of appearance.
 
-    A call that is written as the same as one before is the number of the event where that begins.
+    A repeated call is written as the number of the event at which the first one begins.
     """
     events: array[int] = array("Q")
     events.frombytes((folder / f"Calls.{test}.bin").read_bytes())

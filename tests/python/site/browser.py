@@ -1,4 +1,4 @@
-"""Opens pages in a browser without a window, and returns the results of a probe on them."""
+"""Opens pages in a headless browser, and returns the results of a probe on them."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
 
 @dataclass
 class Code:
-    """A text set as code, and whether it lies in a link or in a listing."""
+    """A text set as code, and whether it is in a link or in a listing."""
 
     text: str
     linked: bool
@@ -132,7 +132,7 @@ def searched() -> list[list[str]]:
 
 @cache
 def clicks() -> dict[str, int]:
-    """Address -> how many clicks it is from the first page. A page brings all its ids."""
+    """Address -> number of clicks from the first page. A page contributes all its ids."""
     found = {FIRST: 0}
     read = {FIRST}
     pending = [FIRST]

@@ -93,7 +93,7 @@ def expects(text: str, addresses: list[str]) -> bool:
 
 
 def asked(folder: Path, texts: list[str]) -> dict[str, list[str]]:
-    """Text -> the addresses that the first screen of its hits shows."""
+    """Text -> the addresses on the first screen of its hits."""
     scripts = (f'<script src="{SITE.as_uri()}/_static/{name}.js"></script>' for name in SCRIPTS)
     values = {"SCRIPTS": "".join(scripts), "SEARCHES": json.dumps(texts)}
     page = PROBE

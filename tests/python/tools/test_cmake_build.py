@@ -26,7 +26,7 @@ def gtest_json(*tests: dict[str, object]) -> str:
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A tree whose tests are a script that counts its runs and copies results.json."""
+    """A project with a script as its tests, which counts its runs and copies results.json."""
     monkeypatch.setattr(cmake_build, "jobs", lambda: "2")
     tests = tmp_path / "build/trace/tests/firmware_tests"
     tests.parent.mkdir(parents=True)

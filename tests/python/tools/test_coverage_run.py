@@ -60,7 +60,7 @@ def test_a_line_of_several_functions_counts_once(root: Path) -> None:
 
 
 def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
-    """It may lie there or not: the numbers are those of the tests' own program."""
+    """The other program may exist or not: only the program of the tests is counted."""
     (root / "src/other.cpp").write_text("int main() { return 0; }")
     folder = "build/trace/tests/CMakeFiles/usual_design_tests.dir"
     (root / folder).mkdir(parents=True)

@@ -23,7 +23,7 @@ class Desk:
     def __init__(self, root: Path, capsys: pytest.CaptureFixture[str]) -> None:
         self.root = root
         self.capsys = capsys
-        self.tools = root / "tools"  # all that PATH has
+        self.tools = root / "tools"  # the whole PATH
         self.image = root / "image.bin"
         self.tools.mkdir()
         (root / "usb").mkdir()
@@ -35,7 +35,7 @@ class Desk:
         (self.tools / name).chmod(0o755)
 
     def add_tool(self, name: str, end: str = "exit 0") -> None:
-        """Adds a stub of a tool: it records its arguments, one a line."""
+        """Adds a stub of a tool: it records its arguments, one per line."""
         self.add_program(name, f'printf "%s\\n" {name} "$@" >"{self.root}/called"\n{end}')
 
     def add_pyocd(self, read_back: str = "flashed") -> None:

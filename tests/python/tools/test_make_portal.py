@@ -21,7 +21,7 @@ import pytest
 from tools.documents import METRICS
 from tools.lock import HOLDER
 
-# A project whose tests wait until they may go on, and whose page shows whether they ended.
+# A project whose tests wait for a permission to continue, and whose page shows whether they ended.
 PORTAL = """
 import sys, time
 from pathlib import Path
@@ -100,7 +100,7 @@ class Project:
             except (OSError, HTTPException):
                 pass
             time.sleep(0.02)
-        raise AssertionError("it did not come to this")
+        raise AssertionError("this state was not reached")
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-"""Mutants of a small class: where they are, that the copy compiles, which tests find them."""
+"""Mutants of a small class: their places, the compiled copy, and the tests that find them."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def test_each_number_switches_its_own_mutant_on(tree: Path) -> None:
     printed = {one.change: said(number) for number, one in enumerate(held, 1)}
     assert said(0) == "3 9 9"
     assert printed["return {} at once"] == "0 0 0"
-    assert printed["without count()"] == "3 9 9", "nothing that is printed depends on it"
+    assert printed["without count()"] == "3 9 9", "the output does not depend on it"
     assert printed["not value < kMost && value != narrow"] == "9 8 10"
     assert printed["<= for < in value < kMost"] == "3 9 10"
     assert printed[">= for < in value < kMost"] == "9 9 10"

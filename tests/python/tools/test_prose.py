@@ -1,4 +1,4 @@
-"""The linter of prose: which words it finds, and where."""
+"""The linter of prose: the words that it finds, and their places."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""./wr release: archives that depend on their content alone, the list of the parts, the notes."""
+"""./wr release: archives that depend only on their content, the list of the parts, the notes."""
 
 import hashlib
 import json

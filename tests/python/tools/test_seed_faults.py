@@ -1,6 +1,7 @@
-"""The seeded faults: each check has one, each can be seeded; the record is of this state only.
+"""The seeded faults: each check has one, each can be seeded; the record is valid only for this
+state.
 
-Whether the checks find them is tried by ``./wr check --drift``, which ``./wr test`` runs.
+Whether the checks find them is tested by ``./wr check --drift``, which ``./wr test`` runs.
 """
 
 from __future__ import annotations

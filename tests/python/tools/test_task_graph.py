@@ -36,7 +36,7 @@ class Project:
     def write(self, name: str, text: str) -> None:
         (self.root / name).parent.mkdir(parents=True, exist_ok=True)
         (self.root / name).write_text(text)
-        before = time.time() - 10  # as if it was written before the tasks run
+        before = time.time() - 10  # as if it had been written before the tasks run
         os.utime(self.root / name, (before, before))
 
     def action(
@@ -52,7 +52,7 @@ class Project:
         return run
 
     def run(self, *names: str, **replaced: Task) -> list[str]:
-        """Returns the tasks that ran, but for the build, which Ninja does."""
+        """Returns the tasks that ran, except the build, which Ninja does."""
         found = Outcome("", values={"file_dep": self.sources})
         tasks = {
             "build": Task("build", self.action("build", found), always=True),

@@ -1,4 +1,4 @@
-"""The worked examples of the page on the tools: each is applied to a copy and tried there."""
+"""The worked examples of the page on the tools: each is applied to a copy and tested there."""
 
 from __future__ import annotations
 
