@@ -271,8 +271,8 @@ def test_the_image_itself_has_no_finding(tmp_path: Path) -> None:
 
 
 def test_an_image_that_is_linked_again_is_the_same(tmp_path: Path) -> None:
-    """This verifies that a finding is caused by the change, and not by the way in which it is
-    applied."""
+    """This verifies that a finding is caused by the change, and not by the method that applies
+    it."""
     image = seeded(tmp_path, ())
     assert (
         image.with_suffix(".bin").read_bytes() == (BUILD / "weeding_robot_paper.bin").read_bytes()
