@@ -1,4 +1,4 @@
-"""Tests the kits of the likely changes and the port, and measures the images of the kits."""
+"""Tests the kits of the likely changes and the ports, and measures the images of the kits."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from tools.cmake_build import BOARD_PRESET, gtest_counts, outcome_of, run_shards
 from tools.sizes import whole_of
 from tools.task_graph import Outcome
 from traceability.reading.change_kits import RESULT, images_of, read_kits
-from traceability.reading.ports import FOLDER as PORT
-from traceability.reading.ports import RESULT as PORT_RESULT
+from traceability.reading.ports import FOLDER as PORTS
+from traceability.reading.ports import RESULT as PORTS_RESULT
+from traceability.reading.ports import read_ports
 from traceability.reading.products import recorded_image_of
 from traceability.reading.toml_reader import Entries
 
+ROOT = Path(__file__).parents[1]
 TESTS, IMAGES = "changes_tests", "change_images"  # targets of CMake
-PORT_TESTS, PORT_IMAGE = "ports_tests", "weeding_robot_mps2"
-EMULATOR = "qemu-system-arm"
 COST = "instructions"  # property of a test: those of a cycle, on average
 
 
@@ -33,23 +33,28 @@ def test_changes(root: Path, log: TextIO) -> Outcome:
     return outcome_of(gtest_counts(path))
 
 
-def test_port(root: Path, log: TextIO) -> Outcome:
-    """Writes build/results/port.json: the results of the tests of the port on QEMU."""
-    path = root / PORT_RESULT
-    path.unlink(missing_ok=True)
-    if missing := missing_emulator():
-        return Outcome(f"not run in this build: {missing} is not installed")
+def test_ports(root: Path, log: TextIO) -> Outcome:
+    """Writes build/results/ports.json: the results of the tests of each port that can run here."""
+    path = root / PORTS_RESULT
     path.parent.mkdir(parents=True, exist_ok=True)
-    program = root / "build" / BOARD_PRESET / PORT / PORT_TESTS
-    suites, _, _ = run_shards(path, program, log, {})
-    path.write_text(json.dumps({"testsuites": suites}) + "\n")
+    found = {}
+    for name, port in read_ports(root, Entries(root)).items():
+        if port.needs and not shutil.which(port.needs):
+            log.write(f"{name} is not tested: {port.needs} is not installed\n")
+            continue
+        program = root / "build" / BOARD_PRESET / PORTS / name / port.program
+        suites, _, _ = run_shards(path.with_suffix(f".{name}.json"), program, log, {})
+        found[name] = {"testsuites": suites}
+    whole = [suite for one in found.values() for suite in one["testsuites"]]
+    path.write_text(json.dumps({**found, "testsuites": whole}) + "\n")
     write_failures(path, log)
     return outcome_of(gtest_counts(path))
 
 
-def missing_emulator() -> str:
-    """Returns the program that the tests of the port need, if it is missing."""
-    return "" if shutil.which(EMULATOR) else EMULATOR
+def missing_emulators() -> str:
+    """The programs that tests of ports need, and that are missing."""
+    ports = read_ports(ROOT, Entries(ROOT)).values()
+    return ", ".join(one.needs for one in ports if one.needs and not shutil.which(one.needs))
 
 
 def costs(root: Path, suites: list[dict[str, Any]]) -> dict[str, dict[str, float]]:

@@ -18,8 +18,8 @@ from tools.bench_runs import measure_all
 from tools.browser import find_browser, works
 from tools.call_runs import record_all
 from tools.change_runs import IMAGES as CHANGE_IMAGES
-from tools.change_runs import PORT_IMAGE, PORT_TESTS, missing_emulator, test_changes, test_port
 from tools.change_runs import TESTS as CHANGE_TESTS
+from tools.change_runs import missing_emulators, test_changes, test_ports
 from tools.closed_loop_runs import HOST_PROGRAM, play_all
 from tools.cmake_build import (
     BOARD,
@@ -53,13 +53,15 @@ from traceability.reading.change_kits import FOLDER as KITS
 from traceability.reading.change_kits import RESULT as KITS_RESULT
 from traceability.reading.closed_loop_record import DECLARED, EXAMPLES, OUTCOMES
 from traceability.reading.live_record import RECORD as LIVE_RECORD
-from traceability.reading.ports import RESULT as PORT_RESULT
+from traceability.reading.ports import RESULT as PORTS_RESULT
+from traceability.reading.ports import read_ports
 from traceability.reading.products import DEFAULT, PRODUCTS
 from traceability.reading.products import LIST as PRODUCT_LIST
 from traceability.reading.proof_record import PROOFS
 from traceability.reading.results import COVERAGE, COVERAGE_LINES, RESULTS
 from traceability.reading.seeded_fault_record import RECORD as FAULTS
 from traceability.reading.task_record import is_fresh
+from traceability.reading.toml_reader import Entries
 
 # ---- names -------------------------------------------------------------------
 
@@ -67,7 +69,7 @@ HOST_FIRMWARE, K64_FIRMWARE = "firmware (this machine)", "firmware (K64)"
 RECORDED_IMAGES = "build (K64, to record calls)"
 VIRTUAL_BOARD, BASELINE_BUILD = "virtual K64", "build (baseline design)"
 CHANGES_BUILD = "build (likely changes)"
-PORT_BUILD = "build (port)"
+PORTS_BUILD = "build (ports)"
 TESTS_SANITIZE = "tests (sanitize)"
 LIVE_MODULE = "live module"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
@@ -83,7 +85,7 @@ RESULT_TASKS = (
     task_record.BENCH,
     task_record.BASELINE,
     task_record.CHANGES,
-    task_record.PORT,
+    task_record.PORTS,
     LIVE_MODULE,
     task_record.LIVE,
     task_record.CALLS,
@@ -113,7 +115,7 @@ SHOWN = (*SEEDED, "site", "setup", "wr")
 SHOWN_RESULTS = (
     *("trace.json", "board.json", "coverage.json", "coverage_lines.json", "closed_loop.json"),
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
-    *("calls.json", "proofs.json", "changes.json", "port.json"),
+    *("calls.json", "proofs.json", "changes.json", "ports.json"),
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json"),
 )
@@ -175,6 +177,7 @@ def builds(root: Path) -> list[Task]:
         return Outcome(outcome.note, values={"file_dep": found})
 
     images = tuple(f"{product}.elf" for product in PRODUCTS)
+    ports = read_ports(root, Entries(root)).values()
     baselines = tuple(f"{image_name(design)}.elf" for design in DESIGNS)
     return [
         made(HOST_FIRMWARE, ("host", (HOST_PROGRAM,))),
@@ -186,7 +189,11 @@ def builds(root: Path) -> list[Task]:
         Task(LIVE_MODULE, module, always=True),
         made(BASELINE_BUILD, ("k64", baselines), (BOARD_PRESET, (BASELINE_TESTS,))),
         made(CHANGES_BUILD, ("k64_calls", (CHANGE_IMAGES,)), (BOARD_PRESET, (CHANGE_TESTS,))),
-        made(PORT_BUILD, ("k64_calls", (PORT_IMAGE,)), (BOARD_PRESET, (PORT_TESTS,))),
+        made(
+            PORTS_BUILD,
+            ("k64_calls", tuple(port.image for port in ports)),
+            (BOARD_PRESET, tuple(port.program for port in ports)),
+        ),
     ]
 
 
@@ -278,12 +285,12 @@ def measurements(root: Path) -> list[Task]:
             inputs_from=(CHANGES_BUILD, RECORDED_IMAGES),
         ),
         Task(
-            task_record.PORT,
-            partial(test_port, root),
+            task_record.PORTS,
+            partial(test_ports, root),
             (),
-            (str(PORT_RESULT),),
-            inputs_from=(PORT_BUILD,),
-            state=missing_emulator,
+            (str(PORTS_RESULT),),
+            inputs_from=(PORTS_BUILD,),
+            state=missing_emulators,
         ),
         Task(
             task_record.LIVE,

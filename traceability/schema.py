@@ -770,8 +770,8 @@ class ProofResult:
     seconds: float
     events: Sequence[str] = field(default_factory=list)  # lines of the counterexample
     scenario: str = ""  # file that plays the counterexample, when its events can be played
-    recorded: str = ""  # commit of the earlier run with the same model; empty: this build proved it
-    recorded_on: str = ""  # YYYY-MM-DD
+    recorded: str = ""  # commit of the earlier run with the same model, if it is known
+    recorded_on: str = ""  # date of this run, YYYY-MM-DD; empty: this build proved it
 
 
 @dataclass(frozen=True)
@@ -798,7 +798,7 @@ class Proofs:
     @property
     def recorded(self) -> list[ProofResult]:
         """Results of an earlier run with the same models, which this build did not repeat."""
-        return [one for one in (self.results or {}).values() if one.recorded]
+        return [one for one in (self.results or {}).values() if one.recorded_on]
 
 
 @dataclass(frozen=True)
@@ -1019,14 +1019,21 @@ class KitTest:
 
 @dataclass(frozen=True)
 class Port:
-    """The firmware on another microcontroller."""
+    """The firmware with another device or microcontroller."""
 
+    title: str
+    says: str
+    program: str  # with its tests
+    image: str
+    needs: str  # program that the tests need, if they need one
     files: Mapping[str, int]  # lines of each file that the port adds
-    tests: Mapping[str, str] | None  # the results on the emulator, when they are of these sources
+    composition_lines: int  # existing lines of the composition, removed or changed
+    outside_lines: int  # the same of other files
+    tests: Mapping[str, str] | None  # their results, when they are of these sources
 
     @property
     def passed(self) -> bool:
-        """Whether tests ran, and none failed."""
+        """Whether tests ran, and all passed."""
         return bool(self.tests) and set((self.tests or {}).values()) == {"passed"}
 
 

@@ -36,7 +36,7 @@ void CmsdkUart::serve() {
     const bool overrun = has(uart::STATE_RX_OVERRUN);
     uart::STATE.write(uart::STATE_RX_OVERRUN);
     const auto byte = static_cast<std::uint8_t>(uart::DATA.read().value);
-    const bool full = received_.count() == kReceived;
+    const bool full = received_.free() == 0;
     if (!full) {
       received_.put({.byte = byte, .at = clock_.now()});
     }

@@ -46,6 +46,14 @@ inline constexpr std::array<PinFunction, 12> kUartPins{{
     {'E', 24, 3, 4, kSend},
 }};
 
+/// @brief The pins of CAN0: the same tables.
+inline constexpr std::array<PinFunction, 4> kCanPins{{
+    {'A', 12, 2, 0, kSend},
+    {'A', 13, 2, 0, kReceive},
+    {'B', 18, 2, 0, kSend},
+    {'B', 19, 2, 0, kReceive},
+}};
+
 /// @brief The single-ended inputs of the converters: the same tables. The channels 4 to 7 are the
 /// inputs b.
 inline constexpr std::array<PinFunction, 21> kAdcPins{{

@@ -14,6 +14,7 @@
 #include "sim/emulator/Clock.hpp"
 #include "sim/emulator/CortexM4.hpp"
 #include "sim/emulator/DebugPort.hpp"
+#include "sim/emulator/FlexCan.hpp"
 #include "sim/emulator/Ftm.hpp"
 #include "sim/emulator/Mcg.hpp"
 #include "sim/emulator/Peripheral.hpp"
@@ -92,6 +93,7 @@ class VirtualBoard::Parts final : public Microcontroller {
         wdog_(*this),
         rcm_(*this),
         rng_(*this),
+        can_(*this),
         pit_(*this),
         uarts_{Uart(*this, kUart0), Uart(*this, kUart4)},
         ftms_{Ftm(*this, 0, 8), Ftm(*this, 1, 2), Ftm(*this, 2, 2), Ftm(*this, 3, 8)},
@@ -108,9 +110,9 @@ class VirtualBoard::Parts final : public Microcontroller {
                 {"FTM0", &ftms_[0]},   {"FTM1", &ftms_[1]},   {"FTM2", &ftms_[2]},
                 {"FTM3", &ftms_[3]},   {"ADC0", &adcs_[0]},   {"ADC1", &adcs_[1]},
                 {"PORTA", &ports_[0]}, {"PORTB", &ports_[1]}, {"PORTC", &ports_[2]},
-                {"PORTD", &ports_[3]}, {"PORTE", &ports_[4]}},
-        timed_{&mcg_,     &wdog_,    &pit_,     &uarts_[0], &uarts_[1], &ftms_[0],
-               &ftms_[1], &ftms_[2], &ftms_[3], &adcs_[0],  &adcs_[1],  &ports_[3]},
+                {"PORTD", &ports_[3]}, {"PORTE", &ports_[4]}, {"CAN0", &can_}},
+        timed_{&mcg_,     &wdog_,    &pit_,     &uarts_[0], &uarts_[1], &ftms_[0], &ftms_[1],
+               &ftms_[2], &ftms_[3], &adcs_[0], &adcs_[1],  &ports_[3], &can_},
         agenda_([this](const StimulusQueue::Level& level) {
           drive(level.port, level.pin, level.high);
         }) {
@@ -166,6 +168,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   DebugPort& debugPort() { return debugPort_; }
   Mcg& mcg() { return mcg_; }
   Uart& uart(int number);
+  FlexCan& can() { return can_; }
   Ftm& ftm(int number) { return ftms_.at(static_cast<std::size_t>(number)); }
   Adc& adc(int number) { return adcs_.at(static_cast<std::size_t>(number)); }
   StimulusQueue& agenda() { return agenda_; }
@@ -227,6 +230,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   Wdog wdog_;
   Rcm rcm_;
   Rnga rng_;
+  FlexCan can_;
   Pit pit_;
   std::array<Uart, 2> uarts_;
   std::array<Ftm, kTimers> ftms_;
@@ -234,7 +238,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   std::array<Port, kPorts> ports_;
   std::array<Gpio, kPorts> gpios_;
   std::map<std::string_view, Peripheral*> byName_;
-  std::array<Peripheral*, 12> timed_;  ///< peripherals with events of their own
+  std::array<Peripheral*, 13> timed_;  ///< peripherals with events of their own
   StimulusQueue agenda_;
   struct Place {
     const Block* block = nullptr;
@@ -293,6 +297,7 @@ void VirtualBoard::Parts::connect() {
                         [this] { return hasPin(kUartPins, 0, kSend); });
   uarts_[1].connectPins([this] { return hasPin(kUartPins, 4, kReceive); },
                         [this] { return hasPin(kUartPins, 4, kSend); });
+  can_.connectPins([this] { return hasPin(kCanPins, 0, kReceive) && hasPin(kCanPins, 0, kSend); });
   for (unsigned i = 0; i < kTimers; ++i) {
     ftms_[i].connectPins([this, i](unsigned channel) { return hasPin(kFtmPins, i, channel); });
   }
@@ -770,6 +775,19 @@ std::vector<std::uint8_t> VirtualBoard::takeSentOn(int uart) {
 
 void VirtualBoard::setLineBaudOn(int uart, std::uint32_t baud) {
   parts_->uart(uart).setLineBaud(baud);
+}
+
+void VirtualBoard::receiveCan(CanFrame frame) {
+  parts_->can().arrive(std::move(frame));
+  parts_->renew(parts_->can());
+}
+
+std::vector<CanFrame> VirtualBoard::takeSentCan() {
+  return parts_->can().takeSent();
+}
+
+bool VirtualBoard::canIdle() const {
+  return parts_->can().idle();
 }
 
 bool VirtualBoard::lineIdle() const {

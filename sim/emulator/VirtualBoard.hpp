@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/emulator/CanFrame.hpp"
 #include "sim/emulator/Event.hpp"
 #include "sim/emulator/Finding.hpp"
 #include "sim/emulator/Timing.hpp"
@@ -100,6 +101,15 @@ class VirtualBoard {
 
   /// @brief Changes the speed of the device at a serial port; 115200 at first.
   void setLineBaudOn(int uart, std::uint32_t baud);
+
+  /// @brief Another node of the bus at CAN0 sends a frame as soon as the bus is free.
+  void receiveCan(CanFrame frame);
+
+  /// @brief Frames that the board has sent at CAN0 since the last call.
+  [[nodiscard]] std::vector<CanFrame> takeSentCan();
+
+  /// @brief Returns whether no frame is on the bus at CAN0 or waits for it.
+  [[nodiscard]] bool canIdle() const;
 
   /// @brief Returns whether no byte is being transferred to or from the PC.
   [[nodiscard]] bool lineIdle() const;

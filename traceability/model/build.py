@@ -40,7 +40,7 @@ from traceability.reading.declared_safety import read_sources, words_of
 from traceability.reading.doxygen_run import doxygen_beside
 from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
-from traceability.reading.ports import read_port
+from traceability.reading.ports import read_ports
 from traceability.reading.products import read_products
 from traceability.reading.results import read_sizes
 from traceability.reading.seeded_fault_record import last_seeded, read_record
@@ -129,7 +129,7 @@ def _assemble(
         campaigns=read_campaigns(root),
         build=read_build(root),
         proofs=proofs_of(root, declared),
-        port=read_port(root),
+        ports=read_ports(root, declared.entries),
     )
     model = replace(model, logic_modules=_logic_modules(model, facts))
     model = _with_calls(model, facts)

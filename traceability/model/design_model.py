@@ -95,7 +95,7 @@ class Model:
     statements: Sequence[PaperStatement] = field(default_factory=list)
     paper_places: Sequence[PaperPlace] = field(default_factory=list)
     changes: Mapping[str, LikelyChange] = field(default_factory=dict)  # by application
-    port: Port | None = None  # to another microcontroller
+    ports: Mapping[str, Port] = field(default_factory=dict)  # to other devices, by folder
     board_findings: Mapping[str, BoardFinding] = field(default_factory=dict)
     beliefs: Sequence[BoardBelief] = field(default_factory=list)
     belief_sources: Mapping[str, BeliefSource] = field(default_factory=dict)

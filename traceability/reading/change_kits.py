@@ -89,11 +89,12 @@ def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
             text = source.read_text(encoding="utf-8")
             kit.bases |= {match[1]: match[2] or "" for match in CLASS.finditer(text)}
     if (folder / PATCH).exists():
-        _count(kit, (folder / PATCH).read_text(encoding="utf-8"))
+        count_lines(kit, (folder / PATCH).read_text(encoding="utf-8"))
     return kit
 
 
-def _count(kit: Kit, patch: str) -> None:
+def count_lines(kit: Kit, patch: str) -> None:
+    """Adds the files and the lines that a patch changes."""
     for part in PART_OF_PATCH.findall(patch):
         touched = count_patch(part)
         name = touched.files_changed[0]

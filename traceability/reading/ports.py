@@ -1,27 +1,52 @@
-"""The port of the firmware to another microcontroller, and the results of its tests on QEMU."""
+"""The ports of the firmware to another device, and the results of their tests."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
+from traceability.reading.change_kits import PATCH, Kit, count_lines
 from traceability.reading.results import RESULTS, read_json, results_in
-from traceability.reading.task_record import PORT, is_fresh
-from traceability.schema import Port
+from traceability.reading.task_record import PORTS, is_fresh
+from traceability.reading.toml_reader import Entries
+from traceability.schema import Place, Port
 
-FOLDER = Path("ports/mps2")
-RESULT = RESULTS / "port.json"
+FOLDER = Path("ports")
+RESULT = RESULTS / "ports.json"  # folder of a port -> the suites of its tests
 
 
-def read_port(root: Path) -> Port | None:
-    """The files of the port, with the results of its tests when they are of these sources."""
-    if not (root / FOLDER).exists():
-        return None
-    files = {
-        str(path.relative_to(root)): len(path.read_text("utf-8").splitlines())
-        for path in sorted((root / FOLDER).rglob("*"))
-        if path.suffix in (".hpp", ".cpp", ".ld") and "tests" not in path.parts
-    }
+def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
+    """Folder -> its port, with the results of its tests when they are of these sources."""
     data = read_json(root / RESULT)
-    fresh = isinstance(data, dict) and is_fresh(root, PORT)
-    tests = {name: one.result for name, one in results_in(data).items()} if fresh else None
-    return Port(files, tests)
+    results = data if isinstance(data, dict) and is_fresh(root, PORTS) else {}
+    found = {}
+    for path in sorted((root / FOLDER).glob("*/port.toml")):
+        item: dict[str, Any] = dict(entries.whole(path))
+        place = Place(str(path.relative_to(root)), 1)
+        needs = dict.fromkeys(("title", "says", "tests", "image"), str)
+        if entries.fits(item, place, needs, {"needs": str}):
+            found[path.parent.name] = _port(root, path.parent, item, results)
+    return found
+
+
+def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[str, Any]) -> Port:
+    changed = Kit(folder.name, item["title"], Place("", 0))
+    if (folder / PATCH).exists():
+        count_lines(changed, (folder / PATCH).read_text("utf-8"))
+    suites = results.get(folder.name)
+    return Port(
+        title=item["title"],
+        says=item["says"],
+        program=item["tests"],
+        image=item["image"],
+        needs=item.get("needs", ""),
+        files={
+            str(path.relative_to(root)): len(path.read_text("utf-8").splitlines())
+            for path in sorted(folder.rglob("*"))
+            if path.suffix in (".hpp", ".cpp", ".ld") and "tests" not in path.parts
+        },
+        composition_lines=changed.composition_lines,
+        outside_lines=changed.outside_lines,
+        tests={name: one.result for name, one in results_in(suites).items()} if suites else None,
+    )

@@ -21,7 +21,7 @@ CALLS = "recorded calls"
 PROOFS = "proofs"
 BASELINE = "bench of the baseline design"
 CHANGES = "likely changes"
-PORT = "port to another microcontroller"
+PORTS = "ports"
 SEEDED_FAULTS = "seeded faults"
 FIRMWARE_FAULTS = "tests (tools, firmware)"
 

@@ -1,0 +1,182 @@
+#include "can/CanPort.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "k64/K64Board.hpp"
+#include "k64/Register.hpp"
+#include "k64/core.hpp"
+
+namespace wr {
+
+namespace {
+
+// K64P144M120SF5RM, chapters SIM and CAN (FlexCAN).
+inline constexpr Register<std::uint32_t, 0x4004803C> SCGC6;
+constexpr auto SCGC6_FLEXCAN0 = SCGC6.bit(4);
+inline constexpr Register<std::uint32_t, 0x40024000> MCR;
+constexpr auto MCR_MDIS = MCR.bit(31);
+constexpr auto MCR_FRZ = MCR.bit(30);
+constexpr auto MCR_HALT = MCR.bit(28);
+constexpr auto MCR_NOTRDY = MCR.bit(27);
+constexpr auto MCR_FRZACK = MCR.bit(24);
+constexpr auto MCR_SRXDIS = MCR.bit(17);
+inline constexpr Register<std::uint32_t, 0x40024004> CTRL1;
+inline constexpr Register<std::uint32_t, 0x40024008, Access::Read> TIMER;
+inline constexpr Register<std::uint32_t, 0x40024028> IMASK1;
+inline constexpr Register<std::uint32_t, 0x40024030, Access::Flags> IFLAG1;
+inline constexpr std::uint32_t kBuffer = 0x10;  // from one message buffer to the next [byte]
+inline constexpr Register<std::uint32_t, 0x40024080, Access::Flags> CS;
+inline constexpr Register<std::uint32_t, 0x40024084, Access::Flags> ID;
+inline constexpr Register<std::uint32_t, 0x40024088, Access::Flags> DATA;  // two words
+
+constexpr unsigned kCodeAt = 24;
+constexpr unsigned kLengthAt = 16;
+constexpr unsigned kStandardAt = 18;
+constexpr auto CS_CODE = CS.field(0xF, kCodeAt);
+constexpr auto CS_CODE_EMPTY = CS.field(0x4, kCodeAt);
+constexpr auto CS_CODE_OVERRUN = CS.field(0x6, kCodeAt);
+constexpr auto CS_CODE_DATA = CS.field(0xC, kCodeAt);
+
+// Buffer 0 stays unused: erratum 5829 of the controller is about the first buffer that sends.
+constexpr unsigned kReceiver = 1;
+constexpr unsigned kSender = 2;
+constexpr std::uint32_t kBuffers = 3;
+constexpr std::size_t kMost = 8;  // bytes in a frame
+
+// A bit has 20 quanta: 1, PROPSEG + 1 = 8, PSEG1 + 1 = 8, PSEG2 + 1 = 3. It is sampled after 85 %.
+constexpr std::uint32_t kQuanta = 20;
+constexpr std::uint32_t kBitRate = 500'000;
+constexpr std::uint32_t kDivider = K64Board::kBusClock / (kBitRate * kQuanta);
+static_assert(kDivider * kBitRate * kQuanta == K64Board::kBusClock);
+constexpr auto kClockOfBus = CTRL1.bit(13);  // CLKSRC
+constexpr auto kTiming = CTRL1.field(kDivider - 1, 24) | CTRL1.field(2, 22) | CTRL1.field(7, 19) |
+                         CTRL1.field(2, 16) | kClockOfBus | CTRL1.field(7, 0);
+
+// The controller answers a change of its mode within some bits. Without an answer it stays silent,
+// and the connection of the PC ends.
+constexpr int kMostReads = 10'000;
+
+void await(decltype(MCR)::Bits flag, bool wanted) {
+  for (int read = 0; read < kMostReads && (MCR.read() & flag).any() != wanted; ++read) {
+  }
+}
+
+// Byte 0 of a frame is the highest one of its first word.
+constexpr unsigned shiftOf(std::size_t byte) {
+  return static_cast<unsigned>(24 - 8 * (byte % 4));
+}
+
+constexpr std::uint32_t bufferAt(unsigned number) {
+  return number * kBuffer;
+}
+
+}  // namespace
+
+// Not in the header: with an object that the compiler initialises, its empty buffers would be in
+// flash.
+CanPort::CanPort(const Timebase& clock) : clock_(clock) {}
+
+void CanPort::start() {
+  SCGC6.set(SCGC6_FLEXCAN0);
+  CTRL1.write(kClockOfBus);  // while the controller is disabled
+  MCR.write(MCR_FRZ | MCR_HALT | MCR_SRXDIS | MCR.field(kBuffers - 1, 0));
+  await(MCR_FRZACK, true);
+  CTRL1.write(kTiming);
+  for (unsigned buffer = 0; buffer < kBuffers; ++buffer) {
+    CS.at(bufferAt(buffer)).write({0});
+  }
+  ID.at(bufferAt(kReceiver)).write(ID.field(kToRobot, kStandardAt));
+  ID.at(bufferAt(kSender)).write(ID.field(kFromRobot, kStandardAt));
+  CS.at(bufferAt(kReceiver)).write(CS_CODE_EMPTY);
+  IMASK1.write(IMASK1.bit(kReceiver) | IMASK1.bit(kSender));
+  MCR.write(MCR_SRXDIS | MCR.field(kBuffers - 1, 0));
+  await(MCR_NOTRDY, false);
+}
+
+void CanPort::serve() {
+  const auto flags = IFLAG1.read();
+  if ((flags & IFLAG1.bit(kReceiver)).any()) {
+    receive();
+  }
+  if ((flags & IFLAG1.bit(kSender)).any()) {
+    IFLAG1.write(IFLAG1.bit(kSender));
+    sending_ = false;
+    send();
+  }
+}
+
+// The read of the control word locks the buffer, the read of the timer unlocks it.
+void CanPort::receive() {
+  const auto control = CS.at(bufferAt(kReceiver)).read();
+  const std::array<std::uint32_t, 2> words{DATA.at(bufferAt(kReceiver)).read().value,
+                                           DATA.at(bufferAt(kReceiver) + 4).read().value};
+  static_cast<void>(TIMER.read());
+  IFLAG1.write(IFLAG1.bit(kReceiver));
+  if ((control & CS_CODE) == CS_CODE_OVERRUN) {
+    lose();  // at least one byte of the frame before
+  }
+  const std::size_t length = std::min<std::size_t>((control.value >> kLengthAt) & 0xF, kMost);
+  for (std::size_t byte = 0; byte < length; ++byte) {
+    if (received_.free() == 0) {
+      lose();
+    } else {
+      received_.put({.byte = static_cast<std::uint8_t>(words[byte / 4] >> shiftOf(byte)),
+                     .at = clock_.now()});
+    }
+  }
+}
+
+void CanPort::lose() {
+  if (lost_ != std::numeric_limits<std::uint16_t>::max()) {
+    lost_ = static_cast<std::uint16_t>(lost_ + 1);
+  }
+}
+
+// Sends the next frame, if there are bytes.
+void CanPort::send() {
+  const std::size_t length = std::min(toSend_.count(), kMost);
+  if (sending_ || length == 0) {
+    return;
+  }
+  std::array<std::uint32_t, 2> words{};
+  for (std::size_t byte = 0; byte < length; ++byte) {
+    words[byte / 4] |= static_cast<std::uint32_t>(toSend_.take()) << shiftOf(byte);
+  }
+  sending_ = true;
+  DATA.at(bufferAt(kSender)).write({words[0]});
+  DATA.at(bufferAt(kSender) + 4).write({words[1]});
+  CS.at(bufferAt(kSender))
+      .write(CS_CODE_DATA | CS.field(static_cast<std::uint32_t>(length), kLengthAt));
+}
+
+std::size_t CanPort::read(std::span<std::uint8_t> bytes) {
+  const std::size_t most = std::min(bytes.size(), received_.count());
+  std::size_t count = 0;
+  while (count != most) {
+    const Received next = received_.take();
+    bytes[count] = next.byte;
+    ++count;
+    if (next.byte == 0) {
+      receivedAt_ = next.at;
+      break;
+    }
+  }
+  return count;
+}
+
+bool CanPort::write(std::span<const std::uint8_t> bytes) {
+  if (bytes.size() > toSend_.free()) {
+    return false;
+  }
+  for (const std::uint8_t byte : bytes) {
+    toSend_.put(byte);
+  }
+  // The interrupt sends too.
+  const InterruptLock lock;
+  send();
+  return true;
+}
+
+}  // namespace wr

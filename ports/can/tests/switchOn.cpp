@@ -1,0 +1,25 @@
+// The robot of the system tests is the image with the CAN bus, on the virtual K64.
+
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+
+#include "ports/can/tests/CanSession.hpp"
+#include "support/image.hpp"
+#include "system/SteppedRobot.hpp"
+
+namespace wr::test {
+
+std::unique_ptr<scenario::RobotSession> switchOn() {
+  auto board = switchBoardOn();
+  if (!board->board.runToSleep(std::chrono::milliseconds(50))) {
+    throw std::runtime_error("the firmware does not start");
+  }
+  return std::make_unique<can::CanSession>(std::move(board));
+}
+
+int referenceSequences() {
+  return 100;
+}
+
+}  // namespace wr::test

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "sim/emulator/CanFrame.hpp"
+#include "sim/emulator/Peripheral.hpp"
+
+namespace wr::emulator {
+
+/// @brief The CAN controller 0, and a bus with one other node that acknowledges each frame.
+/// K64P144M120SF5RM, chapter CAN (FlexCAN). Registers and codes agree with the driver of Linux
+/// (drivers/net/can/flexcan).
+///
+/// Modelled: the modes disabled, freeze and normal; the bit timing; message buffers that send and
+/// receive data frames with standard identifiers; the global mask; the flags, and their interrupt.
+/// A frame takes the bits of ISO 11898-1 without stuff bits.
+///
+/// Not modelled: the receive FIFO, individual masks, remote and extended frames, errors on the bus,
+/// loop-back, listen-only, wake-up, time stamps. Their bits are a misuse.
+class FlexCan final : public Peripheral {
+ public:
+  explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }
+
+  /// @brief Sets the function that returns whether both pins are connected to the controller.
+  void connectPins(std::function<bool()> connected) { connected_ = std::move(connected); }
+
+  void reset(Reset cause) override;
+  std::uint32_t read(std::uint32_t offset, unsigned size) override;
+  [[nodiscard]] bool readHasEffect(std::uint32_t offset) const override;
+  void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
+  [[nodiscard]] Time nextEvent() const override { return busy_ ? end_ : kNever; }
+  void advance() override;
+
+  /// @brief The other node sends a frame as soon as the bus is free.
+  void arrive(CanFrame frame);
+
+  /// @brief Frames sent since the last call.
+  [[nodiscard]] std::vector<CanFrame> takeSent();
+
+  /// @brief Returns whether no frame is on the bus or waits for it.
+  [[nodiscard]] bool idle() const { return !busy_ && arriving_.empty(); }
+
+ private:
+  static constexpr std::size_t kBuffers = 16;
+
+  struct Buffer {
+    std::uint32_t control = 0;  // CODE, SRR, IDE, RTR, DLC, TIME STAMP
+    std::uint32_t identifier = 0;
+    std::array<std::uint32_t, 2> data{};
+    bool served = false;  // read since the last frame
+  };
+
+  [[nodiscard]] bool enabled() const;
+  [[nodiscard]] bool frozen() const;
+  [[nodiscard]] std::uint32_t mode() const;
+  [[nodiscard]] Time endOf(const CanFrame& frame, Time begin) const;
+  void setMode(std::uint32_t value);
+  void writeBuffer(std::uint32_t offset, std::uint32_t value);
+  void nextFrame(Time from);
+  void sent();
+  void received(const CanFrame& frame);
+  void updateLine();
+
+  std::function<bool()> connected_ = [] { return false; };
+  std::uint32_t mcr_ = 0;
+  std::uint32_t timing_ = 0;
+  std::uint32_t mask_ = 0;
+  std::uint32_t flags_ = 0;
+  std::uint32_t enabledFlags_ = 0;
+  std::array<Buffer, kBuffers> buffers_{};
+  std::deque<CanFrame> arriving_;
+  std::vector<CanFrame> sent_;
+  bool busy_ = false;
+  bool sends_ = false;      // the frame on the bus is one of the controller
+  std::size_t sender_ = 0;  // its buffer
+  Time end_ = kNever;
+};
+
+}  // namespace wr::emulator

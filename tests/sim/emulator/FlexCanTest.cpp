@@ -1,0 +1,156 @@
+#include "sim/emulator/FlexCan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace wr::emulator {
+namespace {
+
+// The addresses and bits of this test are those of the memory map and the register descriptions of
+// the reference manual K64P144M120SF5RM, chapter CAN (FlexCAN).
+constexpr std::uint32_t kMcr = 0x00;
+constexpr std::uint32_t kCtrl1 = 0x04;
+constexpr std::uint32_t kTimer = 0x08;
+constexpr std::uint32_t kImask1 = 0x28;
+constexpr std::uint32_t kIflag1 = 0x30;
+constexpr std::uint32_t kBuffer1 = 0x90;
+constexpr std::uint32_t kBuffer2 = 0xA0;
+constexpr unsigned kLine = 75;
+// 60 MHz / 6 / 20 quanta: 500 kbit/s
+constexpr std::uint32_t kTiming = 0x05BA2007;
+
+class Surroundings final : public Microcontroller {
+ public:
+  Surroundings() { bus.set(Time(0), 60'000'000); }
+
+  [[nodiscard]] Time time() const override { return now; }
+  [[nodiscard]] const Clock& coreClock() const override { return bus; }
+  [[nodiscard]] const Clock& busClock() const override { return bus; }
+  void setLine(unsigned line, bool level) override { high = line == kLine && level; }
+  void raiseNmi() override {}
+  void clocksChanged() override {}
+  void report(std::string id, std::string what) override { findings.push_back(id + ": " + what); }
+  void refuse(std::string id, std::string what) override { report(std::move(id), std::move(what)); }
+  void requestReset(Reset /*cause*/, std::string /*id*/, std::string /*what*/) override {}
+  void tell(Event::Kind /*kind*/, std::uint32_t /*number*/, std::uint32_t /*value*/) override {}
+
+  Clock bus;
+  Time now{0};
+  bool high = false;
+  std::vector<std::string> findings;
+};
+
+class CanOfTheBoard : public testing::Test {
+ protected:
+  CanOfTheBoard() {
+    can.connectPins([this] { return connected; });
+  }
+
+  // Buffer 1 receives the identifier 0x101, buffer 2 sends 0x102.
+  void bringUp() {
+    can.write(kCtrl1, 4, 0x2000);
+    can.write(kMcr, 4, 0x50020002);
+    EXPECT_EQ(can.read(kMcr, 4) & 0x01000000, 0x01000000U) << "FRZACK";
+    can.write(kCtrl1, 4, kTiming);
+    can.write(kBuffer1 + 4, 4, 0x101U << 18U);
+    can.write(kBuffer2 + 4, 4, 0x102U << 18U);
+    can.write(kBuffer1, 4, 0x04000000);
+    can.write(kImask1, 4, 0x6);
+    can.write(kMcr, 4, 0x00020002);
+    EXPECT_EQ(can.read(kMcr, 4) & 0x08000000, 0U) << "NOTRDY";
+  }
+
+  void pass(std::chrono::microseconds duration) {
+    now.now += duration;
+    can.advance();
+  }
+
+  Surroundings now;
+  bool connected = true;
+  FlexCan can{now};
+};
+
+/// @brief A frame of 8 bytes is sent in 111 bits. Then its buffer is inactive, and its flag requests the interrupt until
+/// it is cleared.
+TEST_F(CanOfTheBoard, SendsAFrame) {
+  bringUp();
+  can.write(kBuffer2 + 8, 4, 0x01020304);
+  can.write(kBuffer2 + 12, 4, 0x05060708);
+  can.write(kBuffer2, 4, 0x0C080000);
+  pass(std::chrono::microseconds(221));
+  EXPECT_FALSE(now.high);
+  pass(std::chrono::microseconds(2));
+  EXPECT_TRUE(now.high);
+  EXPECT_EQ(can.read(kIflag1, 4), 4U);
+  EXPECT_EQ(can.read(kBuffer2, 4) >> 24U, 8U);
+  can.write(kIflag1, 4, 4);
+  EXPECT_FALSE(now.high);
+  const std::vector<CanFrame> sent = can.takeSent();
+  ASSERT_EQ(sent.size(), 1U);
+  EXPECT_EQ(sent[0].identifier, 0x102);
+  EXPECT_EQ(sent[0].data, (std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6, 7, 8}));
+  EXPECT_TRUE(now.findings.empty());
+}
+
+/// @brief A frame with the identifier of a buffer is stored in it, and another one is not.
+TEST_F(CanOfTheBoard, ReceivesTheFramesOfItsIdentifier) {
+  bringUp();
+  can.arrive({.identifier = 0x100, .data = {9}});
+  pass(std::chrono::milliseconds(1));
+  EXPECT_FALSE(now.high);
+  can.arrive({.identifier = 0x101, .data = {0xA1, 0xB2, 0xC3}});
+  pass(std::chrono::milliseconds(1));
+  EXPECT_TRUE(now.high);
+  EXPECT_EQ(can.read(kBuffer1, 4), 0x02030000U);
+  EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0xA1B2C300U);
+}
+
+/// @brief A frame that comes before the previous one was read overwrites it, and the code of the buffer shows it.
+TEST_F(CanOfTheBoard, ShowsALostFrame) {
+  bringUp();
+  can.arrive({.identifier = 0x101, .data = {1}});
+  can.arrive({.identifier = 0x101, .data = {2}});
+  pass(std::chrono::milliseconds(1));
+  EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 6U);
+  static_cast<void>(can.read(kTimer, 4));
+  can.write(kIflag1, 4, 2);
+  can.arrive({.identifier = 0x101, .data = {3}});
+  pass(std::chrono::milliseconds(1));
+  EXPECT_EQ(can.read(kBuffer1, 4) >> 24U, 2U);
+  EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x03000000U);
+}
+
+/// @brief Of two frames that wait for the bus, the one with the smaller identifier is sent first.
+TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
+  bringUp();
+  can.arrive({.identifier = 0x7FF, .data = {}});
+  can.write(kBuffer2, 4, 0x0C010000);
+  can.arrive({.identifier = 0x101, .data = {1}});
+  pass(std::chrono::microseconds(100));
+  EXPECT_EQ(can.read(kIflag1, 4), 0U);
+  pass(std::chrono::microseconds(110));
+  EXPECT_EQ(can.read(kIflag1, 4), 2U) << "the other node wins the bus behind its first frame";
+  pass(std::chrono::milliseconds(1));
+  EXPECT_EQ(can.read(kIflag1, 4), 6U);
+}
+
+/// @brief What the manual forbids is a finding: the timing outside of the freeze mode, the source of the clock while
+/// enabled, a buffer while disabled, and sending without pins.
+TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
+  can.write(kBuffer1, 4, 0x04000000);
+  EXPECT_EQ(now.findings.size(), 1U) << "buffer while disabled";
+  bringUp();
+  can.write(kCtrl1, 4, kTiming + 1);
+  EXPECT_EQ(now.findings.size(), 2U) << "timing while running";
+  can.write(kCtrl1, 4, kTiming & ~0x2000U);
+  EXPECT_EQ(now.findings.size(), 3U) << "source of the clock while enabled";
+  connected = false;
+  can.write(kBuffer2, 4, 0x0C010000);
+  EXPECT_EQ(now.findings.size(), 4U) << "no pins";
+}
+
+}  // namespace
+}  // namespace wr::emulator
