@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "communication/serialization/SerialWriter.hpp"
@@ -36,6 +38,27 @@ TEST(BigEndianWriterOnBoard, ReportsHaveTheOtherFormat) {
   EXPECT_LT(first, 100U);
   after.silentCycle();
   EXPECT_EQ(__builtin_bswap32(after.report().cycle), first + 1);
+}
+
+/// @brief While the PC orders a drive, the robot follows it. The mean of the instructions in a cycle is recorded, as
+/// for all images.
+TEST(BigEndianWriterOnBoard, DrivesAsThePcOrders) {
+  constexpr int kCycles = 20;
+  ChangedRobot robot("change_serializer");
+  robot.connect();
+  scenario::PcOrder order{.id = 5, .steering = 500};
+  order.wheels.fill({.quantity = 0, .value = 1000});
+  for (int cycle = 0; cycle < kCycles; ++cycle) {
+    robot.order(order);
+    robot.cycle();
+  }
+  const std::uint64_t begin = robot.board().instructions();
+  for (int cycle = 0; cycle < kCycles; ++cycle) {
+    robot.order(order);
+    robot.cycle();
+    EXPECT_EQ(robot.report().orderId, 5U << 8U);
+  }
+  RecordProperty("instructions", std::to_string((robot.board().instructions() - begin) / kCycles));
 }
 
 }  // namespace
