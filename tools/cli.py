@@ -10,6 +10,7 @@ from pathlib import Path
 
 from tools import (
     bench,
+    book,
     check,
     client_commands,
     debug,
@@ -49,6 +50,7 @@ def parser() -> argparse.ArgumentParser:
         review,
         verify_build,
         release,
+        book,
         show_impact,
         diff,
         debug,

@@ -12,13 +12,14 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
+from tools.book import print_book
 from tools.documents import read_findings
 from tools.firmware import SVD
 from tools.lock import only_one
 from tools.release_files import below, different_members, sums_text, write_archive
 from tools.sbom import NAME as SBOM
 from tools.sbom import sbom_text
-from tools.steps import FailureError
+from tools.steps import FailureError, MissingError
 from tools.tasks import DOCUMENTS, K64_FIRMWARE, graph, pages_graph
 from tools.verify_build import clone, environment
 from traceability.exports.svd import write_svd
@@ -135,7 +136,16 @@ def write_release(root: Path, made: Release, folder: Path) -> None:
     for part, files in (("images", images), ("portal", site), ("exports", exports)):
         inside = {f"{made.name}/{part}/{name}": path for name, path in files.items()}
         write_archive(folder / f"{made.name}-{part}{ARCHIVE}", inside, made.when)
+    add_book(root, folder / f"{made.name}-book.pdf")
     (folder / SUMS).write_text(sums_text(folder, below(folder)), encoding="utf-8")
+
+
+def add_book(root: Path, path: Path) -> None:
+    """Without Chromium, a release has no book."""
+    try:
+        print_book(root, path)
+    except MissingError as error:
+        print(f"The release has no book: {error}")
 
 
 def notes(root: Path, made: Release) -> str:

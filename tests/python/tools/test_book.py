@@ -1,0 +1,81 @@
+"""The book: all pages in their order, with links that stay inside, and the same bytes each time."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tools import book
+from tools.book import PAGES, book_text, print_book, with_date
+from tools.browser import find_browser, works
+from tools.steps import FailureError, MissingError
+
+LINKS = (
+    '<a href="docs/protocol.html#frames">frames</a> <a href="modules/PiRegulator.html">module</a> '
+    '<a href="#own">own</a> <img src="diagrams/one.svg"> <details><summary>all</summary></details>'
+    '<button type="button">Copy</button>'
+)
+needs_browser = pytest.mark.skipif(not works(find_browser()), reason="there is no browser")
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A project whose portal has all pages of the book, each with a title."""
+    site = tmp_path / "build/site"
+    for page in [*PAGES, "index"]:
+        path = site / f"{page}.html"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        text = LINKS if page == "architecture" else "<p>text</p>"
+        path.write_text(f'<main id="main"><h1>About {page}</h1><p id="own">{text}</p></main>')
+    return tmp_path
+
+
+def test_a_page_of_the_book_is_open_and_leads_nowhere_else(project: Path) -> None:
+    text = book_text(project / "build/site", "0123456789abcdef", 0)
+    assert "1970-01-01, commit 0123456789<" in text
+    assert 'href="#docs-protocol--frames"' in text
+    assert '<a href="#architecture--own">own</a>' in text
+    assert "<a >module</a>" in text
+    assert 'src="../site/diagrams/one.svg"' in text
+    assert "<details open>" in text
+    assert "<button" not in text
+    titles = re.findall(r"<h1>About ([\w/]+)</h1>", text)
+    assert titles == PAGES
+
+
+def test_each_link_of_the_book_has_its_target(project: Path) -> None:
+    text = book_text(project / "build/site", "", 0)
+    targets = set(re.findall(r'id="([^"]+)"', text))
+    wanted = set(re.findall(r'href="#([^"]+)"', text)) - {"docs-protocol--frames"}
+    assert wanted <= targets
+
+
+def test_a_missing_page_is_named(project: Path) -> None:
+    (project / "build/site/proofs.html").unlink()
+    with pytest.raises(FailureError, match="the page proofs is missing: make the portal first"):
+        book_text(project / "build/site", "", 0)
+
+
+def test_without_a_browser_the_message_names_the_package(
+    project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(book, "find_browser", lambda: None)
+    with pytest.raises(MissingError, match="package chromium"):
+        print_book(project, project / "book.pdf")
+
+
+def test_the_time_of_printing_is_replaced_in_its_place() -> None:
+    text = with_date(b"/CreationDate (D:20260102030405+00'00') /Other (D:x)", 0)
+    assert text == b"/CreationDate (D:19700101000000+00'00') /Other (D:x)"
+
+
+@needs_browser
+def test_two_books_of_the_same_pages_are_equal(project: Path) -> None:
+    subprocess.run(["git", "init", "-q", project], check=True)
+    first = print_book(project, project / "first.pdf").read_bytes()
+    second = print_book(project, project / "second.pdf").read_bytes()
+    assert first.startswith(b"%PDF")
+    assert first == second

@@ -1,0 +1,214 @@
+"""./wr book: the pages that explain the system as one PDF, to read without a screen."""
+
+from __future__ import annotations
+
+import argparse
+import html
+import posixpath
+import re
+import subprocess
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+from tools.browser import find_browser, works
+from tools.steps import FailureError, MissingError
+from traceability.reading.build_evidence import git
+
+SITE = Path("build/site")
+PAGE, PDF = Path("build/book/book.html"), Path("build/book/weeding_robot.pdf")
+SECONDS = 300  # for the browser
+# The parts of the book, and their pages in the order of reading.
+PARTS = {
+    "Design": (
+        *("architecture", "structure", "patterns/index", "machines", "guide", "products"),
+        *("execution", "uses", "concordance"),
+    ),
+    "Behaviour": (
+        *("docs/execution_model", "docs/wheel_control", "docs/steering_control", "docs/protocol"),
+        *("docs/plant", "docs/product_line", "docs/bluetooth"),
+    ),
+    "Requirements and safety": (
+        *("requirements/index", "safety/index", "docs/hazards", "safety/cost"),
+    ),
+    "Evidence": (
+        *("evidence", "proofs", "robustness", "closed_loop", "bench", "virtual_k64", "beliefs"),
+    ),
+    "Build and use": (
+        *("docs/quick_start", "docs/bring_up", "docs/client", "docs/emulator", "docs/scenarios"),
+        *("docs/debugging", "docs/other_tools", "docs/release", "docs/add_extension"),
+        *("docs/annotations", "docs/how_these_pages_are_made", "docs/host_target"),
+        "docs/glossary",
+    ),
+}
+PAGES = [page for pages in PARTS.values() for page in pages]
+MAIN = re.compile(r"<main\b[^>]*>(.*)</main>", re.DOTALL)
+HEADING = re.compile(r"<h1[^>]*>(.*?)</h1>", re.DOTALL)
+TAG = re.compile(r"<[^>]+>")
+SCREEN_ONLY = re.compile(
+    r"<script\b.*?</script>|<a class=\"headerlink\".*?</a>|<button\b.*?</button>", re.DOTALL
+)
+PLACE = re.compile(r'\b(id|href|src|aria-labelledby|aria-describedby)="([^"]*)"')
+DATE = re.compile(rb"\(D:\d{14}[^)]*\)")  # of a PDF, YYYYMMDDhhmmss and the zone
+STYLE = """
+@page {
+  size: A4; margin: 18mm 16mm 20mm;
+  @bottom-center { content: counter(page); font: 9pt sans-serif }
+}
+body { font-size: 9.5pt }
+.main { max-width: none; margin: 0; padding: 0 }
+.book-title { padding-top: 60mm }
+.book-part { break-before: page; padding-top: 80mm }
+section.chapter { break-before: page }
+.tools, .filters, .mx .dot, nav, video, iframe { display: none !important }
+table { font-size: 8pt }
+pre, tr, figure { break-inside: avoid }
+pre { white-space: pre-wrap }
+svg, img { max-width: 100%; height: auto }
+"""
+
+
+def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    parser = commands.add_parser(
+        "book",
+        description="Prints the pages of the portal that explain the system as one PDF: "
+        f"{PDF}. It shows the pages as ./wr portal or ./wr test made them last, and needs "
+        "Chromium.",
+    )
+    parser.set_defaults(run=lambda root, _options: book(root))
+
+
+def book(root: Path) -> int:
+    print(print_book(root, root / PDF))
+    return 0
+
+
+def print_book(root: Path, pdf: Path) -> Path:
+    """Makes the PDF. Its bytes depend only on the pages, the commit and the browser."""
+    browser = find_browser()
+    if browser is None or not works(browser):
+        raise MissingError("the book needs Chromium: install it, on Debian the package chromium")
+    page = root / PAGE
+    page.parent.mkdir(parents=True, exist_ok=True)
+    commit, when = commit_of(root)
+    page.write_text(book_text(root / SITE, commit, when), encoding="utf-8")
+    words = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"]
+    words += ["--virtual-time-budget=20000", f"--print-to-pdf={pdf}", page.as_uri()]
+    pdf.unlink(missing_ok=True)
+    try:
+        said = subprocess.run(
+            words, capture_output=True, text=True, timeout=SECONDS, check=False
+        ).stderr
+    except subprocess.TimeoutExpired as error:
+        raise FailureError(f"{browser} did not print the book within {SECONDS} s") from error
+    if not pdf.exists():
+        raise FailureError(f"{browser} printed no book: {said[-500:]}")
+    pdf.write_bytes(with_date(pdf.read_bytes(), when))
+    return pdf
+
+
+def commit_of(root: Path) -> tuple[str, int]:
+    """The commit and its time [s since 1970]; without git, the time of the pages."""
+    commit = git(root, "rev-parse", "HEAD").strip()
+    if commit:
+        return commit, int(git(root, "log", "-1", "--format=%ct"))
+    return "", int((root / SITE / "index.html").stat().st_mtime)
+
+
+def with_date(pdf: bytes, when: int) -> bytes:
+    """Replaces the time of printing by another one of the same length."""
+    text = time.strftime("(D:%Y%m%d%H%M%S", time.gmtime(when)).encode()
+    return DATE.sub(lambda match: text + match[0][len(text) :], pdf)
+
+
+def book_text(site: Path, commit: str, when: int) -> str:
+    missing = [page for page in PAGES if not (site / f"{page}.html").exists()]
+    if missing:
+        raise FailureError(f"the page {missing[0]} is missing: make the portal first, ./wr portal")
+    day = time.strftime("%Y-%m-%d", time.gmtime(when))
+    return "\n".join(
+        [
+            '<!doctype html><html lang="en" data-theme="light"><head><meta charset="utf-8">',
+            "<title>Weeding robot</title>",
+            '<link rel="stylesheet" href="../site/_static/portal.css">',
+            '<link rel="stylesheet" href="../site/_static/pygments.css">',
+            f'<style>{STYLE}</style></head><body><main class="main prose">',
+            '<section class="book-title"><h1>Weeding robot</h1>',
+            "<p>Design, behaviour, requirements and evidence of its firmware</p>",
+            f"<p>{day}{f', commit {commit[:10]}' if commit else ''}</p></section>",
+            *_contents(site),
+            *_parts(site),
+            "</main></body></html>",
+        ]
+    )
+
+
+def _contents(site: Path) -> Iterator[str]:
+    yield '<section class="chapter"><h1>Contents</h1>'
+    for part, pages in PARTS.items():
+        yield f"<h2>{part}</h2><ul>"
+        for page in pages:
+            yield f'<li><a href="#{name_of(page)}">{title_of(main_of(site, page))}</a></li>'
+        yield "</ul>"
+    yield "</section>"
+
+
+def _parts(site: Path) -> Iterator[str]:
+    for part, pages in PARTS.items():
+        yield f'<section class="book-part"><h1>{part}</h1></section>'
+        for page in pages:
+            text = chapter(page, main_of(site, page))
+            yield f'<section class="chapter" id="{name_of(page)}">{text}</section>'
+
+
+def main_of(site: Path, page: str) -> str:
+    found = MAIN.search((site / f"{page}.html").read_text(encoding="utf-8"))
+    assert found, page
+    return found[1]
+
+
+def title_of(text: str) -> str:
+    found = HEADING.search(SCREEN_ONLY.sub("", text))
+    return html.escape(html.unescape(TAG.sub("", found[1])).strip()) if found else "Untitled"
+
+
+def name_of(page: str) -> str:
+    return page.replace("/", "-")
+
+
+def chapter(page: str, text: str) -> str:
+    """The content of a page for paper: all of it open, and its links inside of the book."""
+    text = SCREEN_ONLY.sub("", text).replace("<details", "<details open")
+
+    def place(match: re.Match[str]) -> str:
+        kind, value = match[1], match[2]
+        if kind == "id":
+            return f'id="{name_of(page)}--{value}"'
+        if kind == "src":
+            return match[0] if value.startswith("data:") else f'src="{beside(page, value)}"'
+        if kind == "href":
+            target = inside(page, value)
+            return f'href="{target}"' if target else ""
+        names = " ".join(f"{name_of(page)}--{one}" for one in value.split())
+        return f'{kind}="{names}"'
+
+    return PLACE.sub(place, text)
+
+
+def beside(page: str, address: str) -> str:
+    """An address in a page, as the book beside the site sees it."""
+    return f"../site/{posixpath.normpath(posixpath.join(posixpath.dirname(page), address))}"
+
+
+def inside(page: str, address: str) -> str:
+    """Where a link of a page leads in the book; empty when the target is not in the book."""
+    if address.startswith(("http:", "https:")):
+        return address
+    file, _, anchor = address.partition("#")
+    target = page
+    if file:
+        joined = posixpath.normpath(posixpath.join(posixpath.dirname(page), file))
+        target = joined.removesuffix(".html")
+    if target not in PAGES:
+        return ""
+    return f"#{name_of(target)}--{anchor}" if anchor else f"#{name_of(target)}"
