@@ -62,6 +62,8 @@ body { font-size: 9.5pt }
 section.chapter { break-before: page }
 .tools, .filters, .mx .dot, nav, video, iframe { display: none !important }
 table { font-size: 8pt }
+table.mx { table-layout: auto; width: 100% }
+.mx th:nth-child(n) { width: auto }
 pre, tr, figure { break-inside: avoid }
 pre { white-space: pre-wrap }
 svg, img { max-width: 100%; height: auto }
