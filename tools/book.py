@@ -198,7 +198,7 @@ def chapter(page: str, text: str) -> str:
 
 
 def beside(page: str, address: str) -> str:
-    """An address in a page, as the book beside the site sees it."""
+    """An address in a page, relative to the folder of the book."""
     return f"../site/{posixpath.normpath(posixpath.join(posixpath.dirname(page), address))}"
 
 

@@ -51,8 +51,8 @@ void Pit::update(std::size_t index) {
                  channel.flag && (channel.control & kInterrupt) != 0);
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): a channel is chained to the previous one; the first channel
-// ends it
+// A channel can be chained to the previous one: the last channel ends the recursion.
+// NOLINTNEXTLINE(misc-no-recursion)
 void Pit::expire(std::size_t index) {
   Channel& channel = channels_[index];
   channel.flag = true;

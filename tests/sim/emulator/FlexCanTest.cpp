@@ -32,9 +32,9 @@ class Surroundings final : public Microcontroller {
   void setLine(unsigned line, bool level) override { high = line == kLine && level; }
   void raiseNmi() override {}
   void clocksChanged() override {}
-  void report(std::string id, std::string what) override { findings.push_back(id + ": " + what); }
-  void refuse(std::string id, std::string what) override { report(std::move(id), std::move(what)); }
-  void requestReset(Reset /*cause*/, std::string /*id*/, std::string /*what*/) override {}
+  void report(std::string id, std::string text) override { findings.push_back(id + ": " + text); }
+  void refuse(std::string id, std::string text) override { report(std::move(id), std::move(text)); }
+  void requestReset(Reset /*cause*/, std::string /*id*/, std::string /*text*/) override {}
   void tell(Event::Kind /*kind*/, std::uint32_t /*number*/, std::uint32_t /*value*/) override {}
 
   Clock bus;
@@ -137,7 +137,7 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
   EXPECT_EQ(can.read(kIflag1, 4), 6U);
 }
 
-/// @brief What the manual forbids is a finding: the timing outside of the freeze mode, the source of the clock while
+/// @brief A use that the manual forbids is a finding: the timing outside of the freeze mode, the source of the clock while
 /// enabled, a buffer while disabled, and sending without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
