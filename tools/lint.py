@@ -27,7 +27,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 # Which module may include which; CMake writes it.
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
-CHECKED = (*DESIGN, "sim")
+CHECKED = (*DESIGN, "ports", "sim")
 WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
 WARNINGS = [
     "-Wall",
@@ -148,9 +148,17 @@ def check_tidy(root: Path, log: TextIO) -> str:
         words = [str(root / ".venv" / "bin" / "clang-tidy"), "--quiet", str(source)]
         if on_board(root, source):
             return [*words, "--", *clang_arguments(board=True), *include_options(root)]
+        if source.is_relative_to(root / "ports"):
+            # The headers of a port are found before those of the design.
+            own = [f"-I{folder}" for folder in source.parents if folder.is_relative_to(root)]
+            return [*words, "--", *clang_arguments(board=True), *own, *include_options(root)]
         return [*words, "-p", str(directory)]
 
-    checked = [one for one in sources(root, CHECKED, ".cpp") if not one.is_relative_to(root / WEB)]
+    checked = [
+        one
+        for one in sources(root, CHECKED, ".cpp")
+        if not one.is_relative_to(root / WEB) and one.parent.name != "tests"
+    ]
     return check_changed(root, "tidy", checked, command, log)
 
 

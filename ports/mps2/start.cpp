@@ -48,7 +48,11 @@ void warning() {}
 void resetHandler() {
   wr::scb::CPACR.set(wr::scb::CPACR_FPU);
   wr::finishInstructions();
-  std::copy(dataInitial, dataInitial + (dataEnd - dataBegin), dataBegin);
+  const std::uint32_t* from = dataInitial;
+  for (std::uint32_t* to = dataBegin; to != dataEnd; ++to) {
+    *to = *from;
+    ++from;
+  }
   std::fill(bssBegin, bssEnd, 0U);
   std::for_each(constructorsBegin, constructorsEnd, [](Constructor construct) { construct(); });
   wr::runRobot();
