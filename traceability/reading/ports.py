@@ -30,6 +30,7 @@ def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
     return found
 
 
+# The headers next to the folders of the ports are shared by all of them.
 def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[str, Any]) -> Port:
     changed = Kit(folder.name, item["title"], Place("", 0))
     if (folder / PATCH).exists():
@@ -43,7 +44,7 @@ def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[st
         needs=item.get("needs", ""),
         files={
             str(path.relative_to(root)): len(path.read_text("utf-8").splitlines())
-            for path in sorted(folder.rglob("*"))
+            for path in sorted([*folder.parent.glob("*.hpp"), *folder.rglob("*")])
             if path.suffix in (".hpp", ".cpp", ".ld") and "tests" not in path.parts
         },
         composition_lines=changed.composition_lines,
