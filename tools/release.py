@@ -25,12 +25,15 @@ from tools.verify_build import clone, environment
 from traceability.exports.svd import write_svd
 from traceability.exports.tool_files import FILES
 from traceability.exports.verification_table import JSON, JUNIT
+from traceability.model.pattern_price import MEASURED
 from traceability.reading.build_evidence import git
+from traceability.reading.live_record import MODULE
 from traceability.reading.products import PRODUCTS, image_of
 from traceability.reading.release_record import RECORD
 from traceability.reading.results import RESULTS
 from traceability.reading.task_record import IMAGES
 from traceability.reading.task_record import RECORD as TASKS
+from traceability.reading.traces import SOURCES
 from traceability.sources import file_hash
 
 FOLDER = Path("build/release")
@@ -39,6 +42,7 @@ SUMS = "SHA256SUMS"
 CHANGELOG = Path("CHANGELOG.md")
 VERSION = re.compile(r"project\([^)]*VERSION\s+([\d.]+)")
 ARCHIVE = ".tar.gz"
+TIMES = MEASURED.parent
 SHOWN = 20  # differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
 # Files of a build that no page needs: they contain paths and times of this machine.
@@ -175,9 +179,15 @@ def compare_with_second(root: Path, folder: Path) -> list[str]:
 
 
 def bring_results(root: Path, copy: Path) -> None:
-    """Results of tests and measurements contain times, which differ in a second run."""
-    shutil.copytree(root / RESULTS, copy / RESULTS)
-    shutil.copy2(root / TASKS, copy / TASKS)
+    """Results of tests and measurements contain times, which differ in a second run. Recordings
+    contain the addresses of the program that was recorded."""
+    recorded = [path for one in SOURCES.values() for path in (one.folder, one.executable)]
+    for name in (RESULTS, TASKS, TIMES, MODULE, *recorded):
+        if (root / name).is_dir():
+            shutil.copytree(root / name, copy / name)
+        elif (root / name).exists():
+            (copy / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(root / name, copy / name)
 
 
 def differences(first: Path, second: Path) -> list[str]:
