@@ -42,7 +42,7 @@ SUMS = "SHA256SUMS"
 CHANGELOG = Path("CHANGELOG.md")
 VERSION = re.compile(r"project\([^)]*VERSION\s+([\d.]+)")
 ARCHIVE = ".tar.gz"
-TIMES = MEASURED.parent
+TIMES, MODEL = MEASURED.parent, Path("build/model")
 SHOWN = 20  # differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
 # Files of a build that no page needs: they contain paths and times of this machine.
@@ -182,7 +182,8 @@ def bring_results(root: Path, copy: Path) -> None:
     """Results of tests and measurements contain times, which differ in a second run. Recordings
     contain the addresses of the program that was recorded."""
     recorded = [path for one in SOURCES.values() for path in (one.folder, one.executable)]
-    for name in (RESULTS, TASKS, TIMES, MODULE, *recorded):
+    covered = [path.relative_to(root) for path in (root / MODEL).glob("coverage-*.json")]
+    for name in (RESULTS, TASKS, TIMES, MODULE, *recorded, *covered):
         if (root / name).is_dir():
             shutil.copytree(root / name, copy / name)
         elif (root / name).exists():
