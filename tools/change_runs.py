@@ -17,7 +17,6 @@ from traceability.reading.ports import read_ports
 from traceability.reading.products import recorded_image_of
 from traceability.reading.toml_reader import Entries
 
-ROOT = Path(__file__).parents[1]
 TESTS, IMAGES = "changes_tests", "change_images"  # targets of CMake
 COST = "instructions"  # property of a test: those of a cycle, on average
 
@@ -51,9 +50,9 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
     return outcome_of(gtest_counts(path))
 
 
-def missing_emulators() -> str:
+def missing_emulators(root: Path) -> str:
     """The programs that tests of ports need, and that are missing."""
-    ports = read_ports(ROOT, Entries(ROOT)).values()
+    ports = read_ports(root, Entries(root)).values()
     return ", ".join(one.needs for one in ports if one.needs and not shutil.which(one.needs))
 
 

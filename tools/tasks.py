@@ -290,7 +290,7 @@ def measurements(root: Path) -> list[Task]:
             (),
             (str(PORTS_RESULT),),
             inputs_from=(PORTS_BUILD,),
-            state=missing_emulators,
+            state=partial(missing_emulators, root),
         ),
         Task(
             task_record.LIVE,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cstddef>
 
 #include "k64/K64Board.hpp"
 #include "k64/Register.hpp"
@@ -119,30 +119,19 @@ void CanPort::receive() {
   }
   const std::size_t length = std::min<std::size_t>((control.value >> kLengthAt) & 0xF, kMost);
   for (std::size_t byte = 0; byte < length; ++byte) {
-    if (received_.free() == 0) {
-      lose();
-    } else {
-      received_.put({.byte = static_cast<std::uint8_t>(words[byte / 4] >> shiftOf(byte)),
-                     .at = clock_.now()});
-    }
-  }
-}
-
-void CanPort::lose() {
-  if (lost_ != std::numeric_limits<std::uint16_t>::max()) {
-    lost_ = static_cast<std::uint16_t>(lost_ + 1);
+    store(static_cast<std::uint8_t>(words[byte / 4] >> shiftOf(byte)), clock_.now());
   }
 }
 
 // Sends the next frame, if there are bytes.
 void CanPort::send() {
-  const std::size_t length = std::min(toSend_.count(), kMost);
+  const std::size_t length = std::min(toSend().count(), kMost);
   if (sending_ || length == 0) {
     return;
   }
   std::array<std::uint32_t, 2> words{};
   for (std::size_t byte = 0; byte < length; ++byte) {
-    words[byte / 4] |= static_cast<std::uint32_t>(toSend_.take()) << shiftOf(byte);
+    words[byte / 4] |= static_cast<std::uint32_t>(toSend().take()) << shiftOf(byte);
   }
   sending_ = true;
   DATA.at(bufferAt(kSender)).write({words[0]});
@@ -151,32 +140,10 @@ void CanPort::send() {
       .write(CS_CODE_DATA | CS.field(static_cast<std::uint32_t>(length), kLengthAt));
 }
 
-std::size_t CanPort::read(std::span<std::uint8_t> bytes) {
-  const std::size_t most = std::min(bytes.size(), received_.count());
-  std::size_t count = 0;
-  while (count != most) {
-    const Received next = received_.take();
-    bytes[count] = next.byte;
-    ++count;
-    if (next.byte == 0) {
-      receivedAt_ = next.at;
-      break;
-    }
-  }
-  return count;
-}
-
-bool CanPort::write(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() > toSend_.free()) {
-    return false;
-  }
-  for (const std::uint8_t byte : bytes) {
-    toSend_.put(byte);
-  }
-  // The interrupt sends too.
+// The interrupt sends too.
+void CanPort::beginSending() {
   const InterruptLock lock;
   send();
-  return true;
 }
 
 }  // namespace wr

@@ -1,7 +1,6 @@
 #include "ports/mps2/CmsdkUart.hpp"
 
-#include <algorithm>
-#include <limits>
+#include <cstdint>
 
 #include "k64/registers.hpp"
 #include "ports/mps2/lines.hpp"
@@ -33,53 +32,23 @@ void CmsdkUart::start() {
 void CmsdkUart::serve() {
   uart::INTCLEAR.write(uart::INTCLEAR_RX | uart::INTCLEAR_TX);
   if (has(uart::STATE_RX_FULL)) {
-    const bool overrun = has(uart::STATE_RX_OVERRUN);
+    if (has(uart::STATE_RX_OVERRUN)) {
+      lose();
+    }
     uart::STATE.write(uart::STATE_RX_OVERRUN);
-    const auto byte = static_cast<std::uint8_t>(uart::DATA.read().value);
-    const bool full = received_.free() == 0;
-    if (!full) {
-      received_.put({.byte = byte, .at = clock_.now()});
-    }
-    if ((full || overrun) && lost_ != std::numeric_limits<std::uint16_t>::max()) {
-      lost_ = static_cast<std::uint16_t>(lost_ + 1);
-    }
+    store(static_cast<std::uint8_t>(uart::DATA.read().value), clock_.now());
   }
-  if (toSend_.count() == 0) {
+  if (toSend().count() == 0) {
     uart::CTRL.write(kReceiving);
   } else if (!has(uart::STATE_TX_FULL)) {
     uart::CTRL.write(kReceiving | uart::CTRL_TX_INTERRUPT);
-    uart::DATA.write({toSend_.take()});
+    uart::DATA.write({toSend().take()});
   }
 }
 
-std::size_t CmsdkUart::read(std::span<std::uint8_t> bytes) {
-  const std::size_t most = std::min(bytes.size(), received_.count());
-  std::size_t count = 0;
-  while (count != most) {
-    const Received next = received_.take();
-    bytes[count] = next.byte;
-    ++count;
-    if (next.byte == 0) {
-      receivedAt_ = next.at;
-      break;
-    }
-  }
-  return count;
-}
-
-bool CmsdkUart::write(std::span<const std::uint8_t> bytes) {
-  if (bytes.size() > free()) {
-    return false;
-  }
-  for (const std::uint8_t byte : bytes) {
-    toSend_.put(byte);
-  }
-  if (!bytes.empty()) {
-    // The interrupt comes only when a sent byte leaves the port, so the first one is requested
-    // here.
-    nvic::ISPR.write(nvic::ISPR.bit(kSendLine));
-  }
-  return true;
+// The interrupt comes only when a sent byte leaves the port, so the first one is requested here.
+void CmsdkUart::beginSending() {
+  nvic::ISPR.write(nvic::ISPR.bit(kSendLine));
 }
 
 }  // namespace wr::mps2

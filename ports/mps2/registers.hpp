@@ -58,7 +58,6 @@ inline constexpr Register<std::uint32_t, 0x4000800C, Access::Write> INTCLR;
 namespace lights {
 inline constexpr Register<std::uint32_t, 0x40028000> LED;
 inline constexpr auto LED_RUNNING = LED.bit(0);
-inline constexpr auto LED_FAULT = LED.bit(1);
 }  // namespace lights
 
 }  // namespace wr::mps2

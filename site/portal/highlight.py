@@ -8,6 +8,7 @@ import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+import pygments
 from pygments import highlight
 from pygments.filter import Filter
 from pygments.formatters import HtmlFormatter
@@ -44,7 +45,8 @@ def highlighted_lines(path: str, text: str) -> list[str]:
 
 
 class Highlighter:
-    """Highlights files below a root; the result of a file is cached by its content."""
+    """Highlights files below a root; the result of a file is cached by its content and by the
+    version of Pygments."""
 
     def __init__(self, root: Path, cache: Path) -> None:
         self.root = root
@@ -62,7 +64,8 @@ class Highlighter:
         if not source.is_file():
             return []
         text = source.read_text(encoding="utf-8", errors="replace")
-        digest = hashlib.sha256(f"{Path(path).suffix}\0{text}".encode()).hexdigest()
+        content = f"{pygments.__version__}\0{Path(path).suffix}\0{text}"
+        digest = hashlib.sha256(content.encode()).hexdigest()
         stored = self.cache / f"{digest}.json"
         if stored.exists():
             loaded: list[str] = json.loads(stored.read_text(encoding="utf-8"))

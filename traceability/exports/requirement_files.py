@@ -177,7 +177,7 @@ def _add_values(objects: ET.Element, kind: str, name: str, values: dict[str, str
     made = _named(objects, "SPEC-OBJECT", _id(kind, name), LONG_NAME=name)
     _child(_child(made, "TYPE"), "SPEC-OBJECT-TYPE-REF").text = f"type-{kind}"
     attributes = _child(made, "VALUES")
-    for attribute in ATTRIBUTES[kind]:
+    for attribute in filter(values.get, ATTRIBUTES[kind]):  # StrictDoc rejects an empty value
         value = _child(attributes, "ATTRIBUTE-VALUE-STRING", THE_VALUE=values[attribute])
         reference = _child(_child(value, "DEFINITION"), "ATTRIBUTE-DEFINITION-STRING-REF")
         reference.text = _attribute(kind, attribute)

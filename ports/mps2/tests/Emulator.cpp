@@ -85,10 +85,6 @@ std::uint32_t wordOf(const std::string& digits) {
 
 }  // namespace
 
-bool Emulator::installed() {
-  return std::system("command -v qemu-system-arm > /dev/null") == 0;
-}
-
 Emulator::Emulator(const std::filesystem::path& elf) : folder_(newFolder()) {
   const auto socket = [this](const std::string& name) {
     return "socket,id=" + name + ",server=on,wait=off,path=" + (folder_ / name).string();

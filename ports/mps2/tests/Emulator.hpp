@@ -23,9 +23,6 @@ class Emulator {
   /// @brief Length of a short instruction [byte].
   static constexpr std::uint32_t kShort = 2;
 
-  /// @brief Checks whether QEMU is installed.
-  [[nodiscard]] static bool installed();
-
   /// @brief Starts QEMU. The program is stopped at its first instruction.
   /// @param elf the program
   explicit Emulator(const std::filesystem::path& elf);

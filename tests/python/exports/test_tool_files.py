@@ -21,6 +21,7 @@ from traceability.exports.junit_tests import junit_text
 from traceability.exports.requirement_files import csv_text, needs_text, reqif_text
 from traceability.exports.sarif import sarif
 from traceability.exports.tool_files import FILES, available
+from traceability.exports.trace_items import trace_items
 from traceability.model.design_model import Model
 from traceability.schema import BindingResult, Finding, Place, Test
 
@@ -64,6 +65,12 @@ def test_reqif_fits_the_schema_and_is_read_back(model: Model, tmp_path: Path) ->
     (specification,) = content.specifications
     places = list(bundle.iterate_specification_hierarchy(specification))
     assert "requirement-FR-15" in [place.spec_object for place in places]
+
+
+def test_reqif_has_no_empty_value(model: Model) -> None:
+    """StrictDoc does not import a file with one."""
+    assert 'THE-VALUE=""' not in reqif_text(model, REPORT)
+    assert any(not value for one in trace_items(model, REPORT) for value in one.values.values())
 
 
 def test_a_broken_link_in_reqif_is_found(model: Model, tmp_path: Path) -> None:

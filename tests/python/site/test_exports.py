@@ -1,8 +1,11 @@
 """The files for other tools, of this project: each fits its published schema."""
 
+import csv
 import json
+import re
 import subprocess
 import sys
+import venv
 from pathlib import Path
 
 import jsonschema
@@ -11,7 +14,29 @@ import pytest
 from tests.python.site.content import SITE
 from traceability.exports.tool_files import FILES
 
+ROOT = Path(__file__).parents[3]
 SCHEMA = Path(__file__).parents[1] / "exports" / "sarif-2.1.0.schema.json"
+STRICTDOC, LOCK = ROOT / "build/strictdoc", ROOT / "setup/strictdoc.lock"
+IMPORTED = re.compile(r"^UID: (\S+)\nSTATEMENT: >>>\n(.*?)\n<<<$", re.MULTILINE | re.DOTALL)
+
+
+@pytest.fixture
+def strictdoc() -> Path:
+    """StrictDoc with its packages, in an environment of its own."""
+    stamp = STRICTDOC / "installed.lock"
+    if not stamp.exists() or stamp.read_bytes() != LOCK.read_bytes():
+        venv.create(STRICTDOC, clear=True, with_pip=True)
+        words = ["-m", "pip", "install", "--quiet", "--require-hashes", "--only-binary", ":all:"]
+        done = subprocess.run(
+            [STRICTDOC / "bin/python", *words, "-r", LOCK],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        if done.returncode:
+            pytest.skip(f"StrictDoc cannot be installed here: {done.stderr[-300:]}")
+        stamp.write_bytes(LOCK.read_bytes())
+    return STRICTDOC / "bin/strictdoc"
 
 
 @pytest.mark.parametrize("name", [file.name for file in FILES])
@@ -25,6 +50,17 @@ def test_the_requirements_fit_the_schema_of_reqif() -> None:
     words = [sys.executable, "-m", "reqif.cli.main", "validate", "--use-reqif-schema", str(path)]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
+
+
+def test_strictdoc_imports_each_requirement_with_its_text(strictdoc: Path, tmp_path: Path) -> None:
+    subprocess.run(
+        [strictdoc, "convert", SITE / "requirements.reqif", tmp_path], check=True, cwd=tmp_path
+    )
+    (document,) = tmp_path.glob("*.sdoc")
+    imported = dict(IMPORTED.findall(document.read_text(encoding="utf-8")))
+    with (SITE / "requirements.csv").open(encoding="utf-8", newline="") as table:
+        expected = {row["id"]: row["text"] for row in csv.DictReader(table)}
+    assert imported == expected
 
 
 def test_the_findings_fit_the_schema_of_sarif() -> None:
