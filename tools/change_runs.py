@@ -14,7 +14,7 @@ from traceability.reading.change_kits import RESULT, images_of, read_kits
 from traceability.reading.ports import FOLDER as PORTS
 from traceability.reading.ports import RESULT as PORTS_RESULT
 from traceability.reading.ports import read_ports
-from traceability.reading.products import recorded_image_of
+from traceability.reading.products import PAPER, recorded_image_of
 from traceability.reading.toml_reader import Entries
 
 TESTS, IMAGES = "changes_tests", "change_images"  # targets of CMake
@@ -33,7 +33,8 @@ def test_changes(root: Path, log: TextIO) -> Outcome:
 
 
 def test_ports(root: Path, log: TextIO) -> Outcome:
-    """Writes build/results/ports.json: the results of the tests of each port that can run here."""
+    """Writes build/results/ports.json: the results of the tests of each port that can run here, the
+    sizes of its image, and those of the same design on the K64."""
     path = root / PORTS_RESULT
     path.parent.mkdir(parents=True, exist_ok=True)
     found = {}
@@ -43,9 +44,11 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
             continue
         program = root / "build" / BOARD_PRESET / PORTS / name / port.program
         suites, _, _ = run_shards(path.with_suffix(f".{name}.json"), program, log, {})
-        found[name] = {"testsuites": suites}
+        (image,) = (root / "build/k64_calls").rglob(f"{port.image}.elf")
+        found[name] = {"testsuites": suites, "image": size_of(image)}
     whole = [suite for one in found.values() for suite in one["testsuites"]]
-    path.write_text(json.dumps({**found, "testsuites": whole}) + "\n")
+    sizes = size_of(root / recorded_image_of(PAPER, ".elf"))
+    path.write_text(json.dumps({**found, "k64": sizes, "testsuites": whole}) + "\n")
     write_failures(path, log)
     return outcome_of(gtest_counts(path))
 
@@ -56,14 +59,19 @@ def missing_emulators(root: Path) -> str:
     return ", ".join(one.needs for one in ports if one.needs and not shutil.which(one.needs))
 
 
+def size_of(elf: Path) -> dict[str, float]:
+    """Flash and RAM of an image [bytes]."""
+    whole = whole_of(elf)
+    return {"flash": whole.flash, "ram": whole.ram}
+
+
 def costs(root: Path, suites: list[dict[str, Any]]) -> dict[str, dict[str, float]]:
     """Image -> its flash and RAM [bytes], and the instructions of a cycle, where counted."""
     tests = [test for suite in suites for test in suite["testsuite"]]
     counted = {test["image"]: float(test[COST]) for test in tests if COST in test}
     found: dict[str, dict[str, float]] = {}
     for image in images_of(read_kits(root, Entries(root)).values()):
-        whole = whole_of(root / recorded_image_of(image, ".elf"))
-        found[image] = {"flash": whole.flash, "ram": whole.ram}
+        found[image] = size_of(root / recorded_image_of(image, ".elf"))
         if image in counted:
             found[image][COST] = counted[image]
     return found

@@ -13,7 +13,6 @@ from pathlib import Path
 
 from tools.steps import FailureError
 from traceability.exports.revision import (
-    Difference,
     Revision,
     differences,
     read_revision,
@@ -21,6 +20,9 @@ from traceability.exports.revision import (
     write_revision,
 )
 from traceability.reading.build_evidence import git
+from traceability.reading.comparison_record import Comparison, Difference, write_comparison
+
+PAGE = "differences.html"
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -28,7 +30,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "diff",
         description="Compares two commits: requirements, trees, tests, methods, reviews and "
         "modules, from the sources of both. Verdicts, sizes, findings and metrics are compared "
-        "where ./wr portal or ./wr check recorded both commits in build/revisions. Reading a "
+        "where ./wr portal or ./wr check recorded both commits in build/revisions. The next portal "
+        "shows the differences on a page. Reading a "
         "commit for the first time takes about half a minute. Exit code 0, with and without "
         "differences.",
     )
@@ -43,15 +46,15 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 def diff(root: Path, options: argparse.Namespace) -> int:
     first, second = (load(root, name) for name in (options.first, options.second))
     found = differences(first, second)
+    unmeasured = [one.commit for one in (first, second) if one.findings is None]
+    write_comparison(root, Comparison(first.commit, second.commit, found, unmeasured))
     if options.json:
         print(json.dumps([dataclasses.asdict(one) for one in found], indent=1))
         return 0
     print("\n".join(lines_of(found)))
-    for revision in (first, second):
-        if revision.findings is None:
-            print(
-                f"\n{revision.commit[:10]} has no recorded results: no verdicts, findings, sizes."
-            )
+    for commit in dict.fromkeys(unmeasured):
+        print(f"\n{commit[:10]} has no recorded results: no verdicts, findings, sizes, metrics.")
+    print(f"\nThe page {PAGE} of the portal shows them after ./wr portal.")
     return 0
 
 

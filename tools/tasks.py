@@ -117,7 +117,7 @@ SHOWN_RESULTS = (
     *("bench.json", "bench_paper.json", "usual_design.json", "products.json", "size_k64.json"),
     *("calls.json", "proofs.json", "changes.json", "ports.json"),
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
-    *("trace.cost.json", "plain.cost.json", "live.json"),
+    *("trace.cost.json", "plain.cost.json", "live.json", "diff.json"),
 )
 # Each folder of tests/python, and the inputs of its tests in addition to the tools.
 PYTHON_TESTS: dict[str, tuple[str, ...]] = {

@@ -231,6 +231,12 @@ def gist(brief: str) -> str:
     return brief.partition(": ")[2]
 
 
+def changed_words(text: str) -> Markup:
+    """The words that a comparison marks, as removed and added text."""
+    marked = re.sub(r"\[-(.+?)-\]", r"<del>\1</del>", str(escape(text)))
+    return Markup(re.sub(r"\{\+(.+?)\+\}", r"<ins>\1</ins>", marked))
+
+
 def file_name(path: str) -> str:
     return path.rpartition("/")[2]
 

@@ -159,6 +159,7 @@ def verify(model: Model, checks: int, faults: int) -> list[Entry]:
         Entry("virtual_k64", "Run-time checks of the virtual board", "virtual_k64.html"),
         Entry("beliefs", "Beliefs of the virtual board", "beliefs.html", "", len(model.beliefs)),
         Entry("build_evidence", "Evidence of this build", "evidence.html"),
+        Entry("differences", "Differences of two commits", "differences.html"),
         Entry("checks", "Checks", "checks/index.html", "", checks),
         Entry("drift", "Test of the checks", "checks/drift.html", "", faults),
     ]

@@ -250,6 +250,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     **dict.fromkeys(
         (
             "build_evidence",
+            "differences",
             "patterns",
             "machines",
             "proofs",

@@ -137,6 +137,7 @@ class Portal:
         )
         environment.filters["text"] = self.names.text
         environment.filters["gist"] = names.gist
+        environment.filters["changed_words"] = names.changed_words
         environment.filters["file_name"] = names.file_name
         environment.filters["anchor"] = slug
         environment.filters["bold"] = Markup("<b>{}</b>").format

@@ -11,6 +11,7 @@ from typing import Any
 
 from traceability.model.design_model import Model
 from traceability.model.report import Report
+from traceability.reading.comparison_record import Difference
 from traceability.reading.results import read_record
 from traceability.reading.traces import nodes_of
 
@@ -41,15 +42,6 @@ class Revision:
     findings: Mapping[str, int] | None = None  # check -> number; None: not checked with results
     sizes: Mapping[str, dict[str, int]] = field(default_factory=dict)  # product -> bytes of each
     metrics: Mapping[str, float | None] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Difference:
-    """A line of the comparison."""
-
-    section: str
-    subject: str
-    text: str
 
 
 # ---- making and keeping ----------------------------------------------------------

@@ -34,6 +34,7 @@ from traceability.reading.build_evidence import read_build
 from traceability.reading.change_kits import read_record as read_kit_record
 from traceability.reading.closed_loop_record import read_closed_loop
 from traceability.reading.comments import NO_COMMENT, Comment
+from traceability.reading.comparison_record import read_comparison
 from traceability.reading.coverage import Coverage, read_coverage
 from traceability.reading.declared import read_declared
 from traceability.reading.declared_safety import read_sources, words_of
@@ -130,6 +131,7 @@ def _assemble(
         build=read_build(root),
         proofs=proofs_of(root, declared),
         ports=read_ports(root, declared.entries),
+        comparison=read_comparison(root),
     )
     model = replace(model, logic_modules=_logic_modules(model, facts))
     model = _with_calls(model, facts)

@@ -10,6 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from traceability.reading.comparison_record import Comparison
 from traceability.reading.published import Published
 from traceability.reading.seeded_fault_record import Outcome
 from traceability.reading.seeded_faults import Fault
@@ -96,6 +97,7 @@ class Model:
     paper_places: Sequence[PaperPlace] = field(default_factory=list)
     changes: Mapping[str, LikelyChange] = field(default_factory=dict)  # by application
     ports: Mapping[str, Port] = field(default_factory=dict)  # to other devices, by folder
+    comparison: Comparison | None = None  # the last one of two commits
     board_findings: Mapping[str, BoardFinding] = field(default_factory=dict)
     beliefs: Sequence[BoardBelief] = field(default_factory=list)
     belief_sources: Mapping[str, BeliefSource] = field(default_factory=dict)

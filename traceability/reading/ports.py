@@ -35,7 +35,7 @@ def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[st
     changed = Kit(folder.name, item["title"], Place("", 0))
     if (folder / PATCH).exists():
         count_lines(changed, (folder / PATCH).read_text("utf-8"))
-    suites = results.get(folder.name)
+    suites = results.get(folder.name, {})
     return Port(
         title=item["title"],
         says=item["says"],
@@ -50,4 +50,6 @@ def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[st
         composition_lines=changed.composition_lines,
         outside_lines=changed.outside_lines,
         tests={name: one.result for name, one in results_in(suites).items()} if suites else None,
+        size=suites.get("image", {}),
+        size_on_k64=results.get("k64", {}),
     )

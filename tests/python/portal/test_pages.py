@@ -18,6 +18,7 @@ from portal.requirement_pages import Row, aligned, shortened
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
+from traceability.reading.comparison_record import Comparison, Difference
 from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Place, TreeNode
 
 CHECKS = [
@@ -213,3 +214,20 @@ def test_many_calls_between_two_nodes_are_one_row() -> None:
     rows = [Row(node=node), *(Row(call=f"RC::step{n}") for n in range(9)), Row(node=node)]
     assert [row.call for row in shortened(rows)] == ["", "9 calls", ""]
     assert len(shortened(rows[:5])) == 5
+
+
+# ---- two commits ------------------------------------------------------------------
+
+
+def test_the_differences_of_two_commits_have_a_page(tmp_path: Path) -> None:
+    words = Difference("text of requirements", "FR-15", "shall [-wait-] {+stop <b>+}")
+    project = make_project(tmp_path)
+    portal = Portal(tmp_path, project, REPORT, CHECKS)
+    (none,) = (page.body for page in all_pages(portal) if page.name == "differences")
+    assert "no comparison" in none
+    compared = Comparison("a" * 40, "b" * 40, [words], ["a" * 40])
+    portal = Portal(tmp_path, replace(project, comparison=compared), REPORT, CHECKS)
+    (body,) = (page.body for page in all_pages(portal) if page.name == "differences")
+    assert "<del>wait</del> <ins>stop &lt;b&gt;</ins>" in body
+    assert 'href="@/requirements/FR-15.html"' in body
+    assert "not compared" in body

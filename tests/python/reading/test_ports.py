@@ -42,7 +42,8 @@ def project(tmp_path: Path) -> Path:
 
 def write_result(project: Path, result: str) -> None:
     test = {"name": "Runs", "status": "RUN", "result": result, "time": "0s", "file": "", "line": 1}
-    suites = {"line": {"testsuites": [{"name": "Line", "testsuite": [test]}]}}
+    size = {"flash": 2, "ram": 1}
+    suites = {"line": {"testsuites": [{"name": "Line", "testsuite": [test]}], "image": size}}
     (project / RESULT).parent.mkdir(parents=True, exist_ok=True)
     (project / RESULT).write_text(json.dumps(suites))
 
@@ -75,6 +76,7 @@ def test_results_count_for_the_present_sources_only(
     port = read_ports(project, Entries(project))["line"]
     assert port.tests == ({"Line.Runs": "passed"} if fresh else None)
     assert port.passed is fresh
+    assert port.size == ({"flash": 2, "ram": 1} if fresh else {})
 
 
 def test_a_port_whose_test_was_skipped_has_not_passed(

@@ -8,6 +8,7 @@ import pytest
 from tests.python.model.small_tree import write_tree
 from tools import cli
 from traceability.exports.revision import read_revision
+from traceability.reading.comparison_record import read_comparison
 
 
 def git(root: Path, *words: str) -> str:
@@ -48,6 +49,11 @@ def test_the_sources_of_two_commits_are_compared(
     assert "{+always+}" in shown
     assert "has no recorded results" in shown
     assert read_revision(root, git(root, "rev-parse", "HEAD~1"))
+    compared = read_comparison(root)
+    assert compared
+    assert [one.section for one in compared.differences] == ["text of requirements"]
+    assert compared.second == git(root, "rev-parse", "HEAD")
+    assert list(compared.unmeasured) == [compared.first, compared.second]
     assert cli.main(["diff", "HEAD", "HEAD"]) == 0
     assert capsys.readouterr().out.startswith("no differences")
 

@@ -1,0 +1,42 @@
+"""The last comparison of two commits, as ./wr diff records it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from traceability.reading.results import RESULTS, read_record
+
+RECORD = RESULTS / "diff.json"
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A line of the comparison."""
+
+    section: str
+    subject: str
+    text: str
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Two commits and their differences. ``unmeasured`` lists the commits without recorded
+    results: their verdicts, findings, sizes and metrics are not compared."""
+
+    first: str
+    second: str
+    differences: Sequence[Difference]
+    unmeasured: Sequence[str]
+
+
+def write_comparison(root: Path, comparison: Comparison) -> None:
+    path = root / RECORD
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(asdict(comparison), indent=1) + "\n", encoding="utf-8")
+
+
+def read_comparison(root: Path) -> Comparison | None:
+    return read_record(root / RECORD, Comparison)
