@@ -167,8 +167,9 @@ def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
 
 
 def differences(native: Run, run: dict[str, Any]) -> list[str]:
-    """The differences of a run as WebAssembly from the native one."""
-    found = []
+    """The differences of a run as WebAssembly from the native one, and its failures."""
+    found = [run["end"]] if run["end"] != "ended" else []
+    found += run["failures"]
     if run["reports"] != native.reports:
         found.append("reports")
     if (run["events"]["count"], run["events"]["hash"]) != (native.events, native.hash):

@@ -14,7 +14,7 @@ from traceability.reading.results import RESULTS
 
 # Tests that mostly wait for a robot in real time: more of them than processors run in parallel.
 WAITING = "client"
-WAITING_JOBS = "4"
+WAITING_JOBS = "8"
 
 
 def workers(folder: str) -> list[str | Path]:

@@ -35,7 +35,9 @@
     Answers: 1.1,
     Sections: 0.7,
     "Logic modules": 1.2,
-    Methods: 0.9,
+    Methods: 0.8,
+    "Data types": 0.2,
+    Glossary: 0.95,
     "Likely changes": 0.5,
     Checks: 0.5,
     Paper: 0.4,
@@ -43,6 +45,7 @@
     Source: 0.5,
   };
   const ENOUGH = 8; // hits with all words; with fewer hits, those without one word are also shown
+  const NEAR = 0.45; // least score of a question with two words, as a share of the best score
   const FEW = 3; // least number of letters of a word that may contain a typing error
 
   /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15. */
@@ -138,6 +141,7 @@
     const words = (large.length ? large : all).map(stem);
     if (!words.length) return [];
     const wanted = meanings(words);
+    const isSentence = large.length < all.length;
     const whole = same(text);
     const options = {
       tokenize: pieces,
@@ -155,7 +159,7 @@
       const terms = new Set(hit.queryTerms);
       const share = terms.has(whole) ? wanted.length : wanted.filter((one) => has(terms, one)).length;
       const score = hit.score * (share / wanted.length) ** 3;
-      return { id: hit.id, terms: hit.terms, score, share, exact: named(entries[hit.id]), wanted };
+      return { id: hit.id, terms: hit.terms, score, share, exact: named(entries[hit.id]), wanted, isSentence };
     });
     const most = Math.max(...found.map((hit) => hit.share));
     const best = found.filter((hit) => hit.share === most);
@@ -166,15 +170,15 @@
     );
   }
 
-  /* Whether a question contains the words of a text with two or more words; if there are many
-   * words, one may be missing. */
-  function asks({ id, wanted }) {
+  /* Whether a question contains the words of a text with two or more words; if there are many words, one may be
+   * missing. For two words alone the score must also be near to the best. */
+  function asks({ id, wanted, score, isSentence }, near) {
     const [group, , title] = entries[id];
     const terms = pieces(title).map(stem);
     const said = (word) => terms.some((term) => term.startsWith(word));
     const found = wanted.filter(({ own, others }) => [own, ...others].some((words) => words.every(said)));
     const words = wanted.flatMap(({ own }) => own);
-    return group === ANSWERS && words.length > 1 && found.length >= wanted.length - (wanted.length > 3);
+    return group === ANSWERS && (isSentence || words.length > 2 || score >= near) && words.length > 1 && found.length >= wanted.length - (wanted.length > 3);
   }
 
   /* The hits in groups: the group of the best hit first. */
@@ -185,7 +189,7 @@
     /* A hand-written page is an entry with its words. */
     hits.forEach(({ id }) => entries[id][0] === "Explanations" && written.add(entries[id][4]));
     const isName = hits.some((hit) => hit.exact && NAMES.has(entries[hit.id][0]));
-    const asked = isName ? [] : hits.filter(asks);
+    const asked = isName ? [] : hits.filter((hit) => asks(hit, NEAR * Math.max(...hits.map((one) => one.score))));
     if (asked.length) groups.set(ANSWERS, asked);
     for (const hit of hits) {
       const [name, , , , address] = entries[hit.id];

@@ -17,6 +17,7 @@ VOID = {
     "wbr", "path", "rect", "circle", "line",
 }  # fmt: skip
 # Classes of elements for navigation: the side navigation, the way back, the search.
+LISTING = re.compile(r"source/.+\.\w+\.html")
 NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
 
 
@@ -132,7 +133,10 @@ def searched() -> list[list[str]]:
 
 @cache
 def clicks() -> dict[str, int]:
-    """Address -> number of clicks from the first page. A page contributes all its ids."""
+    """Address -> number of clicks from the first page. A page contributes all its ids.
+
+    A way through a listing of code does not count.
+    """
     found = {FIRST: 0}
     read = {FIRST}
     pending = [FIRST]
@@ -145,5 +149,6 @@ def clicks() -> dict[str, int]:
             if target.endswith(".html") and target not in read and (SITE / target).exists():
                 found.setdefault(target, found[page] + 1)
                 read.add(target)
-                pending.append(target)
+                if not LISTING.fullmatch(target):
+                    pending.append(target)
     return found

@@ -1,0 +1,23 @@
+"""The comparison of the WebAssembly module with the native virtual board finds a difference."""
+
+from typing import Any
+
+from tools.live_runs import Run, differences
+
+
+def test_another_byte_is_a_difference() -> None:
+    own = Run(reports="a,b\n1,2\n", events=3, hash="00")
+    same: dict[str, Any] = {"reports": own.reports, "events": {"count": 3, "hash": "00"}}
+    same |= {"end": "ended", "failures": []}
+    assert differences(own, same) == []
+    assert differences(own, same | {"reports": "a,b\n1,3\n"}) == ["reports"]
+    assert differences(own, same | {"events": {"count": 3, "hash": "01"}}) == ["events"]
+
+
+def test_a_run_that_fails_is_a_difference() -> None:
+    own = Run(reports="", events=0, hash="00")
+    same: dict[str, Any] = {"reports": "", "events": {"count": 0, "hash": "00"}}
+    assert differences(own, same | {"end": "limit", "failures": ["cycle 7"]}) == [
+        "limit",
+        "cycle 7",
+    ]
