@@ -34,6 +34,7 @@ from portal.safety_pages import cost, goal_page, hazards_page, safety
 from portal.search import entries
 from portal.sequences import sequences
 from portal.source_pages import folders, source_page
+from portal.verification_views import facets_of_test, options
 from traceability.exports.tool_files import available
 from traceability.model.made_changes import proven
 from traceability.model.not_shown import by_method, not_shown
@@ -198,6 +199,11 @@ def execution(portal: Portal) -> dict[str, Any]:
     return {"contexts": ordered, "wide": True}
 
 
+def tests(portal: Portal) -> dict[str, Any]:
+    facets = {test.id: facets_of_test(test) for test in portal.model.tests.values()}
+    return {"suites": suites(portal), "facets": facets, "options": options(facets.values())}
+
+
 def suites(portal: Portal) -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for test in portal.model.tests.values():
@@ -281,7 +287,7 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "safety_cost": cost,
     "requirements": requirements,
     "dossier": dossier,
-    "tests": lambda portal: {"suites": suites(portal)},
+    "tests": tests,
     "mutation": mutation,
     "robustness": robustness,
     "reverse": lambda portal: {"rows": reverse_rows(portal)},

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -9,7 +10,7 @@ from dataclasses import dataclass
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.reading.traces import nodes_of
-from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Requirement
+from traceability.schema import HOST, VIRTUAL_K64, MethodCoverage, Requirement, Test
 
 
 @dataclass
@@ -90,10 +91,27 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
     }
 
 
+def facets_of_test(test: Test) -> Facets:
+    """The values of a test; one without a requirement has no value of that filter."""
+    folders = test.place.file.split("/")[1:-1]
+    return {
+        "result": sorted({run.result or "not run" for run in test.results.values()}),
+        "target": list(test.results),
+        "folder": ["/".join(folders)],
+        "requirement": list(test.verifies),
+    }
+
+
 def options(found: Iterable[Facets]) -> dict[str, list[str]]:
     """Each facet with the values that a requirement has."""
     values: dict[str, set[str]] = defaultdict(set)
     for one in found:
         for name, own in one.items():
             values[name].update(own)
-    return {name: sorted(own) for name, own in values.items()}
+    return {name: sorted(own, key=_numbers_in_order) for name, own in values.items()}
+
+
+def _numbers_in_order(text: str) -> list[tuple[str, int]]:
+    """FR-2 comes before FR-10."""
+    parts = re.findall(r"(\D*)(\d*)", text)
+    return [(words, int(number or 0)) for words, number in parts]

@@ -15,6 +15,7 @@ from portal.pages import all_pages
 from portal.paper_views import families, hidden_names
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
+from portal.verification_views import facets_of_test, options
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
@@ -231,3 +232,13 @@ def test_the_differences_of_two_commits_have_a_page(tmp_path: Path) -> None:
     assert "<del>wait</del> <ins>stop &lt;b&gt;</ins>" in body
     assert 'href="@/requirements/FR-15.html"' in body
     assert "not compared" in body
+
+
+def test_the_tests_are_filtered_by_their_values(portal: Portal) -> None:
+    test = portal.model.tests["RcTest.Reads"]
+    facets = facets_of_test(test)
+    assert facets["requirement"] == ["FR-15"]
+    assert facets["target"] == list(test.results)
+    assert facets["folder"] == ["/".join(test.place.file.split("/")[1:-1])]
+    found = options([{"requirement": ["FR-10", "SR-1"]}, {"requirement": ["FR-2"]}])
+    assert found == {"requirement": ["FR-2", "FR-10", "SR-1"]}

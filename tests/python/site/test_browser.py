@@ -149,3 +149,24 @@ def test_pages_ask_no_other_server(server: tuple[str, Path]) -> None:
         if path.name != "probe.html" and outside.search(path.read_text(encoding="utf-8"))
     ]
     assert found == []
+
+
+def test_a_wide_diagram_fits_a_phone_and_is_enlarged_in_a_window(
+    server: tuple[str, Path],
+) -> None:
+    probe = (
+        "const place = doc.querySelector('.scroll.wide'), svg = place.querySelector('svg');"
+        "const width = () => svg.getBoundingClientRect().width, found = [];"
+        "found.push(width() <= place.clientWidth);"
+        "const button = place.nextElementSibling; button.click();"
+        "const dialog = doc.querySelector('dialog.zoom');"
+        "const larger = dialog.querySelectorAll('button')[1];"
+        "const before = width(); larger.click();"
+        "found.push(dialog.contains(svg), before > place.clientWidth, width() > before);"
+        "dialog.close(); await new Promise((done) => view.setTimeout(done, 50));"
+        "found.push(place.contains(svg), width() <= place.clientWidth);"
+        "found.push(doc.activeElement === button);"
+        "return found;"
+    )
+    seen, errors = look(server, ["architecture"], probe, width=390)
+    assert (seen["architecture"], errors) == ([True] * 7, [])

@@ -1,0 +1,86 @@
+/* Diagrams that are wider than their place: a button shows the whole diagram in a window of its own, where it can be
+ * enlarged. On a phone the page shows the diagram scaled to its place. Without this script each diagram scrolls. */
+(function () {
+  "use strict";
+  const STEP = 1.25; // of the buttons and keys
+  const LEAST = 0.25;
+  const MOST = 4;
+
+  const natural = (svg) => svg.viewBox.baseVal.width || svg.getBoundingClientRect().width;
+
+  function addButton(place, svg) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.className = "btn enlarge";
+    button.textContent = "Enlarge";
+    button.setAttribute("aria-label", `Enlarge: ${place.getAttribute("aria-label") || "diagram"}`);
+    button.addEventListener("click", () => open(place, svg));
+    place.after(button);
+  }
+
+  /* The diagram moves into the window and back, so that its links, ids and live marks stay. */
+  function open(place, svg) {
+    const dialog = document.createElement("dialog");
+    dialog.className = "zoom";
+    dialog.setAttribute("aria-label", place.getAttribute("aria-label") || "Diagram");
+    const bar = document.createElement("div");
+    bar.className = "zoombar";
+    const sheet = document.createElement("div");
+    sheet.className = "sheet";
+    sheet.tabIndex = 0;
+    sheet.setAttribute("role", "region");
+    sheet.setAttribute("aria-label", "Diagram");
+    const style = svg.getAttribute("style");
+    let scale = 1;
+    function set(wanted) {
+      const middle = [sheet.scrollLeft + sheet.clientWidth / 2, sheet.scrollTop + sheet.clientHeight / 2];
+      const next = Math.min(MOST, Math.max(LEAST, wanted));
+      svg.style.width = `${natural(svg) * next}px`;
+      sheet.scrollLeft = (middle[0] * next) / scale - sheet.clientWidth / 2;
+      sheet.scrollTop = (middle[1] * next) / scale - sheet.clientHeight / 2;
+      scale = next;
+    }
+    const fit = () => sheet.clientWidth / natural(svg);
+    const actions = [
+      ["Smaller", "-", () => set(scale / STEP)],
+      ["Larger", "+", () => set(scale * STEP)],
+      ["Whole", "0", () => set(fit())],
+      ["Close", "", () => dialog.close()],
+    ];
+    for (const [name, key, act] of actions) {
+      const button = document.createElement("button");
+      button.type = "button";
+      button.className = "btn";
+      button.textContent = name;
+      if (key) button.setAttribute("aria-keyshortcuts", key);
+      button.addEventListener("click", act);
+      bar.append(button);
+    }
+    dialog.addEventListener("keydown", (event) => {
+      const found = actions.find(([, key]) => key && key === event.key);
+      event.stopPropagation(); // the letter keys of the page
+      if (found) found[2]();
+    });
+    dialog.addEventListener("close", () => {
+      if (style === null) svg.removeAttribute("style");
+      else svg.setAttribute("style", style);
+      place.append(svg);
+      dialog.remove();
+      place.nextElementSibling.focus();
+    });
+    sheet.append(svg);
+    dialog.append(bar, sheet);
+    document.body.append(dialog);
+    dialog.showModal();
+    set(Math.max(1, fit()));
+    sheet.focus();
+  }
+
+  for (const place of document.querySelectorAll(".scroll:has(> svg)")) {
+    const svg = place.querySelector(":scope > svg");
+    if (place.clientWidth && natural(svg) > place.clientWidth + 1) {
+      place.classList.add("wide");
+      addButton(place, svg);
+    }
+  }
+})();
