@@ -90,6 +90,7 @@ class Navigation:
             group = next((group for group, names in DOCS.items() if name in names), "build")
             written[group].append(doc)
         source = Entry("source", "Source", "source/index.html", "S")
+        tuning = Entry("tuning", "Values to tune", "tuning.html")
         exports = Entry("exports", "Exports", "exports.html")
         live = Entry("run", "Run the robot", "run.html")
         answers = Entry("answers", "Answers", "answers/index.html", "", questions)
@@ -99,7 +100,7 @@ class Navigation:
                 "understand", "Understand", [*answers_, *written["understand"], *understand(model)]
             ),
             Group("verify", "Verify", [*verify(model, checks, faults), *written["verify"]]),
-            Group("build", "Build and use", [live, *written["build"], source, exports]),
+            Group("build", "Build and use", [live, *written["build"], tuning, source, exports]),
         ]
         if explain := written["explain"]:
             self.groups.append(Group("explain", "Explanations", explain))

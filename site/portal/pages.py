@@ -34,6 +34,7 @@ from portal.safety_pages import cost, goal_page, hazards_page, safety
 from portal.search import entries
 from portal.sequences import sequences
 from portal.source_pages import folders, source_page
+from portal.tuning_page import tuning
 from portal.verification_views import facets_of_test, options
 from traceability.exports.tool_files import available
 from traceability.model.made_changes import proven
@@ -300,4 +301,5 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
         "files": available(portal.root),
     },
     "run": run,
+    "tuning": tuning,
 }

@@ -15,12 +15,13 @@ from portal.pages import all_pages
 from portal.paper_views import families, hidden_names
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
+from portal.tuning_page import control_values
 from portal.verification_views import facets_of_test, options
 from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
 from traceability.reading.comparison_record import Comparison, Difference
-from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Place, TreeNode
+from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Constant, Place, TreeNode, Tuned
 
 CHECKS = [
     CheckText("tree-static", "Possible", "It shows.", "Each edge is one.", "runs.", "call it."),
@@ -242,3 +243,20 @@ def test_the_tests_are_filtered_by_their_values(portal: Portal) -> None:
     assert facets["folder"] == ["/".join(test.place.file.split("/")[1:-1])]
     found = options([{"requirement": ["FR-10", "SR-1"]}, {"requirement": ["FR-2"]}])
     assert found == {"requirement": ["FR-2", "FR-10", "SR-1"]}
+
+
+def test_the_values_to_tune_have_their_lines_and_what_they_were_chosen_for() -> None:
+    place = Place("src/wheel_control/A.cpp", 7)
+    constants = {
+        "A::kGains.integral": Constant(2094, "", place),
+        "A::kCount": Constant(3, "", place),
+        "A::kLimit": Constant(9, "mA", place),
+        "B::kBaud": Constant(115200, "baud", Place("src/k64/B.cpp", 1)),
+    }
+    tuned = [Tuned("SystemConstants::winding", "It is.", ["A::kGains"], place)]
+    found = control_values(replace(make_model(), constants=constants, tuned=tuned))
+    assert [(one.name, one.chosen_for) for one in found["A"]] == [
+        ("A::kGains.integral", ["SystemConstants::winding"]),
+        ("A::kLimit", []),
+    ]
+    assert list(found) == ["A"]

@@ -1,0 +1,60 @@
+"""The page of the values that fit one robot: its parameters, gains and limits."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from portal.portal import Portal
+from traceability.model.design_model import Model
+from traceability.schema import Constant, Method
+
+ROBOT = "SystemConstants"  # the module with the values that several modules read
+# The folders of the modules that control, measure or limit.
+CONTROL = (
+    "src/wheel_control/",
+    "src/steering_control/",
+    "src/sensing/",
+    "src/remote_control/",
+    "src/functions/",
+    "extensions/safety/",
+)
+
+
+@dataclass(frozen=True)
+class Value:
+    """A named number of a module, and the values that it was chosen for."""
+
+    name: str
+    constant: Constant
+    chosen_for: list[str]
+
+    @property
+    def module(self) -> str:
+        return self.name.partition("::")[0]
+
+
+def tuning(portal: Portal) -> dict[str, Any]:
+    return {"robot": robot_values(portal.model), "control": control_values(portal.model)}
+
+
+def robot_values(model: Model) -> list[tuple[Method, Constant]]:
+    """The methods of the module of the robot's values that return one number."""
+    module = model.modules.get(ROBOT)
+    methods = module.methods if module else []
+    return [(one, model.constants[one.id]) for one in methods if one.id in model.constants]
+
+
+def control_values(model: Model) -> dict[str, list[Value]]:
+    """Module -> its named constants with a unit, and those that were chosen for another value."""
+    found: dict[str, list[Value]] = {}
+    for name, constant in model.constants.items():
+        chosen_for = [
+            tuned.to for tuned in model.tuned if name.partition(".")[0] in tuned.constants
+        ]
+        module, _, own = name.partition("::")
+        if not constant.place.file.startswith(CONTROL) or not own.startswith("k"):
+            continue
+        if constant.unit or chosen_for:
+            found.setdefault(module, []).append(Value(name, constant, chosen_for))
+    return found
