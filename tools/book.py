@@ -50,6 +50,7 @@ SCREEN_ONLY = re.compile(
 )
 PLACE = re.compile(r'\b(id|href|src|aria-labelledby|aria-describedby)="([^"]*)"')
 DATE = re.compile(rb"\(D:\d{14}[^)]*\)")  # of a PDF, YYYYMMDDhhmmss and the zone
+NODE = re.compile(rb"\(node(\d{8})\)")
 STYLE = """
 @page {
   size: A4; margin: 18mm 16mm 20mm;
@@ -105,7 +106,7 @@ def print_book(root: Path, pdf: Path) -> Path:
         raise FailureError(f"{browser} did not print the book within {SECONDS} s") from error
     if not pdf.exists():
         raise FailureError(f"{browser} printed no book: {said[-500:]}")
-    pdf.write_bytes(with_date(pdf.read_bytes(), when))
+    pdf.write_bytes(with_own_numbers(with_date(pdf.read_bytes(), when)))
     return pdf
 
 
@@ -121,6 +122,12 @@ def with_date(pdf: bytes, when: int) -> bytes:
     """Replaces the time of printing by another one of the same length."""
     text = time.strftime("(D:%Y%m%d%H%M%S", time.gmtime(when)).encode()
     return DATE.sub(lambda match: text + match[0][len(text) :], pdf)
+
+
+def with_own_numbers(pdf: bytes) -> bytes:
+    """Numbers the parts of the pages from 0: the first number of the browser differs at times."""
+    number = {name: at for at, name in enumerate(sorted(set(NODE.findall(pdf))))}
+    return NODE.sub(lambda match: b"(node%08d)" % number[match[1]], pdf)
 
 
 def book_text(site: Path, commit: str, when: int) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tools import book
-from tools.book import PAGES, book_text, print_book, with_date
+from tools.book import PAGES, book_text, print_book, with_date, with_own_numbers
 from tools.browser import find_browser, works
 from tools.steps import FailureError, MissingError
 
@@ -79,3 +79,9 @@ def test_two_books_of_the_same_pages_are_equal(project: Path) -> None:
     second = print_book(project, project / "second.pdf").read_bytes()
     assert first.startswith(b"%PDF")
     assert first == second
+
+
+def test_the_numbers_of_the_browser_do_not_matter() -> None:
+    one = with_own_numbers(b"/ID (node00000243) /Headers [(node00000250) (node00000243)]")
+    assert one == with_own_numbers(b"/ID (node00000244) /Headers [(node00000251) (node00000244)]")
+    assert one == b"/ID (node00000000) /Headers [(node00000001) (node00000000)]"
