@@ -29,10 +29,6 @@ class Value:
     constant: Constant
     chosen_for: list[str]
 
-    @property
-    def module(self) -> str:
-        return self.name.partition("::")[0]
-
 
 def tuning(portal: Portal) -> dict[str, Any]:
     return {"robot": robot_values(portal.model), "control": control_values(portal.model)}

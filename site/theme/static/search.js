@@ -189,7 +189,8 @@
     /* A hand-written page is an entry with its words. */
     hits.forEach(({ id }) => entries[id][0] === "Explanations" && written.add(entries[id][4]));
     const isName = hits.some((hit) => hit.exact && NAMES.has(entries[hit.id][0]));
-    const asked = isName ? [] : hits.filter((hit) => asks(hit, NEAR * Math.max(...hits.map((one) => one.score))));
+    const near = NEAR * Math.max(...hits.map((hit) => hit.score));
+    const asked = isName ? [] : hits.filter((hit) => asks(hit, near));
     if (asked.length) groups.set(ANSWERS, asked);
     for (const hit of hits) {
       const [name, , , , address] = entries[hit.id];

@@ -76,11 +76,19 @@
     sheet.focus();
   }
 
-  for (const place of document.querySelectorAll(".scroll:has(> svg)")) {
-    const svg = place.querySelector(":scope > svg");
-    if (place.clientWidth && natural(svg) > place.clientWidth + 1) {
-      place.classList.add("wide");
-      addButton(place, svg);
+  /* A place has a width once it is shown, and another one when a phone is turned. */
+  const diagrams = new Map();
+  const watch = new ResizeObserver((changes) => {
+    for (const { target } of changes) {
+      const wide = target.clientWidth && natural(diagrams.get(target)) > target.clientWidth + 1;
+      if (wide && !target.classList.contains("wide")) {
+        target.classList.add("wide");
+        addButton(target, diagrams.get(target));
+      }
     }
+  });
+  for (const place of document.querySelectorAll(".scroll:has(> svg)")) {
+    diagrams.set(place, place.querySelector(":scope > svg"));
+    watch.observe(place);
   }
 })();

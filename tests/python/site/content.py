@@ -16,8 +16,8 @@ VOID = {
     "area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track",
     "wbr", "path", "rect", "circle", "line",
 }  # fmt: skip
+LISTING = re.compile(r"source/.+\.\w+\.html")  # pages of code
 # Classes of elements for navigation: the side navigation, the way back, the search.
-LISTING = re.compile(r"source/.+\.\w+\.html")
 NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
 
 

@@ -33,8 +33,9 @@ def strictdoc() -> Path:
             text=True,
             check=False,
         )
-        if done.returncode:
-            pytest.skip(f"StrictDoc cannot be installed here: {done.stderr[-300:]}")
+        if "Retrying" in done.stderr:
+            pytest.skip("StrictDoc cannot be installed without a network")
+        assert done.returncode == 0, done.stderr
         stamp.write_bytes(LOCK.read_bytes())
     return STRICTDOC / "bin/strictdoc"
 
