@@ -105,3 +105,9 @@ def test_a_connection_of_the_architecture_is_a_way_through_the_code(model: Facts
     assert way[0].startswith("MainController::")
     assert way[-1].startswith("SerialReader::")
     assert len(way) > 2
+
+
+def test_the_title_of_a_section_has_no_sentence_in_it(model: Facts) -> None:
+    titles = {one["section"] for one in model["requirements"].values()}
+    assert sorted(title for title in titles if len(title.split()) > 5) == []
+    assert len(titles) > 15
