@@ -76,16 +76,18 @@
     sheet.focus();
   }
 
-  /* A place has a width once it is shown, and another one when a phone is turned. */
+  /* A place has a width once it is shown, and another one when a phone is turned. The page is changed in the next
+   * frame: a change while sizes are observed is an error of the browser. */
   const diagrams = new Map();
-  const watch = new ResizeObserver((changes) => {
-    for (const { target } of changes) {
-      const wide = target.clientWidth && natural(diagrams.get(target)) > target.clientWidth + 1;
-      if (wide && !target.classList.contains("wide")) {
-        target.classList.add("wide");
-        addButton(target, diagrams.get(target));
-      }
+  function offer(place) {
+    const wide = place.clientWidth && natural(diagrams.get(place)) > place.clientWidth + 1;
+    if (wide && !place.classList.contains("wide")) {
+      place.classList.add("wide");
+      addButton(place, diagrams.get(place));
     }
+  }
+  const watch = new ResizeObserver((changes) => {
+    requestAnimationFrame(() => changes.forEach(({ target }) => offer(target)));
   });
   for (const place of document.querySelectorAll(".scroll:has(> svg)")) {
     diagrams.set(place, place.querySelector(":scope > svg"));

@@ -155,7 +155,12 @@ def test_a_wide_diagram_fits_a_phone_and_is_enlarged_in_a_window(
     server: tuple[str, Path],
 ) -> None:
     probe = (
-        "const place = doc.querySelector('.scroll.wide'), svg = place.querySelector('svg');"
+        "let place = null;"
+        "for (let tries = 0; tries < 100 && !place; tries++) {"
+        "  await new Promise((done) => view.setTimeout(done, 20));"
+        "  place = doc.querySelector('.scroll.wide');"
+        "}"
+        "const svg = place.querySelector('svg');"
         "const width = () => svg.getBoundingClientRect().width, found = [];"
         "found.push(width() <= place.clientWidth);"
         "const button = place.nextElementSibling; button.click();"
