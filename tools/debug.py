@@ -26,8 +26,8 @@ from traceability.sources import files_below
 
 GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
 ON_HOST = "debug"  # the preset of programs that are debugged on this machine
-OF_EMULATOR = ("tests/sim/", "tests/torture/")  # folders of tests whose subject runs on this
-# machine
+# Folders of tests whose subject runs on this machine.
+OF_EMULATOR = ("tests/sim/", "tests/torture/")
 WAIT = 20  # s, until a board waits at its port
 
 

@@ -34,8 +34,8 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
     words += [*options, root / "tests/python" / folder]
     counts = counted(log, words, results)
-    if counts.failed and folder == WAITING:  # a busy machine may be too slow, so these tests run
-        # again, one by one
+    # A busy machine may be too slow for these tests: those that failed run again, one by one.
+    if counts.failed and folder == WAITING:
         again = counted(log, [*words, "--lf", "-n", "0"], results)
         counts = replace(again, passed=counts.passed + again.passed, skipped=counts.skipped)
     log.writelines(f"to debug it: ./wr debug {name}\n" for name in failed_tests(results))

@@ -401,8 +401,8 @@ class Review:
     answers: Mapping[str, str]  # question -> "yes", "no", "not applicable"
     place: Place
     current: bool = False  # whether no text changed since
-    objections: Sequence[str] = field(default_factory=list)  # reason why the record is not a valid
-    # review
+    # Reasons why the record is not a valid review.
+    objections: Sequence[str] = field(default_factory=list)
 
     @property
     def holds(self) -> bool:
@@ -847,8 +847,9 @@ class TimeBound:
     context: str
     name: str
     cycles: int
-    entries: int | None  # number of ticks of 1 ms for the entries of an interrupt; none: once in a
-    # control cycle
+    # The context is entered at most this often in `ticks` ticks of 1 ms; None: once in a control
+    # cycle.
+    entries: int | None
     ticks: int
     why: str
 
@@ -1100,8 +1101,8 @@ class Connection:
     target: str
     connector: str
     place: Place
-    way: Sequence[str] = field(default_factory=list)  # methods; none for a connection outside the
-    # code
+    # Methods; none for a connection outside the code.
+    way: Sequence[str] = field(default_factory=list)
 
     @property
     def arrow(self) -> str:

@@ -77,8 +77,7 @@ class Hello:
 
     def payload(self) -> bytes:
         if self.version != VERSION:
-            return b""  # other versions have their own layout; an empty Hello is valid in each of
-            # them
+            return b""  # the layout of other versions differs; all accept an empty Hello
         return LAYOUTS["Hello"].pack(
             lowest_version=VERSION, highest_version=VERSION, schema_hash=SCHEMA_HASH
         )
@@ -277,8 +276,8 @@ class Report:
     right_end: bool
     wheels: tuple[WheelReport, WheelReport, WheelReport, WheelReport]
     counters: dict[str, int]
-    report_cycles: int  # processor cycles; 0 if the platform does not count them, also in the next
-    # two
+    # Processor cycles, in three fields; 0 if the platform does not count them.
+    report_cycles: int
     awake_cycles: int
     start_cycles: int
     values: Mapping[str, Any]  # all values, by name and unit

@@ -15,8 +15,7 @@ from weeding_robot_client.script import Wish
 ORDER_EVERY_S = 0.1
 CONNECT_WITHIN_S = 5.0
 ARM_WITHIN_S = 5.0
-ACKNOWLEDGE_S = 0.3  # an order is read once in a cycle of 100 ms: in this time the order is read at
-# least once
+ACKNOWLEDGE_S = 0.3  # three cycles of 100 ms: the robot reads the order at least once
 STOP_ORDERS = 3
 STOP_EVERY_S = 0.05
 

@@ -38,8 +38,8 @@ FRAME_WITH_FLOATS = 104 + 4
 class Declared:
     faults: list[str] = field(default_factory=list)
     calls: dict[str, str] = field(default_factory=dict)  # function -> pattern of symbols
-    entries: dict[str, int] = field(default_factory=dict)  # class of a chain -> number of its
-    # objects
+    # Class of a chain -> number of its objects.
+    entries: dict[str, int] = field(default_factory=dict)
 
 
 def read_declared(root: Path) -> Declared:

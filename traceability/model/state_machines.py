@@ -37,8 +37,8 @@ class MachineCode:
     """A machine, as read from the syntax tree."""
 
     holders: dict[str, str] = field(default_factory=dict)  # Context -> its method that changes
-    operations: list[str] = field(default_factory=list)  # operations that the Context may call on a
-    # state
+    # Operations that the Context may call on a state.
+    operations: list[str] = field(default_factory=list)
     runs: dict[str, dict[str, str]] = field(default_factory=dict)  # state -> operation -> method
     changes: list[Change] = field(default_factory=list)
     initial: set[str] = field(default_factory=set)

@@ -29,13 +29,13 @@ from traceability.schema import VIRTUAL_K64, ExecutionContext, TimeBound, TimePr
 from traceability.schema import Place as SourcePlace
 
 DECLARED_IN = Path("design/times.toml")
-ENTRY_AND_EXIT = 12 + 10 + 6  # cycles of the hardware for an interrupt, including the change to a
-# following one
+# Cycles of the hardware for an interrupt, including the change to a following one.
+ENTRY_AND_EXIT = 12 + 10 + 6
 RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt causes to repeat
 CYCLE_TIMER = "cycle-timer"
 MOST_ROUNDS = 100
-CLOCK = 120_000  # cycles in a tick of 1 ms Functions that never return: a path that calls one ends
-# the firmware and is not part of a bound.
+CLOCK = 120_000  # cycles in a tick of 1 ms
+# Functions that never return: a path that calls one ends the firmware and is not part of a bound.
 ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
 COPIES = ("memcpy", "memmove", "memset")
 UNALIGNED = 2  # additional cycles of an unaligned access

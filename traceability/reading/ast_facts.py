@@ -81,8 +81,8 @@ class CallFact:
     declared: str = ""  # the file that declares a function outside classes
     on: list[str] = field(default_factory=list)  # objects on which a method is called, see flow
     args: list[list[str]] = field(default_factory=list)  # names in each argument
-    sometimes: bool = False  # below a condition, or after a condition that may have left the
-    # function
+    # Below a condition, or after a condition that may have left the function.
+    sometimes: bool = False
     repeated: bool = False  # below a loop
     end: int = 0  # offset in the file: a call ends after the calls in its arguments
     asked: list[str] = field(default_factory=list)  # operands of these conditions, see conditions
@@ -205,8 +205,8 @@ class Syntax:
     silent: list[SilentFact] = field(default_factory=list)
     enum_numbers: list[EnumNumberFact] = field(default_factory=list)
     offsets: list[OffsetFact] = field(default_factory=list)
-    declared_again: dict[str, Place] = field(default_factory=dict)  # name -> whether no header
-    # declares it
+    # Name -> place of the second declaration; only names that no header declares.
+    declared_again: dict[str, Place] = field(default_factory=dict)
     errors: list[tuple[Place, str]] = field(default_factory=list)
 
     def merge(self, other: Syntax) -> None:

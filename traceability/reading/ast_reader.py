@@ -564,8 +564,8 @@ class Reader:
             place=place,
             access=cursor.access_specifier.name.lower(),
             constant=cursor.type.is_const_qualified(),
-            comment=comment_line(cursor) or cursor.extent.end.line,  # the comment may be after the
-            # value
+            # The comment may be after the value.
+            comment=comment_line(cursor) or cursor.extent.end.line,
         )
 
     def method_fact(self, cursor: Cursor, place: Place, owner: str) -> MethodFact:
