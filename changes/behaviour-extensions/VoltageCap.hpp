@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief Limits the voltage of a wheel to 12 V: its motor is one for 12 V.
+/// @brief Limits the voltage of a wheel to 12 V: its motor is built for 12 V.
 class VoltageCap final : public BehaviourDecorator {
  public:
   /// @brief Greatest magnitude of the voltage.
@@ -14,7 +14,7 @@ class VoltageCap final : public BehaviourDecorator {
   /// @param wrapped behaviour that applies the limited voltage
   explicit VoltageCap(WheelBehaviour& wrapped) : BehaviourDecorator(wrapped) {}
 
-  /// @brief Applies the demand, or the greatest voltage of its sign.
+  /// @brief Applies the demand, limited to 12 V in both directions.
   /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards

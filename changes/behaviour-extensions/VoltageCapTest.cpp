@@ -32,7 +32,8 @@ double dutyAt18Volts(const char* image) {
   return robot.duty(0);
 }
 
-/// @brief At an order of 18 V of 24 V the unchanged image gives 18 V, that of the kit 12 V.
+/// @brief When the PC orders 18 V, the unchanged image applies 18 V; the image of the kit applies
+/// 12 V.
 TEST(VoltageCapOnBoard, PulsesAreLimited) {
   EXPECT_NEAR(dutyAt18Volts(kUnchanged), 0.75, 0.001);
   EXPECT_NEAR(dutyAt18Volts("change_behaviour-extensions"), 0.5, 0.001);

@@ -6,7 +6,7 @@
 
 namespace wr {
 
-/// @brief Begins a cycle, and switches a light on or off: it blinks as long as the cycles begin.
+/// @brief Begins a cycle, and toggles a light: the light blinks while cycles run.
 class BlinkingTimeOut final : public Command {
  public:
   /// @brief Binds the command to the controller and the light.
@@ -15,7 +15,7 @@ class BlinkingTimeOut final : public Command {
   BlinkingTimeOut(MainController& controller, DigitalOutput& light)
       : controller_(controller), light_(light) {}
 
-  /// @brief Changes the light, and begins a cycle.
+  /// @brief Toggles the light, and begins a cycle.
   /// @isr{yes}
   void execute() override {
     on_ = !on_;

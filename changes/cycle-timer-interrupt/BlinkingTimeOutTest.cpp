@@ -15,7 +15,7 @@ class BlinkingTimeOutTest : public ControllerFixture {
   BlinkingTimeOut timeOut{controller, light};
 };
 
-/// @brief Each call begins a cycle, and changes the light.
+/// @brief Each call begins a cycle, and toggles the light.
 TEST_F(BlinkingTimeOutTest, BeginsACycleAndChangesTheLight) {
   controller.start();
   timeOut.execute();
@@ -39,7 +39,8 @@ int changesOfTheLight(const char* image) {
   return changes;
 }
 
-/// @brief The red light of the unchanged image stays dark; that of the kit changes in each cycle.
+/// @brief The red light of the unchanged image stays dark; the image of the kit toggles it in each
+/// cycle.
 TEST(BlinkingTimeOutOnBoard, LightChangesInEachCycle) {
   EXPECT_EQ(changesOfTheLight(kUnchanged), 0);
   EXPECT_EQ(changesOfTheLight("change_cycle-timer-interrupt"), 10);

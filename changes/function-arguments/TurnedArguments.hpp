@@ -4,7 +4,8 @@
 
 namespace wr {
 
-/// @brief Arguments of a sensor that is mounted with an angle: another raw value is that of zero.
+/// @brief Arguments of a sensor that is mounted at an angle: its raw value at zero degrees is
+/// different.
 class TurnedArguments final : public ArgumentsDecorator {
  public:
   /// @brief Extends arguments.
@@ -13,7 +14,7 @@ class TurnedArguments final : public ArgumentsDecorator {
   TurnedArguments(const Arguments& wrapped, std::int32_t turned)
       : ArgumentsDecorator(wrapped), turned_(turned) {}
 
-  /// @brief Adds the angle to the raw value of zero; forwards the other questions.
+  /// @brief Adds the angle to the raw value at zero; returns the other arguments unchanged.
   /// @param id name of the argument
   /// @return its value, nothing when there is none
   /// @isr{yes}

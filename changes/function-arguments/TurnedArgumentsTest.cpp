@@ -9,7 +9,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief Zero moves, and no other argument; an unknown argument stays unknown.
+/// @brief Only the raw value at zero changes; a missing argument stays missing.
 TEST(TurnedArguments, MovesZeroOnly) {
   const BaseArguments base(17, Microseconds(8000));
   const TurnedArguments without(base, 100);

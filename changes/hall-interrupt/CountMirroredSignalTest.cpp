@@ -50,7 +50,8 @@ int positionAfterDriving(const char* image) {
   return robot.report().position.at(0);
 }
 
-/// @brief With the same sensors the position rises in the unchanged image, and falls in that of the kit.
+/// @brief With the same sensors the position rises in the unchanged image, and falls in the image
+/// of the kit.
 TEST(CountMirroredSignalOnBoard, PositionChangesTheOtherWay) {
   const int before = positionAfterDriving(kUnchanged);
   EXPECT_GT(before, 5);

@@ -4,14 +4,14 @@
 
 namespace wr {
 
-/// @brief Smooths the width of a pulse: it is the mean of the last two pulses.
+/// @brief Smooths the width of a pulse: returns the mean of the last two pulses.
 class MeanWidthCollector final : public CollectorDecorator {
  public:
   /// @brief Extends a collector.
   /// @param wrapped the extended collector, which measures the width
   explicit MeanWidthCollector(InstantCollector& wrapped) : CollectorDecorator(wrapped) {}
 
-  /// @brief Passes the edge on; a rising one keeps the width of the pulse before.
+  /// @brief Forwards the edge; a rising edge also stores the width of the previous pulse.
   /// @param edge the edge
   /// @isr{yes}
   void collect(const Edge& edge) override {
@@ -23,7 +23,8 @@ class MeanWidthCollector final : public CollectorDecorator {
     CollectorDecorator::collect(edge);
   }
 
-  /// @brief Writes the record of the wrapped collector, with the mean width once there are two pulses.
+  /// @brief Writes the record of the wrapped collector; after two pulses the record contains their
+  /// mean width.
   /// @param instants takes `width` [us]
   /// @isr{yes}
   void fill(Instants& instants) const override {

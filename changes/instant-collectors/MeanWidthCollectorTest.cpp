@@ -11,7 +11,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The width after two pulses is their mean; after one pulse it is the width of that one.
+/// @brief After two pulses the width is their mean; after one pulse it is the width of this pulse.
 TEST(MeanWidthCollector, WidthIsTheMeanOfTwoPulses) {
   BasicCollector basic;
   WidthCollector width(basic);
@@ -58,7 +58,8 @@ int velocityOfPulses(const char* image, int first, int second) {
   return robot.report().setPoint.at(0);
 }
 
-/// @brief Pulses of 1.6 and 1.8 ms by turns: the unchanged image follows the last one, that of the kit their mean.
+/// @brief When pulses of 1.6 and 1.8 ms alternate, the unchanged image follows the last pulse; the
+/// image of the kit follows their mean.
 TEST(MeanWidthCollectorOnBoard, VelocityIsThatOfTheMean) {
   const int ofLast = velocityOfPulses(kUnchanged, 1600, 1600);
   const int ofMean = velocityOfPulses(kUnchanged, 1700, 1700);

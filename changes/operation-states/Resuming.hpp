@@ -6,7 +6,8 @@
 
 namespace wr {
 
-/// @brief The robot found another source of orders, and holds for one more cycle before it follows them.
+/// @brief The robot has found another source of orders. It holds for one more cycle before it
+/// follows these orders.
 class Resuming final : public OperationState {
  public:
   /// @brief Number of the state in reports.

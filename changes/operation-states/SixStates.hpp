@@ -11,7 +11,8 @@
 
 namespace wr {
 
-/// @brief Six operation states: those of the robot that warns, and one between the search for a source and the work.
+/// @brief Six operation states: the five of the robot that warns, and one that waits for a cycle
+/// after the search for a source.
 struct SixStates {
   /// @brief Constructs the states and binds each to its successors.
   /// @param warning output that is on during a warning

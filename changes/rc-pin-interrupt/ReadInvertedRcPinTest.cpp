@@ -28,7 +28,7 @@ class NoCommand final : public Command {
   void execute() override {}
 };
 
-/// @brief Low pulses of 1.7 ms are a velocity, as high ones are without the change.
+/// @brief Low pulses of 1.7 ms set a velocity, as high pulses do without the change.
 TEST(ReadInvertedRcPin, LowPulsesAreRead) {
   FakeTimebase clock;
   BasicCollector basic;
@@ -84,7 +84,8 @@ int ordersRead(const char* image, bool inverted) {
   return read;
 }
 
-/// @brief The unchanged image reads orders from high pulses only, that of the kit from low pulses only.
+/// @brief The unchanged image reads orders only from high pulses; the image of the kit reads them
+/// only from low pulses.
 TEST(ReadInvertedRcPinOnBoard, OrdersAreReadFromLowPulses) {
   EXPECT_EQ(ordersRead(kUnchanged, true), 0);
   EXPECT_GT(ordersRead(kUnchanged, false), 3);

@@ -13,7 +13,7 @@
 
 namespace wr {
 
-/// @brief A point on the field, from a corner of it.
+/// @brief A point on the field, measured from a corner of the field.
 struct FieldPoint {
   std::int16_t x = 0;  ///< along the rows [cm]
   std::int16_t y = 0;  ///< to the left of it [cm]
@@ -30,7 +30,7 @@ class WaypointReader final : public Reader {
   /// @brief Velocity on the way.
   static constexpr Velocity kVelocity{500};
 
-  /// @brief Binds the reader to the receiver and the way.
+  /// @brief Binds the reader to the receiver and the way-points.
   /// @param port line of the receiver
   /// @param timebase gives the time
   /// @param way way-points, each one further along the rows; they live as long as the reader
@@ -62,7 +62,8 @@ class WaypointReader final : public Reader {
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override { return false; }
 
-  /// @brief Reads the kind of the set-points, which is a velocity, and the commands, which are none.
+  /// @brief Reads the kind of the set-points, which is always velocity, and the commands, which are
+  /// always 0.
   /// @isr{no}
   std::uint8_t readU8(Field field) override {
     return field.name == FieldName::WheelQuantity
@@ -70,8 +71,8 @@ class WaypointReader final : public Reader {
                : std::uint8_t{0};
   }
 
-  /// @brief Reads the number of the order: that of the next way-point.
-  /// @return number, 0 to the number of way-points less 1
+  /// @brief Reads the number of the order, which is the number of the next way-point.
+  /// @return index of the next way-point, from 0
   /// @isr{no}
   std::uint16_t readU16(Field /*field*/) override { return static_cast<std::uint16_t>(next_); }
 
@@ -82,7 +83,7 @@ class WaypointReader final : public Reader {
                                                : towards(way_[next_]);
   }
 
-  /// @brief Reads the time of the order, which the receiver does not give.
+  /// @brief Reads the time of the order, which the receiver does not send.
   /// @return 0
   /// @isr{no}
   std::uint32_t readU32(Field /*field*/) override { return 0; }
@@ -92,7 +93,7 @@ class WaypointReader final : public Reader {
   /// @isr{no}
   std::int32_t readI32(Field /*field*/) override { return 0; }
 
-  /// @brief Ends an order: each position gives one.
+  /// @brief Ends an order: each position is one order.
   /// @return true
   /// @isr{no}
   bool finish() override {

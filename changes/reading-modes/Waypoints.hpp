@@ -34,7 +34,7 @@ class Waypoints final : public ModeDecorator {
     ModeDecorator::read(mCtrl);
   }
 
-  /// @brief Hands over to the other mode.
+  /// @brief Changes to the other mode.
   /// @param mCtrl main controller
   /// @isr{no}
   void changeMode(MainController& mCtrl) override { mCtrl.changeMode(other_); }

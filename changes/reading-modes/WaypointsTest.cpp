@@ -59,7 +59,7 @@ TEST_F(WaypointReaderTest, SteersTowardsTheNextWaypoint) {
   EXPECT_EQ(steeringAt(590, 50), std::nullopt);
 }
 
-/// @brief Each position gives one order, and only for a short time; damaged bytes give none.
+/// @brief Each position is one order, which is valid for a short time; damaged bytes are no order.
 TEST_F(WaypointReaderTest, OldAndDamagedPositionsGiveNoOrder) {
   ASSERT_EQ(steeringAt(0, 0), 0);
   EXPECT_FALSE(reader.available());

@@ -64,7 +64,7 @@ void construct() {
 
 }  // namespace wr
 
-// Each handler ends when its stores have ended: see those of the devices.
+// Each handler waits for its stores: see the handlers of the devices.
 
 void cycleTimerInterrupt() {
   wr::controllerBuilder.clock().expired();

@@ -6,11 +6,12 @@
 
 namespace wr {
 
-/// @brief Writes each number with its greatest byte first, as a recorder of the farm reads them.
+/// @brief Writes each number with its most significant byte first, because a recorder of the farm
+/// reads this order.
 class BigEndianWriter final : public Writer {
  public:
-  /// @brief Binds the writer to that which stores the bytes.
-  /// @param bytes writes each number with its least byte first
+  /// @brief Binds the writer to the writer that stores the bytes.
+  /// @param bytes writer that stores the bytes; it writes the least significant byte first
   explicit BigEndianWriter(Writer& bytes) : bytes_(bytes) {}
 
   /// @brief Writes a field of 8 bits without sign.
@@ -41,7 +42,7 @@ class BigEndianWriter final : public Writer {
     bytes_.writeU32(field, turned(static_cast<std::uint32_t>(value)));
   }
 
-  /// @brief Ends the write of one object.
+  /// @brief Finishes one object.
   /// @return false when a field of the object found no room
   /// @isr{no}
   bool finish() override { return bytes_.finish(); }

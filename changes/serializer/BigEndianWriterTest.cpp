@@ -12,7 +12,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The greatest byte of a number comes first.
+/// @brief The most significant byte of a number comes first.
 TEST(BigEndianWriter, GreatestByteComesFirst) {
   SerialWriter bytes;
   BigEndianWriter writer(bytes);
@@ -27,7 +27,7 @@ TEST(BigEndianWriter, GreatestByteComesFirst) {
   EXPECT_EQ(std::vector<int>(bytes.bytes().begin(), bytes.bytes().end()), expected);
 }
 
-/// @brief In the reports of the kit the number of the cycle has its greatest byte first.
+/// @brief The reports of the kit contain the cycle number with its most significant byte first.
 TEST(BigEndianWriterOnBoard, ReportsHaveTheOtherFormat) {
   ChangedRobot before(kUnchanged);
   before.connect();

@@ -15,7 +15,7 @@ class SetLimitedTurn final : public SteeringCommand {
   /// @param device steering device that it acts on
   explicit SetLimitedTurn(SteeringDevice& device) : device_(device) {}
 
-  /// @brief Sets the rate, or the greatest one of its sign.
+  /// @brief Sets the rate, limited to 150 steps/s in both directions.
   /// @param rate rate that is ordered [steps/s], -500 to 500, positive to the left
   /// @isr{yes}
   void execute(StepRate rate) override {

@@ -36,7 +36,7 @@ struct SteeringMotorOnBench {
   }
 };
 
-/// @brief The motor takes on the ordered rate, but none above 150 steps/s.
+/// @brief The motor reaches the ordered rate, but at most 150 steps/s.
 TEST(SetLimitedTurn, LimitsTheRate) {
   EXPECT_EQ(SteeringMotorOnBench().rateAfterASecond(StepRate(500)), StepRate(150));
   EXPECT_EQ(SteeringMotorOnBench().rateAfterASecond(StepRate(-500)), StepRate(-150));
@@ -52,7 +52,8 @@ int angleAfterOneSecond(const char* image) {
   return robot.report().steering;
 }
 
-/// @brief Within the same second the robot of the kit turns by less than half of the angle.
+/// @brief In the same second the robot of the kit turns by less than half of the angle of the
+/// unchanged robot.
 TEST(SetLimitedTurnOnBoard, SteeringTurnsSlower) {
   const int before = angleAfterOneSecond(kUnchanged);
   EXPECT_GT(before, 1000);

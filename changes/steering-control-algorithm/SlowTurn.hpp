@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief Turns with a rate in proportion to the way that is left, and with at most a quarter of the full rate.
+/// @brief Turns at a rate proportional to the remaining angle, at most a quarter of the full rate.
 class SlowTurn final : public SteeringAlgorithm {
  public:
   /// @brief Greatest rate.
@@ -17,9 +17,10 @@ class SlowTurn final : public SteeringAlgorithm {
   SlowTurn() = default;
 
   /// @brief Computes the turn.
-  /// @param target where the steering shall be [0.01 degree], positive to the left
-  /// @param position where it is [0.01 degree], positive to the left
-  /// @return speed that the motor shall take on [steps/s], -125 to 125; 0 within 0.2 degrees of the target
+  /// @param target ordered angle of the steering [0.01 degree], positive to the left
+  /// @param position measured angle of the steering [0.01 degree], positive to the left
+  /// @return rate that the motor shall reach [steps/s], -125 to 125; 0 within 0.2 degrees of the
+  /// target
   /// @isr{yes}
   [[nodiscard]] StepRate turn(Angle target, Angle position, StepRate /*now*/) override {
     const Angle way = target - position;

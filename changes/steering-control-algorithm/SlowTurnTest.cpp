@@ -7,7 +7,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief Far away the rate is the greatest one, near the target it is half of the way, and at the target none.
+/// @brief Far from the target the rate has its greatest value; near the target it is half of the
+/// remaining angle; at the target it is 0.
 TEST(SlowTurn, RateFollowsTheWayThatIsLeft) {
   SlowTurn rule;
   EXPECT_EQ(rule.turn(Angle(2000), Angle(0), StepRate(0)), StepRate(125));
@@ -16,8 +17,8 @@ TEST(SlowTurn, RateFollowsTheWayThatIsLeft) {
   EXPECT_EQ(rule.turn(Angle(100), Angle(90), StepRate(0)), StepRate(0));
 }
 
-// The angle [0.01 degree] that the robot reports so many cycles after the first order of 20
-// degrees.
+// Returns the angle [0.01 degree] that the robot reports a number of cycles after the first order
+// of 20 degrees.
 int angleAfter(ChangedRobot& robot, int cycles) {
   for (int cycle = 0; cycle < cycles; ++cycle) {
     robot.orderSteering(2000);
@@ -25,7 +26,8 @@ int angleAfter(ChangedRobot& robot, int cycles) {
   return robot.report().steering;
 }
 
-/// @brief After 1.5 s the unchanged robot has turned by 20 degrees; the robot of the kit needs longer, and arrives.
+/// @brief After 1.5 s the unchanged robot has turned by 20 degrees. The robot of the kit needs
+/// longer, and also reaches 20 degrees.
 TEST(SlowTurnOnBoard, TurnTakesLonger) {
   ChangedRobot before(kUnchanged);
   before.commandByPc();

@@ -21,7 +21,8 @@ class DirChecking final : public DirState {
   DirChecking(DirState& holding, DirState& off, DirState& fault)
       : DirState(kId), holding_(holding), off_(off), fault_(fault) {}
 
-  /// @brief Counts the ticks of the wait, and ends it; leaves the state when there are no orders or no position.
+  /// @brief Counts the ticks of the wait, and leaves the state at its end, or when there are no
+  /// orders or no position.
   /// @param controller controller that ticks
   /// @isr{yes}
   void tick(DirController& controller) override {

@@ -44,7 +44,8 @@ struct CheckedControl {
   }
 };
 
-/// @brief The state after the motor was switched on is the new one for 125 ticks; then the steering holds.
+/// @brief After the motor is switched on, the steering is in the new state for 125 ticks; then it
+/// holds.
 TEST(DirChecking, HoldsAfterASecond) {
   CheckedControl control;
   int ticks = 0;
@@ -55,7 +56,7 @@ TEST(DirChecking, HoldsAfterASecond) {
   EXPECT_NEAR(ticks, DirChecking::kTicks, 2);
 }
 
-/// @brief When the orders end, the state is left for that without power.
+/// @brief When the orders end, the steering changes to the state without power.
 TEST(DirChecking, EndsWithTheOrders) {
   CheckedControl control;
   control.tick(true);
@@ -65,7 +66,8 @@ TEST(DirChecking, EndsWithTheOrders) {
   EXPECT_EQ(control.status.read().value().value.state, SteeringState::Off);
 }
 
-/// @brief After the first order the steering waits for a second in the new state, without motion; then it turns.
+/// @brief After the first order the steering waits in the new state for 1 s without motion; then it
+/// turns.
 TEST(DirCheckingOnBoard, SteeringWaitsASecondInTheNewState) {
   ChangedRobot robot("change_steering-controller-states");
   robot.connect();

@@ -5,7 +5,8 @@
 
 namespace wr {
 
-/// @brief The motor has current, and waits a second before its first step: its driver warms up.
+/// @brief The motor has current. It waits for 1 s before its first step, because its driver warms
+/// up.
 class PoweredWarming final : public SteeringPower {
  public:
   /// @brief Duration of the wait [ticks of 1 ms].
@@ -20,7 +21,7 @@ class PoweredWarming final : public SteeringPower {
   /// @isr{yes}
   void enable(SteeringDevice& /*device*/) override {}
 
-  /// @brief Switches the motor off. The next wait is a whole one.
+  /// @brief Switches the motor off. The next wait lasts its full time.
   /// @param device device whose motor it is
   /// @isr{yes}
   void disable(SteeringDevice& device) override {

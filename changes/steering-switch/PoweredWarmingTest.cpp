@@ -33,7 +33,8 @@ struct WarmedMotor {
   }
 };
 
-/// @brief The motor has current at once, steps after a second only, and waits again after it was switched off.
+/// @brief The motor has current at once, makes its first step after 1 s, and waits again after it
+/// was switched off.
 TEST(PoweredWarming, FirstStepComesAfterASecond) {
   WarmedMotor motor;
   motor.device.enable();
@@ -65,7 +66,7 @@ int cyclesUntilItTurns(const char* image) {
   return cycles;
 }
 
-/// @brief The robot of the kit begins to turn a second later than the unchanged one.
+/// @brief The robot of the kit begins to turn 1 s later than the unchanged robot.
 TEST(PoweredWarmingOnBoard, SteeringTurnsASecondLater) {
   const int before = cyclesUntilItTurns(kUnchanged);
   const int after = cyclesUntilItTurns("change_steering-switch");

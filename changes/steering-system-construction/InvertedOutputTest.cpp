@@ -27,7 +27,8 @@ bool levelToTheLeft(const char* image) {
   return robot.board().pin('C', 9);
 }
 
-/// @brief While the steering turns to the left the direction pin of the unchanged image is high, that of the kit low.
+/// @brief While the steering turns to the left, the direction pin is high with the unchanged image,
+/// and low with the image of the kit.
 TEST(InvertedOutputOnBoard, DirectionHasTheOtherLevel) {
   EXPECT_TRUE(levelToTheLeft(kUnchanged));
   EXPECT_FALSE(levelToTheLeft("change_steering-system-construction"));

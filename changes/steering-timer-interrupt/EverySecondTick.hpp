@@ -11,7 +11,7 @@ class EverySecondTick final : public Command {
   /// @param work is executed at every second tick
   explicit EverySecondTick(Command& work) : work_(work) {}
 
-  /// @brief Executes the work, unless the tick before did.
+  /// @brief Executes the work, unless the previous tick executed it.
   /// @isr{yes}
   void execute() override {
     due_ = !due_;

@@ -13,7 +13,7 @@ class Counted final : public Command {
   int count = 0;
 };
 
-/// @brief The work is done at the first tick and at every second one after it.
+/// @brief The work runs at the first tick and at every second tick after it.
 TEST(EverySecondTick, HalvesTheTicks) {
   Counted work;
   EverySecondTick command(work);
@@ -37,7 +37,8 @@ int stepsInASecond(const char* image) {
   return steps;
 }
 
-/// @brief In the same second the motor of the kit makes at most 60 % of the steps.
+/// @brief In the same second the motor of the kit makes at most 60 % of the steps of the unchanged
+/// robot.
 TEST(EverySecondTickOnBoard, MotorStepsHalfAsOften) {
   const int before = stepsInASecond(kUnchanged);
   EXPECT_GT(before, 200);

@@ -9,10 +9,10 @@
 
 namespace wr::test {
 
-/// The paper's design alone, with the compiler's options of the kits.
+/// The design of the paper, without extensions, with the compiler options of the kits.
 inline constexpr const char* kUnchanged = "weeding_robot_paper";
 
-/// An image on a board of its own: that of a kit, or the unchanged one. A finding ends the test.
+/// An image on its own board: the image of a kit, or the unchanged image. A finding ends the test.
 class ChangedRobot : public SteppedRobot {
  public:
   explicit ChangedRobot(const std::string& image)
@@ -21,7 +21,7 @@ class ChangedRobot : public SteppedRobot {
   /// Share of the period in which a wheel has the voltage of the supply.
   [[nodiscard]] double duty(int wheel) const { return session_.board.pwmDuty(0, wheel); }
 
-  /// The red light of the board shines while its pin is low.
+  /// The red light of the board is on while its pin is low.
   [[nodiscard]] bool redLight() const { return !session_.board.pin('B', 22); }
 
   /// Orders a voltage [mV] for all wheels, and runs the cycle.

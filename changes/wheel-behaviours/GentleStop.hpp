@@ -17,7 +17,7 @@ class GentleStop final : public WheelBehaviour {
   GentleStop(WheelCommand& setTension, WheelCommand& stopWheel)
       : setTension_(setTension), stopWheel_(stopWheel) {}
 
-  /// @brief Lowers the voltage, and stops the wheel when nothing is left.
+  /// @brief Lowers the voltage, and stops the wheel at 0 V.
   /// @param applied voltage that is at the wheel [mV], positive forwards
   /// @return voltage that is at the wheel now [mV]
   /// @isr{no}

@@ -13,7 +13,8 @@ class GentleStopTest : public testing::Test, protected SpiedCommands {
   GentleStop stop{setTension, stopWheel};
 };
 
-/// @brief The voltage falls by 0.6 V in a cycle, forwards and backwards, and the end of it stops the wheel.
+/// @brief The voltage falls by 0.6 V per cycle, forwards and backwards; at 0 V the wheel is
+/// stopped.
 TEST_F(GentleStopTest, VoltageFallsSlowly) {
   EXPECT_EQ(stop.apply(Tension(1500), Velocity()), Tension(900));
   EXPECT_EQ(stop.apply(Tension(-900), Velocity()), Tension(-300));
@@ -32,7 +33,8 @@ double dutyAfterStop(const char* image) {
   return robot.duty(0);
 }
 
-/// @brief Five cycles after a stop at 6 V the unchanged image gives no voltage; that of the kit gives 3 V of 24 V.
+/// @brief Five cycles after a stop at 6 V the unchanged image applies no voltage; the image of the
+/// kit applies 3 V.
 TEST(GentleStopOnBoard, WheelStillHasVoltageAfterFiveCycles) {
   EXPECT_NEAR(dutyAfterStop(kUnchanged), 0, 0.001);
   EXPECT_NEAR(dutyAfterStop("change_wheel-behaviours"), 0.125, 0.001);

@@ -5,14 +5,15 @@
 
 namespace wr {
 
-/// @brief Sets the voltage of a wheel whose driver loses a twelfth of it: a twelfth more is set.
+/// @brief Sets the voltage of a wheel whose driver loses a twelfth of the voltage: the command sets
+/// a twelfth more.
 class SetTrimmedTension final : public WheelCommand {
  public:
   /// @brief Binds the command to the wheel.
   /// @param wheel wheel whose voltage is set
   explicit SetTrimmedTension(Wheel& wheel) : wheel_(wheel) {}
 
-  /// @brief Sets the magnitude of the voltage and a twelfth more, at most 24 V.
+  /// @brief Sets 13/12 of the magnitude of the voltage, at most 24 V.
   /// @param tension voltage that the motor shall have [mV], -24000 to 24000
   /// @isr{no}
   void execute(Tension tension) override {

@@ -5,13 +5,13 @@
 
 namespace wr {
 
-/// @brief Gives a wheel the voltage that it needs without load, and regulates nothing.
+/// @brief Sets the voltage that a wheel without load needs for its velocity, without feedback.
 class UnregulatedVelocity final : public WheelAlgorithm {
  public:
   /// @brief Constructs the algorithm. It has no state.
   UnregulatedVelocity() = default;
 
-  /// @brief Calculates the voltage from the constant of the motor.
+  /// @brief Calculates the voltage from the motor constant.
   /// @param setPoint velocity [0.1 rpm], -3000 to 3000
   /// @return voltage [mV], positive forwards
   /// @isr{no}

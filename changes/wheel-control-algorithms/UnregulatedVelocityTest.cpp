@@ -10,7 +10,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The voltage follows the set-point alone, whatever is measured.
+/// @brief The voltage depends only on the set-point, and not on the measurements.
 TEST(UnregulatedVelocity, VoltageFollowsTheSetPointAlone) {
   UnregulatedVelocity law;
   EXPECT_EQ(law.calculate(1000, {}), Tension(5236));
@@ -33,7 +33,8 @@ std::vector<int> voltages(const char* image) {
   return found;
 }
 
-/// @brief While a wheel speeds up the voltage of the unchanged image changes; that of the kit is the same in each cycle.
+/// @brief While a wheel speeds up, the unchanged image changes the voltage; the image of the kit
+/// applies the same voltage in each cycle.
 TEST(UnregulatedVelocityOnBoard, VoltageStays) {
   const std::vector<int> before = voltages(kUnchanged);
   const std::vector<int> after = voltages("change_wheel-control-algorithms");

@@ -22,7 +22,7 @@ std::int16_t followed(WheelQuantity quantity, std::int16_t value) {
   return apply.value;
 }
 
-/// @brief A voltage below half a volt counts as none; others, and other quantities, are followed.
+/// @brief A voltage below 0.5 V counts as 0; other voltages and other quantities are applied.
 TEST(ApplyAboveThreshold, ReplacesLowVoltages) {
   EXPECT_EQ(followed(WheelQuantity::Tension, 499), 0);
   EXPECT_EQ(followed(WheelQuantity::Tension, -499), 0);
@@ -38,7 +38,8 @@ double dutyAt(const char* image, std::int16_t millivolts) {
   return robot.duty(0);
 }
 
-/// @brief At an order of 0.48 V the unchanged image gives pulses, that of the kit none; both follow 2.4 V.
+/// @brief When the PC orders 0.48 V, the unchanged image outputs pulses, and the image of the kit
+/// outputs none; both apply 2.4 V.
 TEST(ApplyAboveThresholdOnBoard, LowVoltageGivesNoPulses) {
   EXPECT_NEAR(dutyAt(kUnchanged, 480), 0.02, 0.001);
   EXPECT_NEAR(dutyAt("change_wheel-orders", 480), 0, 0.0001);

@@ -5,7 +5,8 @@
 
 namespace wr {
 
-/// @brief The control system of a fifth wheel, whose motor a relay switches: it helps when the robot drives forwards.
+/// @brief The control system of a fifth wheel, whose motor a relay switches. The wheel helps while
+/// the robot drives forwards.
 class RelayWheelSystem final : public ControlSystem {
  public:
   /// @brief Binds the system to its relay.

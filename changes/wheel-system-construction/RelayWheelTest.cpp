@@ -26,8 +26,8 @@ TEST(RelayWheel, HelpsForwardsOnly) {
   EXPECT_TRUE(builder.system().completed(9));
 }
 
-/// @brief The pin of the relay is that of the red light. It is low while the robot drives forwards, and high after a
-/// stop; in the unchanged image nothing changes it.
+/// @brief The pin of the relay is that of the red light. The pin is low while the robot drives
+/// forwards, and high after a stop; the unchanged image never changes it.
 TEST(RelayWheelOnBoard, RelayFollowsTheFirstWheel) {
   ChangedRobot before(kUnchanged);
   before.commandByPc();

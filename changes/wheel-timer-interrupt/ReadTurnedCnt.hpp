@@ -6,7 +6,7 @@
 
 namespace wr {
 
-/// @brief Reads a current sensor that is mounted the other way round: its range is turned over.
+/// @brief Reads a current sensor that is mounted the other way round: its values are inverted.
 class ReadTurnedCnt final : public Command {
  public:
   /// @brief Sample at the end of the range of the converter.
@@ -18,7 +18,8 @@ class ReadTurnedCnt final : public Command {
   ReadTurnedCnt(AnalogInput& input, ValueCollector& collector)
       : input_(input), collector_(collector) {}
 
-  /// @brief Passes the turned sample on, if one is ready, and asks for the next.
+  /// @brief Passes the inverted sample to the collector if a sample is ready, and requests the next
+  /// sample.
   /// @isr{yes}
   void execute() override {
     const std::optional<std::uint16_t> sample = input_.sample();

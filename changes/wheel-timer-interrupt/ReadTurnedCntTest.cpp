@@ -19,7 +19,7 @@ class NoTrip final : public Command {
   void execute() override {}
 };
 
-// The sum that is collected from equal samples, after the zero of the sensor was learned.
+// Returns the sum of equal samples, after the calibration of the sensor's zero.
 std::int32_t collected(std::uint16_t sample) {
   FakeTimebase clock;
   NoTrip trip;
@@ -33,7 +33,8 @@ std::int32_t collected(std::uint16_t sample) {
   return static_cast<std::int32_t>(values.record().sum);
 }
 
-/// @brief Samples on both sides of the middle change places.
+/// @brief A sample above the middle becomes the sample below the middle at the same distance, and
+/// vice versa.
 TEST(ReadTurnedCnt, TurnsTheRange) {
   EXPECT_EQ(collected(2148), -1600);
   EXPECT_EQ(collected(1948), 1600);
@@ -47,7 +48,8 @@ int currentAt12Volts(const char* image) {
   return robot.report().current.at(0);
 }
 
-/// @brief The unchanged image reports the current of a wheel that speeds up as positive, that of the kit as negative.
+/// @brief While a wheel speeds up, the unchanged image reports a positive current; the image of the
+/// kit reports a negative current.
 TEST(ReadTurnedCntOnBoard, ReportedCurrentHasTheOtherSign) {
   const int before = currentAt12Volts(kUnchanged);
   EXPECT_GT(before, 100);
