@@ -11,7 +11,8 @@
 
 namespace wr {
 
-/// @brief A ring buffer from one writer to one reader. Each may preempt the other on the one core.
+/// @brief A ring buffer from one writer to one reader. Writer and reader run on one core, and each
+/// may preempt the other.
 /// @tparam Element type of an element
 /// @tparam kSize greatest number of elements, a power of 2
 template <class Element, std::size_t kSize>
@@ -120,7 +121,7 @@ class BufferedPort : public SerialPort {
     Instant at;
   };
 
-  /// @brief Bytes may have been added to those to send: the subclass begins to send, if it does not send yet.
+  /// @brief Called when there may be more bytes to send: the subclass starts to send if it is idle.
   virtual void beginSending() = 0;
 
   Ring<Received, 2048> received_;

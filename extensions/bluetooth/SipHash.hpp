@@ -29,7 +29,7 @@ class SipHash final {
   /// @satisfies FR-261
   void add(std::span<const std::uint8_t> bytes);
 
-  /// @brief Computes the tag of all number of added bytes.
+  /// @brief Computes the tag of all added bytes.
   /// @return the tag, 64 bits without meaning as a number
   /// @post A second call returns another value.
   /// @isr{no}

@@ -10,7 +10,7 @@ namespace {
 // it.
 constexpr Microseconds kLatestTick = milliseconds(20);
 
-// At one tick, or at two, an edge can have come just now.
+// An edge that waits at one or two ticks can be new.
 constexpr std::uint8_t kWaitingTicks = 5;
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace wr {
 
 /// @brief Finds interrupts that the processor does not serve.
 ///
-/// @function Compares at each tick the time with that of the tick before, and counts the successive ticks at
-/// which a Hall edge waits for its interrupt. It ends the program when one of them is late: after
-/// the reset every device is set up again.
+/// @function Measures the time between ticks, and counts the successive ticks at which a Hall edge
+/// waits for its interrupt. Ends the program when a tick or an edge is late: after the reset every
+/// device is set up again.
 ///
 /// @secret How late an interrupt may be.
 class InterruptWatch final {
@@ -32,7 +32,7 @@ class InterruptWatch final {
 
  private:
   std::optional<Instant> before_;  // time of the tick before
-  std::uint8_t waitingTicks_ = 0;  // with an edge that waits, in succession
+  std::uint8_t waitingTicks_ = 0;  // successive ticks with an edge that waits
 };
 
 }  // namespace wr

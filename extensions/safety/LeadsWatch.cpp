@@ -27,7 +27,7 @@ constexpr float kCurrentNoise = 0.02F;  // of the voltage across the winding
 constexpr float kSwappedThreshold = 12.0F;
 constexpr float kMaxRisePerCycle = 6.0F;  // two cycles are needed
 constexpr float kMaxFallPerCycle = 3.0F;  // reduction by a cycle without a swap
-constexpr float kDoubtThreshold = 3.0F;   // from this evidence on the model does not learn
+constexpr float kDoubtThreshold = 3.0F;   // above this evidence the model does not learn
 
 // Up to this voltage the bring-up turns a wheel whose leads may be swapped.
 constexpr Tension kBringUp(1000);

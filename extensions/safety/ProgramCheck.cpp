@@ -8,7 +8,8 @@ namespace wr {
 
 namespace {
 
-// With a step in each tick a program of 64 KiB is added up in 147 ms; a change may need two sums.
+// With one step per tick, a sum over a program of 64 KiB takes 147 ms; to find a change can take
+// two sums.
 constexpr std::size_t kWordsOfStep = 28;
 
 std::uint32_t sumOf(std::span<const ProgramCheck::Words> words) {

@@ -10,8 +10,8 @@ namespace wr {
 
 /// @brief Finds a bit of the program that has changed.
 ///
-/// @function Compares the sum of the program in RAM with the sum of its original, a few words at a time, while
-/// the processor has nothing else to do. It ends the program when they differ: the start copies the
+/// @function Compares the sum of the program in RAM with the sum of its original, a few words at a
+/// time, while the processor is idle. It ends the program when they differ: the start copies the
 /// original again.
 ///
 /// @secret How a change of the program is found, and how long that may last.
@@ -39,8 +39,8 @@ class ProgramCheck final {
   /// @isr{yes}
   void tick() { due_.store(true, std::memory_order_relaxed); }
 
-  /// @brief Adds up the next words of the copies, and the first time of their originals, once in a tick. The loop that waits for interrupts calls it
-  /// after each of them.
+  /// @brief Once in a tick, adds up the next words of the copies; in the first pass also the words
+  /// of the originals. The loop that waits for interrupts calls it after each of them.
   /// @errors Copies that differ from their originals end the program with the assertion
   /// ProgramChanged.
   /// @satisfies FR-309

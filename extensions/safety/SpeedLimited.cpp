@@ -10,11 +10,11 @@ namespace {
 
 // Change of the voltage in a cycle, as in the control of velocity.
 constexpr std::int32_t kPerVelocity = 21;      // [mV] for 1 rpm below the limit
-constexpr std::int32_t kPerAcceleration = 47;  // [mV] for 1 rpm that the wheel loses in a cycle
+constexpr std::int32_t kPerAcceleration = 47;  // [mV] per rpm of change in a cycle
 constexpr std::int32_t kTenths = 10;
 
-// Returns the voltage of a wheel whose voltage is unknown: less than the induced voltage, because
-// the supply may be higher than assumed and the robot may drive downhill.
+// Returns a voltage for a wheel whose voltage is unknown. It is less than the induced voltage,
+// because the supply may be higher than assumed and the robot may drive downhill.
 Tension assumed(Velocity velocity) {
   constexpr std::int32_t kInduced = SystemConstants::instance().motorConstant().count() * 3 / 4;
   constexpr std::int32_t kThousand = 1000;

@@ -33,8 +33,8 @@ class SteeringGeometry final : public ModeDecorator {
 
   /// @brief Computes the velocities of the wheels.
   /// @param order order with one velocity for all wheels
-  /// @return the order with the velocity of each wheel; an order that is not equal for all wheels,
-  /// or sets no velocity, is not changed.
+  /// @return the order with the velocity of each wheel; an order whose wheel values differ, or that
+  /// sets no velocity, is not changed.
   /// @satisfies FR-284
   /// @isr{no}
   [[nodiscard]] static SetPoints distributed(const SetPoints& order);

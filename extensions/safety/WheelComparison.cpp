@@ -11,11 +11,11 @@ namespace {
 constexpr std::int32_t kComparedWay = 20;  // [edges] 0.057 m
 
 // In the tightest curve the slowest wheel moves 71 % of the mean distance. While the robot reverses
-// in a curve it can move less, in one comparison.
+// in a curve, this wheel can move less in one comparison.
 constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 
-// Straight on, no wheel needs this current for longer than 1 s. In a curve the set-points of a
-// source can make the wheels work against each other for a while: there the limit is 5 s.
+// On a straight line no wheel needs this current for longer than 1 s. In a curve the set-points of
+// a source can make the wheels work against each other for a while: there the limit is 5 s.
 constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;

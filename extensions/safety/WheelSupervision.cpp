@@ -43,7 +43,7 @@ constexpr std::uint8_t kMissingCycles = 3;  // the third one ends more than 0.2 
 constexpr std::uint8_t kEqualCycles = 7;  // changes of cycle in which a current is equal to the
                                           // milliampere
 
-// Implausible edges, in halves: each cycle takes back half an edge.
+// Implausible edges, counted in halves: each cycle subtracts half an edge.
 constexpr std::int32_t kRejectedEdges = 18;
 constexpr std::int32_t kRejectedOfCycle = 10;
 constexpr Velocity kTurning(100);  // a slower wheel can come to rest on an edge
@@ -141,8 +141,8 @@ void WheelSupervision::reset() {
   leads_.reset();
 }
 
-// A wheel that is dragged against its voltage draws the current that its velocity explains. A wheel
-// that its own motor turns the wrong way draws less current.
+// A slope or the other wheels can drag a wheel against its voltage: its velocity then explains its
+// current. A wheel that its own motor turns the wrong way draws less current.
 bool WheelSupervision::opposes(const WheelMeasurements& measured) const {
   if (!tension_ || !measured.velocity || !measured.current) {
     return false;

@@ -54,8 +54,8 @@ constexpr auto kClockOfBus = CTRL1.bit(13);  // CLKSRC
 constexpr auto kTiming = CTRL1.field(kDivider - 1, 24) | CTRL1.field(2, 22) | CTRL1.field(7, 19) |
                          CTRL1.field(2, 16) | kClockOfBus | CTRL1.field(7, 0);
 
-// The controller answers a change of its mode within some bits. Without an answer it stays silent,
-// and the connection of the PC ends.
+// The controller confirms a change of its mode within a few bit times. Without an answer it stays
+// silent, and the connection of the PC ends.
 constexpr int kMostReads = 10'000;
 
 void await(decltype(MCR)::Bits flag, bool wanted) {
@@ -63,7 +63,7 @@ void await(decltype(MCR)::Bits flag, bool wanted) {
   }
 }
 
-// Byte 0 of a frame is the highest one of its first word.
+// Byte 0 of a frame is the most significant byte of its first word.
 constexpr unsigned shiftOf(std::size_t byte) {
   return static_cast<unsigned>(24 - 8 * (byte % 4));
 }
@@ -74,8 +74,8 @@ constexpr std::uint32_t bufferAt(unsigned number) {
 
 }  // namespace
 
-// Not in the header: with an object that the compiler initialises, its empty buffers would be in
-// flash.
+// The definition is not in the header: otherwise the compiler could initialise an object, and the
+// empty buffers would be in flash.
 CanPort::CanPort(const Timebase& clock) : clock_(clock) {}
 
 void CanPort::start() {
@@ -115,7 +115,7 @@ void CanPort::receive() {
   static_cast<void>(TIMER.read());
   IFLAG1.write(IFLAG1.bit(kReceiver));
   if ((control & CS_CODE) == CS_CODE_OVERRUN) {
-    lose();  // at least one byte of the frame before
+    lose();  // at least one byte of the previous frame
   }
   const std::size_t length = std::min<std::size_t>((control.value >> kLengthAt) & 0xF, kMost);
   for (std::size_t byte = 0; byte < length; ++byte) {

@@ -7,8 +7,8 @@
 
 namespace wr {
 
-/// @brief The bytes of the line to the PC in frames of the CAN bus, at 500 kbit/s. A frame has up to 8 bytes;
-/// those to the robot have the identifier kToRobot, those from it kFromRobot.
+/// @brief The bytes of the line to the PC in frames of the CAN bus, at 500 kbit/s. A frame has up
+/// to 8 bytes. Frames to the robot have the identifier kToRobot, frames from the robot kFromRobot.
 class CanPort final : public BufferedPort {
  public:
   /// @brief Identifier of the frames with bytes of the PC.

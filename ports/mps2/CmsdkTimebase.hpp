@@ -23,8 +23,8 @@ class CmsdkTimebase final : public Timebase {
     last_ = dual_timer::VALUE.read().value;
   }
 
-  /// @pre The last call was less than 171 s ago, so that the counter has not passed its start twice. Each control
-  /// cycle calls it.
+  /// @pre The last call was less than 171 s ago, so that the counter has overflowed at most once.
+  /// Each control cycle calls it.
   [[nodiscard]] Instant now() const override {
     const InterruptLock lock;
     const std::uint32_t count = dual_timer::VALUE.read().value;

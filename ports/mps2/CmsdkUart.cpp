@@ -19,8 +19,8 @@ bool has(decltype(uart::STATE)::Bits flag) {
 
 }  // namespace
 
-// Not in the header: with an object that the compiler initialises, its empty buffers would be in
-// the program.
+// The definition is not in the header: otherwise the compiler could initialise an object, and the
+// empty buffers would be in the image.
 CmsdkUart::CmsdkUart(const Timebase& clock) : clock_(clock) {}
 
 void CmsdkUart::start() {
@@ -46,7 +46,8 @@ void CmsdkUart::serve() {
   }
 }
 
-// The interrupt comes only when a sent byte leaves the port, so the first one is requested here.
+// The interrupt comes only when a sent byte leaves the port, so this function requests the first
+// interrupt.
 void CmsdkUart::beginSending() {
   nvic::ISPR.write(nvic::ISPR.bit(kSendLine));
 }

@@ -6,8 +6,8 @@
 
 namespace wr::mps2 {
 
-/// @brief The watchdog of the board. Its counter has to pass twice: the first time it requests an NMI,
-/// the second time it resets the board.
+/// @brief The watchdog of the board. Its counter has to expire twice: the first time it requests an
+/// NMI, the second time it resets the board.
 class CmsdkWatchdog final : public Watchdog {
  public:
   constexpr CmsdkWatchdog() = default;

@@ -1,5 +1,5 @@
-// The operations of the mutated copies of the sources. Each operation works as written, or changed
-// when the environment variable WR_MUTANT names one of its mutants.
+// The operations of the mutated copies of the sources. Each operation works as written, unless the
+// environment variable WR_MUTANT names one of its mutants.
 
 #pragma once
 

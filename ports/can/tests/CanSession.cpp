@@ -6,7 +6,7 @@
 namespace wr::can {
 namespace {
 
-// The second source of these numbers is this file alone: the firmware has its own.
+// The firmware has its own copy of these numbers, so that a mistake in it fails the tests.
 constexpr std::uint16_t kToRobot = 0x101;
 constexpr std::uint16_t kFromRobot = 0x102;
 constexpr std::size_t kMost = 8;  // bytes in a frame

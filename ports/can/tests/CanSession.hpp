@@ -10,7 +10,8 @@
 
 namespace wr::can {
 
-/// @brief A robot on the virtual K64 whose PC is another node of the CAN bus. All else is as with the serial line.
+/// @brief A robot on the virtual K64 whose PC is another node of the CAN bus. Everything else is
+/// the same as with the serial line.
 class CanSession final : public scenario::RobotSession {
  public:
   /// @brief Takes a board that is switched on.

@@ -22,7 +22,7 @@
 namespace wr::mps2 {
 namespace {
 
-constexpr int kPatience = 20'000;  // [ms] of this machine, until a test gives up
+constexpr int kPatience = 20'000;  // [ms] of this machine, after which a test fails
 constexpr char kMessages[] = "messages";
 constexpr char kProgram[] = "qemu-system-arm";
 
@@ -89,7 +89,8 @@ Emulator::Emulator(const std::filesystem::path& elf) : folder_(newFolder()) {
   const auto socket = [this](const std::string& name) {
     return "socket,id=" + name + ",server=on,wait=off,path=" + (folder_ / name).string();
   };
-  // An instruction takes 128 ns. That is three times slower than on the board, and less to emulate.
+  // An instruction takes 128 ns. This is three times slower than on the board, so that there is
+  // less to emulate.
   process_ = start({kProgram,      "-M",           "mps2-an386",  "-display",     "none",
                     "-monitor",    "none",         "-icount",     "shift=7",      "-S",
                     "-chardev",    socket("line"), "-serial",     "chardev:line", "-chardev",

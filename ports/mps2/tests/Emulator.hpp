@@ -16,8 +16,8 @@
 
 namespace wr::mps2 {
 
-/// @brief The board MPS2 with the FPGA image AN386 on QEMU. Its time passes only while it runs. It is controlled like with GDB, and its first serial port is a
-/// socket.
+/// @brief The board MPS2 with the FPGA image AN386 on QEMU. Its time passes only while it runs. The
+/// tests control it through the protocol of GDB; its first serial port is a socket.
 class Emulator {
  public:
   /// @brief Length of a short instruction [byte].
@@ -30,13 +30,14 @@ class Emulator {
   Emulator(const Emulator&) = delete;
   Emulator& operator=(const Emulator&) = delete;
 
-  /// @brief Runs the program until it comes to one of some instructions. It must not be at one of them now.
+  /// @brief Runs the program until it reaches one of the given instructions. The program must not
+  /// be at one of them now.
   /// @param places addresses of the instructions
   /// @return the instruction at which it stopped
   std::uint32_t runTo(std::initializer_list<std::uint32_t> places);
 
-  /// @brief Gives bytes to the serial port, and lets the program take one after the other. It must be at rest, and is
-  /// at rest again.
+  /// @brief Passes bytes to the serial port; the program reads one after the other. The program
+  /// must be at rest, and is at rest afterwards.
   /// @param bytes the bytes
   /// @param rest the instruction at which it is at rest
   void send(std::span<const std::uint8_t> bytes, std::uint32_t rest);

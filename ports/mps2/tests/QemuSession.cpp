@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kCounter = 0x40002004;  // VALUE of the dual timer, which the timebase reads
 constexpr scenario::RobotSession::Time kPeriod{SystemConstants::instance().cyclePeriod().count()};
 
-// Bytes take the time of the stops between them, which is less than on a line.
+// The stops between the bytes take less time than the bytes on a line.
 constexpr scenario::RobotSession::Time kEarlier{10'000};
 
 }  // namespace
@@ -39,7 +39,7 @@ void QemuSession::run(std::initializer_list<std::uint32_t> places) {
   ticks_ += counter_ - counter;
   counter_ = counter;
   now_ = Time(static_cast<Time::rep>(ticks_ / kTicksPerMicrosecond));
-  // The thread of the cycle is triggered by the clock pulse, which has noted its time before.
+  // The clock pulse stores its time, and then triggers the thread of the cycle.
   if (place_ == cycle_) {
     lastPulse_ = now_;
     run({rest_, end_});

@@ -14,9 +14,9 @@
 
 namespace wr::mps2 {
 
-/// @brief The firmware on the emulated board, in stepped time. It has no motors and no sensors. Bytes to it arrive at
-/// once; those that arrive before a pulse come up to 10 ms earlier.
-/// The firmware does not sleep here: in a sleep QEMU takes the time of this machine.
+/// @brief The firmware on the emulated board, in stepped time. It has no motors and no sensors.
+/// Bytes to the robot arrive at once; bytes that are due before a clock pulse arrive up to 10 ms
+/// earlier. The firmware does not sleep here: during a sleep QEMU uses the time of this machine.
 class QemuSession final : public scenario::RobotSession {
  public:
   /// @brief Switches the robot on, and returns when it is at rest for the first time.

@@ -12,7 +12,7 @@
 #include "services/StartRecord.hpp"
 #include "units/SetPoints.hpp"
 
-// Takes the place of the file with this name in src: the composition of the robot includes it. The
+// Replaces the file with this name in src: the composition of the robot includes it. The
 // names are those of the K64, the devices are those of the board MPS2. K64Thread uses the interrupt
 // controller of the core alone.
 
@@ -59,7 +59,7 @@ inline RcEdges enterRcInterrupt() {
   return {.velocity = false, .direction = false};
 }
 
-/// @brief Nothing: no input of the board can have too many edges.
+/// @brief Does nothing: the inputs of the board have no edges.
 /// @isr{yes}
 inline void allowEdges() {}
 
