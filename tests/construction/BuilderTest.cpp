@@ -79,14 +79,14 @@ class BuilderTest : public testing::Test {
   }
 };
 
-/// @brief The controller that is built begins in the mode RC.
+/// @brief The built controller begins in the mode RC.
 /// @verifies FR-10
 TEST_F(BuilderTest, FR10_ControllerBeginsInModeRc) {
   director.construct();
   EXPECT_EQ(builder.controller().getMode().id(), ModeId::RC);
 }
 
-/// @brief Each mode that is built changes to the other.
+/// @brief Each of the two built modes changes to the other mode.
 /// @verifies FR-17
 TEST_F(BuilderTest, FR17_ModesSucceedEachOther) {
   director.construct();
@@ -97,8 +97,8 @@ TEST_F(BuilderTest, FR17_ModesSucceedEachOther) {
   EXPECT_EQ(controller.getMode().id(), ModeId::RC);
 }
 
-/// @brief The robot that is constructed runs no cycle before it is started, and then one for each pulse
-/// of its timer.
+/// @brief The constructed robot runs no cycle before it is started, and then one cycle for each
+/// pulse of its timer.
 /// @verifies FR-1
 TEST_F(BuilderTest, FR1_StartStartsControllerAndTimer) {
   director.construct();
@@ -126,8 +126,8 @@ TEST_F(BuilderTest, FR51_RcSignalsReachTheSetPoints) {
   }
 }
 
-/// @brief The watchdog of the platform is refreshed by the cycles of the controller that is built,
-/// and not by its construction or start.
+/// @brief Only the cycles of the built controller refresh the watchdog of the platform: its
+/// construction and start do not.
 /// @verifies FR-74
 TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
   startRobot();
@@ -136,7 +136,7 @@ TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
   EXPECT_EQ(watchdog.refreshes(), 1U);
 }
 
-/// @brief The Welcome of the robot that is built reports the start that the platform recorded.
+/// @brief The Welcome of the built robot reports the start that the platform recorded.
 /// @verifies FR-76
 TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   startRobot();

@@ -32,7 +32,7 @@ int numberAt(std::span<const std::uint8_t> bytes, std::size_t at) {
   return static_cast<std::int16_t>(bytes[at] | bytes[at + 1] << 8U);
 }
 
-// Takes the byte stuffing away; nothing when a distance leads beyond the end.
+// Removes the byte stuffing; returns nothing when a distance points beyond the end.
 std::optional<std::vector<std::uint8_t>> unstuffed(const std::vector<std::uint8_t>& line) {
   std::vector<std::uint8_t> body;
   std::size_t at = 0;

@@ -40,7 +40,7 @@ class LinkOracle {
   /// @return true when a Welcome is due
   bool endService(Time pulse);
 
-  /// @brief Records that the firmware has answered the Hellos of this cycle, or could not.
+  /// @brief Records whether the firmware could answer the Hellos of this cycle.
   void serviceEnded() { welcomeDue_ = false; }
 
   /// @brief Records that the Welcome of this cycle was sent.

@@ -17,7 +17,7 @@ inline constexpr std::uint8_t kOrder = 0x04;
 inline constexpr std::uint8_t kWelcome = 0x81;
 inline constexpr std::uint8_t kReport = 0x82;
 
-/// @brief A PC whose frames the input chooses: good ones, damaged ones, and bytes that are no frame.
+/// @brief A PC whose output the input chooses: valid frames, damaged frames, and other bytes.
 class PcLine {
  public:
   /// @brief Returns the next bytes of the PC.
@@ -51,7 +51,7 @@ class PcLine {
     }
   }
 
-  /// @brief Returns a good frame with the next sequence number.
+  /// @brief Returns a valid frame with the next sequence number.
   /// @param type type of the frame
   /// @param payload its payload
   /// @return bytes of the line
@@ -71,7 +71,7 @@ class PcLine {
 
  private:
   test::Bytes order(FuzzedDataProvider& input) {
-    // Zeros are frequent: a robot that is never neutral never drives.
+    // Zeros are frequent: without neutral orders the robot never drives.
     const bool neutral = input.ConsumeBool();
     const auto value = [&input, neutral]() -> std::int16_t {
       return neutral ? std::int16_t{0} : input.ConsumeIntegralInRange<std::int16_t>(-3010, 3010);

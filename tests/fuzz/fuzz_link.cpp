@@ -128,8 +128,8 @@ class Link {
     expect(takeSent(kReport).has_value() == sent, "a report is sent whole or not at all");
   }
 
-  // Checks that whole frames with consecutive numbers were sent, all of one type; returns the first
-  // byte of the payload.
+  // Checks that the firmware sent only whole frames of one type, with consecutive numbers; returns
+  // the first byte of the payload.
   std::optional<std::uint8_t> takeSent(std::uint8_t type) {
     std::optional<std::uint8_t> first;
     expect(port.sent.empty() || port.sent.back() == 0, "each frame ends with a zero byte");

@@ -28,7 +28,7 @@ constexpr int kMostCycles = 120;           // of a run
 constexpr int kRecoveryCycles = 10;        // one second
 constexpr int kMostBetween = 4;            // events of a cycle
 constexpr int kMostStopped = 12;           // cycles until a stop has lowered every voltage to 0
-constexpr std::size_t kMostUnread = 1500;  // bytes that the storage of the port has room for
+constexpr std::size_t kMostUnread = 1500;  // capacity of the port's storage [byte]
 
 class FuzzedRobot {
  public:
@@ -153,7 +153,8 @@ class FuzzedRobot {
     session_.robot().setFault(kind, wheel, present);
   }
 
-  // The bytes that the firmware had not read are lost. A stop and a protective stop are not.
+  // A reset loses the bytes that the firmware has not read. It does not lose a stop or a protective
+  // stop.
   void reset(bool power) {
     session_.reset(power ? scenario::ResetKind::Power : scenario::ResetKind::Pin);
     stopBefore_ = !power && (stopBefore_ || oracle_.stop());

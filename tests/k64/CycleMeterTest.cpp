@@ -84,7 +84,7 @@ TEST(CyclesOfTheImage, SameRunCostsTheSame) {
 }
 
 /// @brief The costs of the exceptions, of the cycles and of the instructions have the same sum. An
-/// instruction that an IT block passes over takes time, and is not executed.
+/// instruction that an IT block skips takes time, and is not executed.
 TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
   const Drive drive(30, true);
   board_robot::CycleMeter::Cost whole;
@@ -95,7 +95,7 @@ TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
     toReport.instructions += cycle.toReport.instructions;
   }
   ASSERT_GT(whole.instructions, 0U);
-  // The last cycle is incomplete: exceptions and instructions count it already.
+  // The last cycle is incomplete; the counts of exceptions and instructions already include it.
   board_robot::CycleMeter::Cost charged;
   for (const auto& [number, exception] : drive.meter->exceptions()) {
     charged.instructions += exception.whole.instructions;

@@ -51,8 +51,8 @@ TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
   }
 }
 
-/// @brief All five inputs give one value in each millisecond, though they share two converters and
-/// each is requested twice.
+/// @brief Each of the five inputs has one value per millisecond, although they share two converters
+/// and each input is requested twice.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesAValueInEachMillisecond) {
   DriverBoard drivers;
@@ -66,7 +66,7 @@ TEST(K64AdcOnBoard, FR142_EachInputGivesAValueInEachMillisecond) {
   }
 }
 
-/// @brief Each input is converted once in each tick, exactly once.
+/// @brief Each input is converted exactly once in each tick.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputIsConvertedOnceInEachTick) {
   constexpr std::uint32_t kTick = 16 + 49;
@@ -111,8 +111,8 @@ TEST(K64AdcOnBoard, FR143_OneConverterFailsAlone) {
   }
 }
 
-/// @brief An open input without its resistor to ground has the value of the previous input; with
-/// the resistor it has 0.
+/// @brief An open input without its resistor to ground has the value of the previously converted
+/// input; with the resistor its value is 0.
 /// @verifies FR-205
 TEST(K64AdcOnBoard, FR205_OpenInputNeedsItsResistor) {
   DriverBoard drivers;

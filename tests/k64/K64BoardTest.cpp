@@ -29,7 +29,7 @@ std::vector<std::uint32_t> memoryOf(const emulator::VirtualBoard& board) {
   return words;
 }
 
-// Runs to the next reset. Returns the pins that were not safe just before it.
+// Runs to the next reset. Returns the pins that were not at their safe level just before.
 std::string unsafeAtReset(BoardRobot& robot) {
   const int before = robot.board.resets();
   const nanoseconds limit = robot.board.now() + milliseconds(1);
@@ -85,8 +85,7 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
 }
 
 /// @brief In a start no output leaves its safe level, except for the lights when the cycles run.
-/// The first
-/// cycle switches the drivers of the wheels on, without voltage: that brakes the wheels.
+/// The first cycle switches the drivers of the wheels on without voltage, which brakes the wheels.
 /// @verifies FR-71
 /// @verifies FR-141
 TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
@@ -157,8 +156,8 @@ class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
 };
 
 /// @brief When any step of the clock fails, no cycle runs, the outputs are always safe, and the
-/// watchdog repeats the start every 340 ms or sooner. When the clock comes the robot starts and
-/// reports the step.
+/// watchdog repeats the start every 340 ms or sooner. When the clock works again, the robot starts
+/// and reports the step that failed.
 /// @verifies FR-72
 /// @verifies FR-73
 /// @verifies FR-76
@@ -188,7 +187,7 @@ INSTANTIATE_TEST_SUITE_P(
                     ClockFailure{"NoChangeToPll", {.failingClockStep = 4}, 4}),
     [](const auto& each) { return each.param.name; });
 
-/// @brief Without the external clock no cycle runs. When the clock comes back the cycles begin.
+/// @brief Without the external clock no cycle runs. When the clock works again, the cycles begin.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -199,8 +198,9 @@ TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   EXPECT_GE(robot.line.pulses().size(), 2U);
 }
 
-/// @brief A clock that comes 26 ms after the reset is too late: by then the start has waited 20 ms for it. No
-/// cycle runs before the watchdog begins the start again, which reports the step.
+/// @brief A clock that comes 26 ms after the reset is too late: by then the start has waited 20 ms
+/// for it. No cycle runs until the watchdog repeats the start; the new start reports the step that
+/// failed.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesAfter20MillisecondsWaitsForTheNextStart) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -266,7 +266,8 @@ TEST(K64BoardOnBoard, FR203_OutputsAreSafeWithin1MillisecondOfALostLock) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kClockLost);
 }
 
-/// @brief Before the first cycle a supply below the higher of the two thresholds resets.
+/// @brief Before the first cycle, a supply voltage below the higher of the two thresholds causes a
+/// reset.
 /// @verifies FR-204
 TEST(K64BoardOnBoard, FR204_LowSupplyResets) {
   constexpr std::uint32_t kSupplyControl = 0x4007D000;

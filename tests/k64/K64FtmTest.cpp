@@ -16,7 +16,7 @@ constexpr int kChannels = 4;
 constexpr nanoseconds kPeriod{50'000};
 constexpr std::uint32_t kTimerBegin = 0x40038000;
 constexpr std::uint32_t kTimerEnd = 0x4003809C;
-constexpr double kCount = 1.0 / 3000;  // a bus clock relative to the period
+constexpr double kCount = 1.0 / 3000;  // one bus clock as a share of the period
 
 struct Share {
   std::int16_t dutyCycle;  // [0.01 %]
@@ -93,7 +93,8 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
 }
 
 /// @brief From the first instruction that makes an output safe until a width is set, no output for
-/// the voltage is ever high: neither as an ordinary output nor when the timer gets the pin.
+/// the voltage is ever high: neither while the pin is an ordinary output, nor when the timer takes
+/// over the pin.
 /// @verifies FR-141
 TEST(K64FtmOnBoard, FR141_OutputsStayLowUntilAWidthIsSet) {
   DriverBoard drivers;

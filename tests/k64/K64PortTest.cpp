@@ -89,8 +89,8 @@ TEST_F(K64PortOnBoard, FR144_EdgesAtTheSameTimeAreAllSeen) {
   EXPECT_EQ(edges(), std::vector<int>(kEdgeInputs.size(), 1));
 }
 
-/// @brief Four edges of one input within a tick are all detected, which is far more than a wheel at
-/// full speed has.
+/// @brief All of four edges of one input within a tick are detected: a wheel at full speed has far
+/// fewer.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_FourEdgesInATickAreAllSeen) {
   constexpr int kTicks = 100;
@@ -150,8 +150,8 @@ std::vector<std::uint16_t> widths(DriverBoard& drivers) {
   return drivers.ask('W');
 }
 
-/// @brief A pulse of the remote control that begins at the same time as another one ends has its
-/// width measured to 1 us, and so have pulses that begin and end together.
+/// @brief The width of a pulse of the remote control is measured to 1 us, even when the pulse
+/// begins while another pulse ends, or begins and ends together with another pulse.
 /// @verifies FR-200
 TEST_F(K64PortOnBoard, FR200_EdgesThatComeTogetherGetOneTime) {
   using std::chrono::microseconds;
@@ -181,7 +181,8 @@ TEST_F(K64PortOnBoard, FR200_EdgesThatComeTogetherGetOneTime) {
   EXPECT_NEAR(widths(drivers)[2], 1800, 1);
 }
 
-/// @brief The level of each input can be read, those of the end stops and of the emergency stop too, which do not interrupt.
+/// @brief The level of each input can be read, including the end stops and the emergency stop,
+/// which do not interrupt.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
   std::vector<std::uint16_t> expected(kEdgeInputs.size() + kContacts.size(), 0);
@@ -228,8 +229,8 @@ TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
   EXPECT_EQ(robot.report().overruns, 0);
 }
 
-/// @brief In the robot one interrupt serves the end of a pulse of the remote control and the start of another
-/// one at the same moment.
+/// @brief In the robot one interrupt serves the end of one pulse of the remote control and the
+/// start of another pulse at the same time.
 /// @verifies FR-200
 TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
   constexpr std::uint32_t kEdgeException = exceptionOf(60);
@@ -293,7 +294,8 @@ TEST(K64PortInTheRobot, FR202_ShortPulsesMoveNoWheel) {
   }
 }
 
-/// @brief The wheels that the PC lets turn are measured: their Hall sensors interrupt at each edge.
+/// @brief When the PC lets wheels turn, their velocity is measured: their Hall sensors interrupt at
+/// each edge.
 /// @verifies FR-144
 TEST(K64PortInTheRobot, FR144_EdgesOfAWheelThatTurnsAreMeasured) {
   scenario::PcOrder order{.id = 1};

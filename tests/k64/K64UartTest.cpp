@@ -15,7 +15,7 @@ class K64UartOnBoard : public testing::Test {
  protected:
   K64UartOnBoard() { robot.startUp(); }
 
-  // Frames of a type that the robot does not define; it counts each complete one.
+  // Frames of an undefined type: the robot counts each complete frame.
   void sendUnknown(int frames) {
     for (int i = 0; i < frames; ++i) {
       robot.arrive(robot.pc.frame(0x55, {}));
@@ -28,7 +28,7 @@ class K64UartOnBoard : public testing::Test {
 /// @brief All bytes that the line can transfer between two clock pulses are received.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
-  constexpr int kFrames = 150;  // of 7 bytes: 91 ms on the line, the report before takes 9 ms
+  constexpr int kFrames = 150;  // of 7 bytes: they take 91 ms, the report before 9 ms
   robot.connect();
   sendUnknown(kFrames);
   robot.keepAlive();
@@ -40,7 +40,7 @@ TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief For ten seconds the line to the robot is never idle, and no byte is lost.
+/// @brief The line to the robot is busy for ten seconds without a pause, and no byte is lost.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   robot.connect();

@@ -122,7 +122,8 @@ TEST_F(K64WatchdogOnBoard, FR74_IsRefreshedOnceInEachCycle) {
   }
 }
 
-/// @brief The refresh comes at the end of the cycle: when its report is on its way to the line.
+/// @brief The refresh comes at the end of the cycle, after its report was passed to the serial
+/// port.
 /// @verifies FR-74
 TEST_F(K64WatchdogOnBoard, FR74_IsRefreshedAfterTheReport) {
   constexpr std::uint32_t kUartControl = 0x4006A003;

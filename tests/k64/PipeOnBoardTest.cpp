@@ -19,9 +19,9 @@ struct Counts {
   std::uint16_t reads;
 };
 
-// The main thread reads a pipe that the interrupt of the Hall sensors writes, and writes one that
-// it reads. The edges come in pairs, at different times of its loop: in some pairs both edges
-// interrupt the work on the same value.
+// The main thread reads one pipe that the interrupt of the Hall sensors writes, and writes another
+// pipe that this interrupt reads. The edges come in pairs, at different times of its loop: in some
+// pairs both edges interrupt the work on the same value.
 class PipeOnBoard : public testing::Test {
  protected:
   PipeOnBoard() {
@@ -67,8 +67,8 @@ class PipeOnBoard : public testing::Test {
   std::vector<std::uint16_t> after;
 };
 
-/// @brief An interrupt that writes while the main thread reads, at thousands of instants, never
-/// corrupts a value or its time, and no value is older than a previous one.
+/// @brief An interrupt that writes while the main thread reads never corrupts a value or its time,
+/// and no value is older than the previous value; tried at thousands of instants.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   const Counts counts = counted(0);
@@ -79,8 +79,8 @@ TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   EXPECT_EQ(counts.older, 0);
 }
 
-/// @brief An interrupt that reads while the main thread writes also gets complete values, and none
-/// is older than a previous one.
+/// @brief An interrupt that reads while the main thread writes also gets complete values, and no
+/// value is older than the previous value.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AWriterThatIsInterruptedLeavesWholeValuesInOrder) {
   const Counts counts = counted(5);

@@ -115,7 +115,7 @@ class RobotWithDevice final : public ProductRobot {
     board().receiveOn(kBluetoothPort, device_.sign(frame));
   }
 
-  // The number of this start: the robot answers a frame without a tag with it.
+  // Returns the number of this start: the answer of the robot to a frame without a tag contains it.
   std::uint64_t challenge() {
     board().receiveOn(kBluetoothPort, frames_.hello());
     silentCycle();
@@ -237,8 +237,8 @@ TEST(ProductWithBluetooth, FR262_UnsignedOrderIsNotRead) {
   }
 }
 
-/// @brief While the robot reads orders of the device, it does not read one that is repeated,
-/// altered or signed with another key; it reads the next order with the right key.
+/// @brief While the robot reads orders of the device, it rejects an order that is repeated, altered
+/// or signed with another key; it reads the next order with the correct key.
 /// @verifies FR-262
 TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
   RobotWithDevice robot;
@@ -283,8 +283,8 @@ TEST(ProductWithBluetooth, FR151_StopOfTheDeviceActsInTheModePc) {
   EXPECT_FALSE(robot.report().stop());
 }
 
-/// @brief The product that warns lights the red light in the cycle before its last waiting state, and in
-/// no other one.
+/// @brief The product that warns switches the red light on only in the cycle before its last
+/// waiting state.
 /// @verifies FR-152
 TEST(ProductThatWarns, FR152_RedLightIsTheWarning) {
   ProductRobot robot("weeding_robot_warning");

@@ -60,8 +60,9 @@ Played played(const scenario::Scenario& scenario) {
 
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The image with safety functions meets each scenario that is not of the paper's design alone.
-/// In a second run it sends the same reports, and the same events come at the same times.
+/// @brief The image with safety functions meets each scenario, except those that only the design of
+/// the paper can meet. In a second run it sends the same reports, and the same events occur at the
+/// same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -171,7 +172,7 @@ class SafeBoard final : public SteppedRobot {
   board_robot::BoardSession& line_;
 };
 
-/// An action of the robot before the switch stops it.
+/// What the robot does before the switch stops it.
 struct Situation {
   const char* name;
   int mode;
@@ -289,9 +290,9 @@ INSTANTIATE_TEST_SUITE_P(Lines, InterruptsOfTheSafeRobot,
                                          HeldInterrupt{"HallSensors", kHallLine, milliseconds(40)}),
                          [](const auto& held) { return std::string(held.param.name); });
 
-/// @brief A changed bit of the program in RAM resets the robot within 0.3 s, in a function that runs in each cycle
-/// and in one that does not run, in the vectors and in the constants. Then the program is as it
-/// was.
+/// @brief A changed bit of the program in RAM causes a reset within 0.3 s. This is tested in a
+/// function that runs in each cycle, in a function that does not run, in the vectors and in the
+/// constants. After the reset the program is correct again.
 /// @verifies FR-309
 TEST(ProgramOfTheSafeRobot, FR309_AChangedBitResetsTheRobot) {
   constexpr int kProgramChanged = 8;

@@ -24,7 +24,7 @@ TEST_F(ControlDataTest, BeginsEmpty) {
   EXPECT_FALSE(data.setPoints().has_value());
 }
 
-/// @brief The source that is read comes into force together with the set-points.
+/// @brief The source of an order becomes valid together with the set-points of this order.
 /// @verifies FR-19
 TEST_F(ControlDataTest, FR19_SourceTakesForceWithTheSetPoints) {
   data.saveModeId(ModeId::RC);
@@ -140,7 +140,8 @@ TEST_F(ControlDataTest, FR4_OverrunCountStopsAtItsGreatestValue) {
   EXPECT_EQ(report().overruns, 65'535);
 }
 
-/// @brief The costs are differences of the count of cycles, which may begin again at 0 between them.
+/// @brief The costs are differences between counts of processor cycles; the counter may overflow in
+/// between.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303

@@ -56,7 +56,7 @@ TEST_F(MainControllerTest, FR3_StateAfterTheReadControlsAndWrites) {
   EXPECT_EQ(other.steps, (Steps{"control", "write"}));
 }
 
-/// @brief The initial mode is that of the construction.
+/// @brief The initial mode is the mode that was passed to the constructor.
 /// @verifies FR-10
 TEST_F(MainControllerTest, FR10_BeginsWithTheInitialMode) {
   EXPECT_EQ(&controller.getMode(), &first);
@@ -74,14 +74,14 @@ TEST_F(MainControllerTest, FR12_ReadsFromThePresentModeOnly) {
   EXPECT_EQ(second.reads, 1);
 }
 
-/// @brief Without set-points the control systems are held although control is ordered.
+/// @brief Without set-points the control systems are held, even when the state orders control.
 /// @verifies FR-22
 TEST_F(MainControllerTest, FR22_HoldsWithoutSetPoints) {
   controller.applyControl();
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief With set-points the control systems follow them.
+/// @brief The control systems follow set-points as soon as there are some.
 /// @verifies FR-14
 TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   data.saveSetPoints({.orderId = 77});
@@ -104,7 +104,8 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief A stop of any mode holds the control systems. The state is executed as in every cycle.
+/// @brief A stop of any mode holds the control systems. The operation state still runs in every
+/// cycle.
 /// @verifies FR-21
 TEST_F(MainControllerTest, FR21_StopOfAnyModeHolds) {
   data.saveSetPoints({});
@@ -144,7 +145,8 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
-/// @brief The report shows the cycles between the clock pulses, and those that the cycle waited to begin.
+/// @brief The report shows the processor cycles between two clock pulses, and the processor cycles
+/// from the clock pulse to the start of the control cycle.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();
@@ -246,7 +248,7 @@ TEST_F(MainControllerTest, FR4_PulseDuringACycleIsAnOverrun) {
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
-/// @brief Two clock pulses during a cycle make one cycle that overran.
+/// @brief Two clock pulses during a cycle count as one overrun.
 /// @verifies FR-4
 TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
   connect();
@@ -264,7 +266,7 @@ TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
-/// @brief A control system that has not completed this cycle makes it an overrun.
+/// @brief When a control system has not completed this cycle, the cycle is an overrun.
 /// @verifies FR-5
 TEST_F(MainControllerTest, FR5_IncompleteControlSystemIsAnOverrun) {
   connect();
@@ -337,7 +339,8 @@ TEST_F(MainControllerTest, FR74_EachControlSystemMustComplete) {
   EXPECT_EQ(watchdog.refreshes(), 1U);
 }
 
-/// @brief A stop, a cycle that overran, and a cycle without connection are cycles that completed.
+/// @brief A cycle with a stop, a cycle that overran, and a cycle without connection count as
+/// completed.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_StopAndOverrunCompleteTheirCycle) {
   controller.start();

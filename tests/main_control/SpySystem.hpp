@@ -43,7 +43,7 @@ class SpySystem final : public ControlSystem {
   }
 
  private:
-  // Adds a value that exists; one that is missing or never set does not change the target.
+  // Adds a value if it exists; a missing value does not change the target.
   template <class T>
   static void give(const T& value, T& target) {
     if (value != T{}) {

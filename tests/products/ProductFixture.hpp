@@ -20,7 +20,7 @@
 
 namespace wr::test {
 
-/// Gives a control system that records its orders, and does nothing at a tick of the second timer.
+/// Builds a control system that records its orders, and does nothing at a tick of the second timer.
 class SpyBuilder final : public ControlSystemBuilder, public Command {
  public:
   SpySystem spy;
@@ -35,7 +35,7 @@ class SpyBuilder final : public ControlSystemBuilder, public Command {
   void execute() override {}
 };
 
-/// The builders of a robot on the host, and its cycles. A test brings the director of a product.
+/// The builders of a robot on the host, and its cycles. Each test adds the director of a product.
 class ProductFixture : public testing::Test {
  protected:
   template <class Director>

@@ -92,7 +92,7 @@ TEST_F(RcBufferTest, FR52_TellsWhenThePulseEnded) {
   EXPECT_EQ(velocity.pipe.read()->at, time.now());
 }
 
-/// @brief An interrupt of another pin of the port is no edge of this one.
+/// @brief An interrupt of another pin of the port does not count as an edge of this pin.
 /// @verifies FR-52
 TEST_F(RcBufferTest, FR52_InterruptOfAnotherPin) {
   velocity.pulse(1700);
@@ -132,7 +132,8 @@ TEST_F(RcBufferTest, FR54_WidthOutOfRange) {
   }
 }
 
-/// @brief A pulse whose predecessor began less than 15 or more than 30 ms before sets no value.
+/// @brief A pulse sets no value when the previous pulse began less than 15 ms or more than 30 ms
+/// earlier.
 /// @verifies FR-55
 TEST_F(RcBufferTest, FR55_PeriodOutOfRange) {
   velocity.pulse(1600);
@@ -176,8 +177,8 @@ TEST_F(RcBufferTest, FR55_LostEdges) {
   EXPECT_EQ(edge(false, 1700), 1200);
 }
 
-/// @brief A line that stays high and falls much later gives no value, also when 32 bits of its
-/// width look like a pulse.
+/// @brief A line that stays high and falls much later sets no value, even when the lower 32 bits of
+/// this width look like a pulse.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_LineThatStaysHigh) {
   for (const std::int64_t width : {std::int64_t{21'500}, (std::int64_t{1} << 32) + 1600}) {

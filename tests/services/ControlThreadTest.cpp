@@ -27,7 +27,8 @@ class TestThread final : public ControlThread {
   void pend() override { ++pended; }
 };
 
-/// @brief Body that counts, and posts its own thread a number of times in its first activation.
+/// @brief Body that counts its activations, and posts its own thread a number of times in the first
+/// activation.
 class Body final : public Command {
  public:
   explicit Body(ControlThread& thread, int posts = 0) : thread_(thread), posts_(posts) {}
@@ -84,7 +85,7 @@ TEST(ControlThread, FR4_PostWhileRunningIsCountedAndKept) {
   EXPECT_EQ(thread.overruns(), 1);
 }
 
-/// @brief Several posts while the body runs are each an overrun, and one activation is kept.
+/// @brief Each of several posts while the body runs is an overrun, and the body runs once more.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_OnlyOnePostIsKept) {

@@ -40,7 +40,7 @@ TEST(Pipe, TellsTheNewestValue) {
   EXPECT_EQ(pipe.read()->value, 6);
 }
 
-/// @brief The newest value keeps its address, also during a write, until it is read again.
+/// @brief The newest value keeps its address until the next read, even during a write.
 /// @verifies FR-173
 TEST(Pipe, NewestValueStandsUntilTheNextRead) {
   Pipe<int> pipe;

@@ -10,8 +10,8 @@ namespace {
 /// @brief Tests of the motion monitoring of the controller.
 class DirControllerTest : public DirControllerFixture {
  protected:
-  /// @brief Turns with a number of steps and a movement in each tick, for some ticks or until the
-  /// turn has ended.
+  /// @brief Turns for some ticks or until the turn has ended; each tick has the given number of
+  /// steps and the given movement.
   SteeringState turn(std::int32_t steps, std::int32_t moved, int ticks = 100) {
     for (int i = 0; i < ticks && state() == SteeringState::Turning; ++i) {
       feedback.steps += steps;
@@ -37,7 +37,7 @@ TEST_F(DirControllerTest, FR111_AMotionThatFollowsIsNoStall) {
   EXPECT_EQ(turn(4, 20), SteeringState::Turning);
 }
 
-/// @brief Half of the motion is sufficient, and less is a stall. A step is 0.05 degrees.
+/// @brief Half of the expected motion is sufficient; less is a stall. A step is 0.05 degrees.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   beginTurn();
@@ -60,8 +60,8 @@ TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
   EXPECT_EQ(turn(1, -5, 25), SteeringState::Fault);
 }
 
-/// @brief Steps of less than 0.6 degrees are not sufficient for a decision; the window lasts until
-/// they amount to 0.6 degrees, which also detects a slow stall.
+/// @brief Steps that add up to less than 0.6 degrees are not sufficient for a decision. The window
+/// lasts until they add up to 0.6 degrees, so that a slow stall is also detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   beginTurn();
@@ -77,7 +77,7 @@ TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   EXPECT_EQ(control.clock.now() - begin, milliseconds(240));
 }
 
-/// @brief The position may differ by 3.00 degrees from the steps, and no more; also at rest, and after the
+/// @brief The position may differ from the steps by at most 3.00 degrees, also at rest. After the
 /// motor was off the comparison begins again.
 /// @verifies FR-227
 TEST_F(DirControllerTest, FR227_PositionFollowsTheStepsWithin3Degrees) {
@@ -102,8 +102,8 @@ TEST_F(DirControllerTest, FR227_PositionFollowsTheStepsWithin3Degrees) {
   }
 }
 
-/// @brief One end stop alone is no fault, both together are a fault, while turning and while
-/// holding.
+/// @brief A single end stop is no fault; both end stops together are a fault, while turning and
+/// while holding.
 /// @verifies FR-226
 TEST_F(DirControllerTest, FR226_BothEndStopsAreAFault) {
   beginTurn();

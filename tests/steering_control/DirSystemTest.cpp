@@ -8,7 +8,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The steering as Main Control sees it; the test ticks instead of the steering.
+/// @brief The steering as Main Control sees it; the test generates the ticks.
 struct DirSystemTest : testing::Test {
   DirSystemTest() { pool.add(system); }
 
@@ -117,8 +117,8 @@ TEST_F(DirSystemTest, FR116_APositionThatIsUnknownIsMissing) {
   EXPECT_EQ(measurements.steering, std::nullopt);
 }
 
-/// @brief The work of a cycle is complete when it was ordered in this cycle, to a steering that
-/// ticked in the 20 ms before.
+/// @brief The work of a cycle is complete when the steering got an order in this cycle, and its
+/// last tick was at most 20 ms ago.
 /// @verifies FR-117
 TEST_F(DirSystemTest, FR117_OnlyASteeringThatTicksCompletes) {
   publish({});

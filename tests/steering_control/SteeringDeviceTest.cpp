@@ -79,8 +79,9 @@ TEST_F(SteeringDeviceTest, FR104_AStepIsAPulseOfOneTick) {
   EXPECT_GT(pulses, 800);
 }
 
-/// @brief The direction is set before the first pulse in it, with a tick between, at every change
-/// of a random turn. The steps are counted in the direction of the direction output.
+/// @brief At every change of a random turn the direction is set before the first pulse in the new
+/// direction, with a tick in between. The steps are counted in the direction of the direction
+/// output.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
   std::mt19937 random(seed());
@@ -99,7 +100,7 @@ TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
   }
 }
 
-/// @brief At 1 step/s a step takes 1000 ticks. A step that was nearly due when the motor reverses
+/// @brief At 1 step/s a step takes 1000 ticks. When the motor reverses, a step that was nearly due
 /// is not made in the other direction: the step begins again.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {

@@ -115,7 +115,7 @@ class SteeringLoop {
     order();
   }
 
-  /// @brief State and values as Main Control sees them now.
+  /// @brief Returns the state and the values that Main Control sees now.
   Measurements measured() {
     order();
     Measurements measurements;
@@ -127,7 +127,7 @@ class SteeringLoop {
   [[nodiscard]] SteeringState state() { return control.status.read()->value.state; }
   [[nodiscard]] bool powered() const { return control.motor.enable.on; }
 
-  /// @brief Forgets the moves that were made.
+  /// @brief Clears the recorded moves.
   void forget() {
     moves = 0;
     reversals = 0;

@@ -40,8 +40,8 @@ TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
   EXPECT_TRUE(loop.control.motor.device.ready()) << "the motor ticks in the tick of the order";
 }
 
-/// @brief A new angle turns the steering when the motor has settled: it is switched on at the end of a
-/// measurement, and the turn begins at the first one 50 ms later.
+/// @brief A new angle turns the steering after the motor has settled: the motor is switched on at
+/// the end of a measurement, and the turn begins at the end of the first measurement after 50 ms.
 /// @verifies FR-101
 /// @verifies FR-107
 TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
@@ -54,9 +54,9 @@ TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
   EXPECT_EQ(loop.state(), SteeringState::Turning);
 }
 
-/// @brief From stop to stop: the steering arrives within 0.5 degrees, in one move, overshoots the
-/// angle by at most 0.1 degrees, and then stands still for a minute. Its rate changes by at
-/// most one step/s in each tick, to at most 500 steps/s.
+/// @brief For any angle between the stops: the steering arrives within 0.5 degrees in one move,
+/// overshoots the angle by at most 0.1 degrees, and then stands still for a minute. Its rate
+/// changes by at most one step/s in each tick, to at most 500 steps/s.
 /// @verifies FR-101
 /// @verifies FR-102
 /// @verifies FR-103
@@ -99,8 +99,8 @@ TEST_F(SteeringLoopTest, FR118_FromLimitToLimit) {
   EXPECT_NEAR(plant.degrees(), 32, 0.5);
 }
 
-/// @brief With the noise of a real sensor random angles are reached within 0.5 degrees and without
-/// hunting: in one move, and in the minute after it there is no other move.
+/// @brief With the noise of a real sensor the steering reaches random angles within 0.5 degrees in
+/// one move, and makes no other move in the minute after it.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   const unsigned first = seed();
@@ -122,8 +122,8 @@ TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   }
 }
 
-/// @brief A steering that follows an angle which changes in every cycle stays within 2 degrees of
-/// an angle that moves by 10 degrees in a second, and is never reported as stalled.
+/// @brief When the ordered angle changes in every cycle, by 10 degrees per second, the steering
+/// stays within 2 degrees of it, and is never reported as stalled.
 /// @verifies FR-101
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
@@ -139,8 +139,8 @@ TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
   EXPECT_EQ(loop.reversals, 0);
 }
 
-/// @brief An angle beyond the end stop ends at its switch: it makes no further step, there is no
-/// fault, and it can turn back.
+/// @brief When the angle is beyond the end stop, the steering stops at the switch of the end stop:
+/// it makes no further step, there is no fault, and it can turn back.
 /// @verifies FR-105
 TEST_F(SteeringLoopTest, FR105_StopsAtTheEnd) {
   for (const std::int32_t side : {1, -1}) {
@@ -196,8 +196,8 @@ TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   EXPECT_NEAR(plant.degrees(), 30, 0.5);
 }
 
-/// @brief A cable of the sensor that breaks ends the turn within 30 ms. An order to hold does not end the
-/// fault, an acknowledgement does; then the next order to follow turns again.
+/// @brief A broken cable of the sensor ends the turn within 30 ms. An order to hold does not end
+/// the fault; an acknowledgement does. The next order to follow then turns the steering again.
 /// @verifies FR-110
 /// @verifies FR-112
 /// @verifies FR-113
@@ -256,8 +256,8 @@ TEST_F(SteeringLoopTest, FR111_ABlockedSteeringIsFound) {
   }
 }
 
-/// @brief A push of 2.5 degrees off the angle is corrected, without a fault. One of more than 3 degrees is a
-/// fault: steps were lost, or the sensor is loose.
+/// @brief A push of 2.5 degrees off the angle is corrected, without a fault. A push of more than 3
+/// degrees is a fault: steps were lost, or the sensor is loose.
 /// @verifies FR-101
 /// @verifies FR-102
 /// @verifies FR-227
@@ -300,7 +300,7 @@ TEST_F(SteeringLoopTest, FR227_ADriftingSensorIsAFault) {
   }
 }
 
-/// @brief A sensor that is stuck is a fault within 0.4 s after the steering begins to turn.
+/// @brief A stuck sensor is a fault within 0.4 s after the steering begins to turn.
 /// @verifies FR-111
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {

@@ -3,7 +3,7 @@
 // WR_TRACE.
 //
 // Each test writes one file in the folder WR_TRACE_DIR, named <suite>.<test>.arcs. A line with a
-// name is the file of counters of the lines below it; each of those has the number of a
+// name is a file of counters, for the lines below it. Each of these lines has the number of a
 // function that ran, and its counters.
 //
 // The counters of the whole run go into the files that gcc itself writes, for other readers.
@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
-// The header of the compiler is one of C. The counters of all units are between two symbols that
-// the linker defines. The runtime of the compiler registers a unit by __gcov_init; without it, no
-// counter is cleared or written to a file.
+// The header of the compiler is a C header. The counters of all units are between two symbols that
+// the linker defines. The runtime of the compiler registers a unit by __gcov_init; without this
+// call, it does not clear the counters or write them to a file.
 extern "C" {
 #include <gcov.h>
 // Linker and compiler define these names.
@@ -64,7 +64,7 @@ void* allocate(unsigned bytes, void* /*unit*/) {
   return std::malloc(bytes);  // the runtime of the compiler requests this kind of memory
 }
 
-// How much the counters of a function grew.
+// Returns the growth of the counters of a function.
 std::vector<std::uint64_t> grown(std::vector<std::uint64_t>& before, const std::uint32_t* words,
                                  std::size_t count) {
   std::vector<std::uint64_t> found(count);

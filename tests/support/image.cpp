@@ -3,8 +3,8 @@
 //
 // With the image that is built to record calls, those of the
 // firmware are recorded as on the host: one file for each test in the folder WR_TRACE_DIR, see
-// trace.cpp. Which instructions it executed is in the file <suite>.<test>.bits there: the bits of
-// ExecutedCode, up to the last one set.
+// trace.cpp. The file <suite>.<test>.bits in the same folder contains the executed instructions:
+// the bits of ExecutedCode, up to the last bit that is set.
 
 #include "support/image.hpp"
 
@@ -59,7 +59,7 @@ void debugIfAsked(emulator::VirtualBoard& board) {
   }
 }
 
-// Recordings contain addresses, which all belong to one image.
+// Recordings contain addresses; all of them belong to one image.
 bool isRecorded() {
   return imageFile() == WR_RECORDED_IMAGE;
 }

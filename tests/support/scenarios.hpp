@@ -21,8 +21,8 @@ inline std::vector<std::filesystem::path> allScenarios() {
   return files;
 }
 
-/// @brief Checks whether a scenario expects behaviour that only the paper's design has: safety functions stop the
-/// robot, or let it follow a ramp.
+/// @brief Checks whether a scenario expects behaviour of the paper's design that safety functions
+/// change: they stop the robot, or let it follow a ramp.
 /// @param file file of the scenario
 inline bool isOfThePaperAlone(const std::filesystem::path& file) {
   constexpr std::array<const char*, 4> kNames{"one_hall_sensor", "reversal", "sensors_broken",

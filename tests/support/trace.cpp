@@ -33,7 +33,7 @@ std::size_t count = 0;
 bool truncated = false;
 std::size_t depth = 0;
 std::size_t begin = 0;  // of the outermost call
-// Outermost calls with all that they called, and where they begin.
+// Outermost calls with the calls in them, and the positions at which they begin.
 std::map<std::vector<std::uint64_t>, std::size_t> before;
 thread_local bool recording = false;  // only the thread that runs the tests records
 

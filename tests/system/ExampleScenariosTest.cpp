@@ -30,13 +30,15 @@ void playWithThePapersDesign(const std::string& example) {
   play(example);
 }
 
-/// @brief In closed loop with the robot the tension of an order is at the wheels in its cycle.
+/// @brief In closed loop with the robot, the wheels have the voltage of an order in the cycle that
+/// reads it.
 /// @verifies FR-80
 TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
 }
 
-/// @brief From rest to 150 rpm, with noise: within 2 % in 2 s, less than 10 % over it, then within 1 %.
+/// @brief From rest to 150 rpm, with noise: within 2 % after 2 s, with less than 10 % overshoot,
+/// then within 1 %.
 /// @verifies FR-82
 /// @verifies FR-83
 TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
@@ -61,8 +63,8 @@ TEST(ClosedLoopOfRobot, FR85_CurrentSettles) {
   play("current_step");
 }
 
-/// @brief From full speed forwards to full speed backwards the wheels are slow before they
-/// turn.
+/// @brief From full speed forwards to full speed backwards, the wheels are slow before their
+/// orientation changes.
 /// @verifies FR-87
 TEST(ClosedLoopOfRobot, FR87_WheelsStopBeforeTheyTurn) {
   playWithThePapersDesign("reversal");
@@ -107,8 +109,8 @@ TEST(ClosedLoopOfRobot, FR21_StopBringsTheWheelsToRest) {
   play("stop");
 }
 
-/// @brief A wheel without Hall sensors is switched off, and so is a wheel without current sensor;
-/// the others continue.
+/// @brief A wheel whose Hall sensors fail is switched off, and so is a wheel whose current sensor
+/// fails; the others continue.
 /// @verifies FR-91
 TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
   playWithThePapersDesign("sensors_broken");
@@ -116,8 +118,8 @@ TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
 
 class ExampleScenarios : public testing::TestWithParam<const char*> {};
 
-/// @brief The robot meets each other example of a scenario. That of ten minutes is played by
-/// the tests of the programs.
+/// @brief The robot meets each other example of a scenario. The tests of the programs play the
+/// example of ten minutes.
 /// @verifies NFR-6
 TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
   play(GetParam());

@@ -15,7 +15,7 @@ constexpr int kSteeringOff = 0;
 constexpr int kSteeringHolding = 1;
 constexpr int kSteeringTurning = 2;
 
-// Values of the motors and sensors in reports: the robot must have some.
+// Values of the motors and sensors in reports, for robots that have motors and sensors.
 class MeasuredReportsOfRobot : public testing::Test {
  protected:
   // Orders the same voltage for all wheels in some cycles.
@@ -53,7 +53,7 @@ TEST_F(MeasuredReportsOfRobot, FR62_MissingValuesAreMarked) {
   EXPECT_EQ(robot.report().steering, 0);
 }
 
-/// @brief The report shows that the steering is off, turns, and holds, each while it does so.
+/// @brief The report shows when the steering is off, when it turns, and when it holds.
 /// @verifies FR-65
 TEST_F(MeasuredReportsOfRobot, FR65_StateOfTheSteeringIsTold) {
   robot.connect();
@@ -87,7 +87,8 @@ TEST_F(MeasuredReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   }
 }
 
-/// @brief The report shows that the overcurrent trip of a wheel acted, and no other one. Safety functions limit the current before that.
+/// @brief The report shows that the overcurrent trip of one wheel acted, and that the trips of the
+/// other wheels did not. Not for safety functions: they limit the current before the trip acts.
 /// @verifies FR-67
 TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   onlyWith("weeding_robot_paper");
@@ -98,8 +99,9 @@ TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   EXPECT_EQ(robot.report().cutOffs, 0b0100);
 }
 
-/// @brief The report shows that a wheel has no motion feedback, and no other one: with both of its Hall sensors
-/// broken, or with one. Safety functions stop the robot before that.
+/// @brief The report shows that one wheel has no motion feedback, and that the others have it. One
+/// or both Hall sensors of this wheel are broken. Not for safety functions: they stop the robot
+/// earlier.
 /// @verifies FR-68
 TEST_F(MeasuredReportsOfRobot, FR68_BlindWheelIsTold) {
   onlyWith("weeding_robot_paper");
@@ -123,9 +125,9 @@ TEST_F(MeasuredReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
   EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{}));
 }
 
-/// @brief Each rejected edge of the whole robot is in the count of its wheel, from start on. A wheel at rest gets a
-/// pulse of 30 us in each ms: its first edge is a step, each of the others reverses the direction
-/// too soon.
+/// @brief Each rejected edge of the whole robot is in the count of its wheel, from start on. A
+/// wheel at rest gets a pulse of 30 us in each ms. The first edge is a step; each later edge
+/// reverses the direction too soon.
 /// @verifies FR-69
 /// @verifies FR-123
 TEST_F(MeasuredReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {

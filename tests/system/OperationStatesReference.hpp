@@ -89,7 +89,7 @@ struct Reference {
   }
 };
 
-/// A source that is active and silent for random times.
+/// A source that alternates between active and silent, for random times.
 class Runs {
  public:
   Runs(bool speaks, int longestSpeech, int longestSilence)
@@ -120,7 +120,7 @@ class Comparison {
   Comparison& operator=(const Comparison&) = delete;
   virtual ~Comparison() = default;
 
-  /// Runs one sequence; the robot and its reference continue from the end of the last sequence.
+  /// Runs one sequence; the robot and its reference continue from the end of the previous sequence.
   void sequence() {
     beginSequence();
     Runs pc(oneIn(2), 5, 12);

@@ -20,8 +20,8 @@ class OperationStatesOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
-/// @brief After start the robot is in Working and the mode RC: without any order the N-th read is the one
-/// that sets WaitingN.
+/// @brief After start the robot is in the state Working and in the mode RC. Without any order the
+/// N-th read sets WaitingN.
 /// @verifies FR-10
 TEST(OperationStatesAfterStart, FR10_FailedReadsAreCountedFromWorking) {
   SteppedRobot robot;
@@ -60,7 +60,7 @@ TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {
   EXPECT_EQ(robot.report().mode, kPc);
 }
 
-/// @brief A wait that a message ended begins again with the next failed read.
+/// @brief After a message has ended a wait, the next failed read begins a new wait.
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
   robot.silentCycles(kN - 1);
@@ -127,7 +127,7 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   EXPECT_FALSE(robot.report().held());
 }
 
-/// @brief Control and report of a cycle are those of the state after the read of the cycle.
+/// @brief The state after the read of a cycle controls and reports in this cycle.
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
   robot.silentCycles(kN);

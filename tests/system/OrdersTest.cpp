@@ -46,7 +46,7 @@ TEST_F(OrdersOfRobot, FR17_PcThatConnectsAtPowerUpCommandsSoon) {
   EXPECT_EQ(robot.report().source, kPc);
 }
 
-/// @brief Two orders in one cycle count as the newer one, which is read once.
+/// @brief Of two orders in one cycle only the newer order is read, once.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
   robot.commandByPc();

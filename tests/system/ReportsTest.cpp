@@ -42,7 +42,7 @@ TEST_F(ReportsOfRobot, FR60_OneReportInEveryCycle) {
   }
 }
 
-/// @brief The connection and its reports survive the alternation of the reading modes.
+/// @brief The connection and its reports continue while the reading modes alternate.
 /// @verifies FR-35
 /// @verifies FR-60
 TEST_F(ReportsOfRobot, FR35_LinkIsServedInBothModes) {
@@ -60,7 +60,8 @@ TEST_F(ReportsOfRobot, FR35_LinkIsServedInBothModes) {
   EXPECT_GE(cyclesInPc, 15);
 }
 
-/// @brief A link that is silent for 1 s is lost: reports end, and an order that comes then is not read.
+/// @brief When the PC is silent for 1 s, the connection ends: there are no more reports, and an
+/// order that comes after that is not read.
 /// @verifies FR-33
 /// @verifies FR-36
 /// @verifies FR-60

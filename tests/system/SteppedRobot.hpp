@@ -70,7 +70,7 @@ class SteppedRobot {
   void keepAlive() { arrive(pc.keepAlive()); }
   void order(const scenario::PcOrder& order) { arrive(pc.order(order)); }
 
-  /// Connects the PC. It takes two cycles, of which the second one reports.
+  /// Connects the PC. This takes two cycles; the second cycle reports.
   void connect() {
     hello();
     cycle();
@@ -78,8 +78,8 @@ class SteppedRobot {
     cycle();
   }
 
-  /// Connects the PC, and sends orders until the robot works with its order. A robot that is not
-  /// armed gets neutral orders first.
+  /// Connects the PC, and sends orders until the robot works with its order. If the robot is not
+  /// armed, it gets neutral orders first.
   void commandByPc(const scenario::PcOrder& first = {.id = 1}) {
     connect();
     for (int i = 0; i < kMostTries && !worksForPc(); ++i) {
@@ -96,8 +96,8 @@ class SteppedRobot {
     }
   }
 
-  /// Sends neutral orders of the PC until the robot is armed. A robot without safety functions
-  /// never waits for them.
+  /// Sends neutral orders of the PC until the robot is armed. A robot without safety functions does
+  /// not wait for neutral orders.
   void arm() {
     for (int i = 0; i < kMostNeutral && waitsForArming(); ++i) {
       order({.id = report().orderId});

@@ -23,7 +23,7 @@ namespace wr::torture {
 /// @brief The checks of the program that failed, in words; empty when none did.
 [[nodiscard]] std::string failedChecks(const Records& records);
 
-/// @brief Returns whether the program came to its end.
+/// @brief Returns whether the program reached its end.
 [[nodiscard]] bool complete(const Records& records);
 
 }  // namespace wr::torture

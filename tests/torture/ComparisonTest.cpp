@@ -20,7 +20,7 @@ TEST(TortureComparisonTest, SameRecordsDoNotDiffer) {
   EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kLeft, kEnd}), std::nullopt);
 }
 
-/// @brief Records in another order differ at the first one that has moved.
+/// @brief Runs with the same records in another order differ at the first record that has moved.
 TEST(TortureComparisonTest, AnotherOrderDiffers) {
   EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kEnd, kLeft}), 1U);
 }
@@ -46,7 +46,7 @@ TEST(TortureComparisonTest, EachMemberCounts) {
   }
 }
 
-/// @brief A run that ends earlier differs at its end, for either of the two.
+/// @brief When one of the two runs is shorter, they differ at its end.
 TEST(TortureComparisonTest, AShorterRunDiffers) {
   EXPECT_EQ(firstDifference({kEntered, kLeft}, {kEntered}), 1U);
   EXPECT_EQ(firstDifference({}, {kEntered}), 0U);
@@ -61,7 +61,7 @@ TEST(TortureComparisonTest, TheContextShowsBothRecords) {
   EXPECT_THAT(text, HasSubstr("1 right acted end"));
 }
 
-/// @brief A record prints its numbers with the names that they have in its kind.
+/// @brief A record is printed with the names that its kind gives to its numbers.
 TEST(TortureComparisonTest, EachKindNamesItsNumbers) {
   constexpr std::array<std::uint32_t, 5> kWords{1, 2, 3, 4, 5};
   EXPECT_THAT(described({Kind::Entered, 20, 1, 0xE9, kWords}),

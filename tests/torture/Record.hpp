@@ -9,7 +9,7 @@ namespace wr::torture {
 enum class Kind : std::uint8_t {
   Entered,      ///< an exception was entered
   Left,         ///< an exception is about to be left
-  Acted,        ///< an action is over, and all exceptions that it caused
+  Acted,        ///< an action and all exceptions that it caused have ended
   Fault,        ///< fault status: configurable, hard, address
   CheckFailed,  ///< checked item, wanted, found
   FpMode        ///< modes in FPSCR at the first use of the floating-point registers
@@ -40,7 +40,7 @@ enum class Action : std::uint8_t {
   End
 };
 
-/// @brief Checked items: the detail of a record CheckFailed. Below these, 0 to 12 are the core
+/// @brief Checked items: the detail of a record CheckFailed. Other numbers: 0 to 12 are the core
 /// registers, 32 to 63 the floating-point registers.
 enum class Check : std::uint8_t { Flags = 16, StackPointer = 17, FpStatus = 18, LogFull = 19 };
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t kActions = 3000;
 constexpr std::size_t kFewestEvents = 25'000;  // in each run: 100,000 with the fixed seeds
 
-/// @brief Random exceptions, on the processor of the virtual K64 and on the one of QEMU.
+/// @brief Random exceptions, on the processor of the virtual K64 and on the processor of QEMU.
 class TortureTest : public testing::Test {
  protected:
   void SetUp() override {
@@ -49,8 +49,8 @@ class TortureTest : public testing::Test {
   std::size_t compared_ = 0;
 };
 
-/// @brief The exceptions occur in the same order, with the same registers kept, the same masks and
-/// the same state of the interrupt controller, for fixed seeds.
+/// @brief For fixed seeds, the exceptions of both processors occur in the same order, with the same
+/// preserved registers, the same masks and the same state of the interrupt controller.
 TEST_F(TortureTest, ExceptionsAreTheSameAsOnQemuForFixedSeeds) {
   for (const std::uint32_t seed : {1U, 2U, 3U, 4U}) {
     expectSameOnBoth(seed);

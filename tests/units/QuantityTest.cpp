@@ -43,8 +43,8 @@ constexpr int mixedPairs() {
   return (0 + ... + mixed<Types, Types...>());
 }
 
-/// @brief Each unit can be combined only with itself, and none with a plain number: all pairs of
-/// all units are tried.
+/// @brief Each unit can be combined only with itself, and not with a plain number. All pairs of
+/// units are tested.
 /// @verifies NFR-11
 TEST(Quantity, NFR11_NoTwoUnitsMix) {
   EXPECT_EQ((mixedPairs<Velocity, Tension, Current, Angle, StepRate, HallCount, DutyCycle,
@@ -64,7 +64,8 @@ TEST(Quantity, NFR11_NoTwoUnitsMix) {
                 Mix<DutyCycle, std::int32_t>));
 }
 
-/// @brief Arithmetic with instants and durations is in microseconds, and they cannot be confused.
+/// @brief Arithmetic with instants and durations is in microseconds; the two types cannot be
+/// confused.
 /// @verifies NFR-11
 TEST(Instant, Computes) {
   const Instant start(1000);
@@ -86,7 +87,7 @@ concept SetsTension = requires(Value value) { WheelSetPoint::tension(value); };
 template <class Value>
 concept SetsCurrent = requires(Value value) { WheelSetPoint::current(value); };
 
-/// @brief A set-point of a wheel is made of a value with the unit of its quantity, and of no other.
+/// @brief A set-point of a wheel can be made only of a value with the unit of its quantity.
 /// @verifies NFR-11
 TEST(WheelSetPoint, NFR11_IsMadeOfItsOwnUnit) {
   EXPECT_EQ(WheelSetPoint::velocity(Velocity(-3000)),

@@ -1,5 +1,5 @@
-// Behaviour of Main Control and one wheel, in the baseline design and in that of the robot: the
-// same tests.
+// Behaviour of Main Control and one wheel. The same tests run for the baseline design and for the
+// design of the robot.
 
 #include <array>
 #include <cstdlib>
@@ -53,8 +53,8 @@ TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
   EXPECT_EQ(this->robot.report().unexpected, 2);
 }
 
-/// @brief Damage, lengths, types and versions that cannot be, and values out of range, are counted each
-/// by itself; none of them is an order.
+/// @brief Damaged frames, impossible lengths, types and versions, and values out of range are
+/// counted separately; none of these frames is an order.
 TYPED_TEST(Behaviour, CountsBadFrames) {
   this->robot.commandByPc();
   scenario::Bytes damaged = this->robot.pc.keepAlive();
@@ -134,7 +134,7 @@ TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   EXPECT_FALSE(this->robot.report().held());
 }
 
-/// @brief Without orders the modes alternate: beginning with the failed read that the design
+/// @brief Without orders the modes alternate, beginning with the failed read that the design
 /// defines.
 TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
   this->robot.commandByPc();
@@ -213,7 +213,7 @@ TYPED_TEST(Behaviour, ReachesAVelocity) {
   EXPECT_EQ(this->robot.report().measured & 7U, 7U);
 }
 
-/// @brief A voltage is applied as it is ordered, once the soft start is over.
+/// @brief An ordered voltage is applied exactly after the soft start has ended.
 TYPED_TEST(Behaviour, AppliesATension) {
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc(order);
@@ -265,7 +265,8 @@ TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
   EXPECT_EQ(this->robot.line.pins.wheels[0].pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief A wheel with voltage whose Hall sensors send no edge is stopped, and stays so when it is held.
+/// @brief A wheel with voltage whose Hall sensors send no edge is stopped, and stays stopped when
+/// it is held.
 TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
@@ -290,8 +291,8 @@ TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
   EXPECT_EQ(this->robot.report().measured & 2U, 0U);
 }
 
-/// @brief Too high a current trips the wheel: it gets no voltage, and brakes with its driver on. A
-/// hold does not end the trip.
+/// @brief A current that is too high trips the wheel: the wheel gets no voltage, and brakes with
+/// its driver on. A hold does not end the trip.
 TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
   this->robot.physics().setFault(plant::Fault::Block, 0, true);
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 24000}}}};
@@ -328,7 +329,7 @@ struct SideBySide {
     return {usual.takeSent(), patterns.takeSent()};
   }
 
-  // A cycle in which both get the bytes, and send the same.
+  // A cycle in which both robots get the same bytes; checks that both send the same bytes.
   void cycle(const scenario::Bytes& bytes) {
     give(bytes);
     const auto [ofUsual, ofPatterns] = cycleApart();
@@ -351,8 +352,8 @@ scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
           .stop = between(1, 8) == 1};
 }
 
-/// @brief Once the PC orders, both send the same bytes for the same bytes, for any order and any
-/// movement of the wheel.
+/// @brief After the PC has begun to send orders, both robots answer the same bytes with the same
+/// bytes, for any order and any movement of the wheel.
 TEST(BothDesigns, SendTheSameBytes) {
   std::mt19937 random(seed());
   SideBySide both;

@@ -46,7 +46,8 @@ class ClosedLoopTest : public testing::Test, protected ControlledWheel {
 constexpr double kRolling = 0.55;  // [N m]
 constexpr double kSlope = 1.17;    // [N m] of a slope of 10 %
 
-/// @brief From 0 to 150 rpm in less than 2 s, with less than 10 % overshoot, with and without a load.
+/// @brief A wheel goes from 0 to 150 rpm in less than 2 s, with less than 10 % overshoot, with and
+/// without a load.
 /// @verifies FR-82
 TEST_F(ClosedLoopTest, FR82_StepReachesTheVelocity) {
   for (const double inertia : {0.037, 0.028, 0.048}) {
@@ -91,8 +92,8 @@ TEST_F(ClosedLoopTest, FR300_VelocityIsKeptUphill) {
   EXPECT_LE(greatest, 1530);
 }
 
-/// @brief From the flat to a slope downhill, in the time that the wheelbase takes, the wheel turns no
-/// faster than 165 rpm, and it settles on the slope.
+/// @brief When the robot drives from flat ground onto a downhill slope, the wheel turns at most at
+/// 165 rpm while the wheelbase passes the edge, and settles on the slope.
 /// @verifies FR-84
 TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   plant.load = kRolling;
@@ -173,8 +174,8 @@ TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   EXPECT_NEAR(plant.present().count(), 3000, 30);
 }
 
-/// @brief After a current that the supply could not drive the next one is reached in 1 s with
-/// hardly any overshoot.
+/// @brief After a current order that the supply could not drive, the next current is reached in 1 s
+/// with hardly any overshoot.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   plant.load = 1.455;  // 3 A carry it
@@ -191,12 +192,12 @@ TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   }
 }
 
-/// @brief After a velocity that the supply could not reach, up to a load of 8 A, the next one has
-/// hardly any overshoot.
+/// @brief After a velocity order that the supply could not reach, with a load of up to 8 A, the
+/// next velocity has hardly any overshoot.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   for (const double load : {3.3, 3.6, 3.9}) {
-    plant.load = load;  // 6.8, 7.4 and 8 A carry it
+    plant.load = load;  // 6.8, 7.4 and 8 A carry the load
     run(velocityOf(3000), 60);
     ASSERT_EQ(controller.applied(), Tension(24000)) << load;
     ASSERT_LT(plant.present(), Velocity(2900)) << load;
@@ -207,8 +208,8 @@ TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   }
 }
 
-/// @brief From 150 rpm forwards to 150 rpm backwards: the wheel is slow before the orientation changes, and is
-/// not driven beyond its set-point afterwards.
+/// @brief From 150 rpm forwards to 150 rpm backwards, the wheel is slow before its orientation
+/// changes; afterwards it hardly exceeds its set-point.
 /// @verifies FR-87
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR87_FR301_ReverseSlowsDownFirst) {
@@ -227,7 +228,7 @@ struct Step {
   double steady = 0;     // [0.1 rpm] error of the mean over the fifth second
 };
 
-/// Orders a velocity for 6 s, and looks at the velocity at the end of each cycle.
+/// Orders a velocity for 6 s, and checks the velocity at the end of each cycle.
 Step stepTo(ControlledWheel& wheel, WheelPlant& plant, int target) {
   Step step;
   double sum = 0;
@@ -282,8 +283,9 @@ WheelPlant plantOf(const Variant& variant) {
   return plant;
 }
 
-/// @brief Over its whole range, in both directions, with any supply, inertia, winding and motor constant:
-/// settled in 3 s, less than 30 % overshoot, and a mean within 1 % or 0.5 rpm.
+/// @brief Over the whole range of velocities, in both directions, with any supply, inertia, winding
+/// and motor constant, a wheel settles in 3 s with less than 30 % overshoot, and its mean velocity
+/// is within 1 % or 0.5 rpm.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   for (const Variant& variant : variants()) {
@@ -302,8 +304,8 @@ TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   }
 }
 
-/// @brief Steps between velocities and reversals settle as steps from rest do; a reversal from 150 rpm has
-/// 5 s, of which it needs up to 2 s to slow down.
+/// @brief Steps between velocities and reversals settle like steps from rest. A reversal from 150
+/// rpm may take 5 s, because the wheel needs up to 2 s to slow down.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   for (const Variant& variant : variants()) {

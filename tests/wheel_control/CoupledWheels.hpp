@@ -70,7 +70,7 @@ class SimulatedWheel : public SensedWheel {
   std::int64_t passed_ = 0;
 };
 
-/// Four wheels that the ground couples: their tyres slip a little on one robot.
+/// Four wheels of one robot that the ground couples; each tyre slips a little.
 class CoupledWheels {
  public:
   std::array<SimulatedWheel, kWheelCount> wheels;
@@ -120,7 +120,7 @@ class CoupledWheels {
     body_ += (grip - opposing) / kBodyInertia * kPart;
   }
 
-  double body_ = 0;  // speed of the robot, as that of the shafts [rad/s]
+  double body_ = 0;  // speed of the robot, converted to the shafts [rad/s]
 };
 
 }  // namespace wr::test

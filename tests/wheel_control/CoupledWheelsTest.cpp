@@ -20,8 +20,8 @@ void expectShared(const CoupledWheels& robot) {
   EXPECT_NEAR(robot.tension(0), others, std::abs(others) * 0.1);
 }
 
-/// @brief Wheel 0 has no Hall edges for 0.4 s: 2.9 s later, and from then on, its voltage is within
-/// 10 % of that of the others.
+/// @brief Wheel 0 has no Hall edges for 0.4 s. From 2.9 s later on, its voltage is within 10 % of
+/// the voltage of the others.
 /// @verifies FR-224
 TEST(CoupledWheels, FR224_WheelsDoNotFightAfterLostEdges) {
   for (const int velocity : {500, 1000, -1000}) {
@@ -52,13 +52,13 @@ TEST(CoupledWheels, FR224_LostEdgesDoNotSpeedUpTheRobot) {
   }
 }
 
-/// @brief A bit that changes in any copy of the integral, of the model or of the set-point of wheel 0 is
-/// corrected: its voltage stays within 10 % of that of the others.
+/// @brief A changed bit in any copy of the integral, of the model or of the set-point of wheel 0 is
+/// corrected: the voltage of the wheel stays within 10 % of the voltage of the others.
 /// @verifies FR-224
 TEST(CoupledWheels, FR224_OneBitChangesNothing) {
   CoupledWheels robot;
   drive(robot, velocityOf(1000), 50);
-  // The values kept three times are located by their content: three equal words.
+  // The test finds the values that are stored three times by their content: three equal words.
   auto* const bytes = reinterpret_cast<unsigned char*>(&robot.wheels[0].velocityAlgorithm);
   constexpr std::size_t kWord = sizeof(std::int32_t);
   std::size_t copies = 0;

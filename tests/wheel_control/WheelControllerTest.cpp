@@ -64,8 +64,8 @@ TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief For any demand the wheel gets at most the supply voltage, and the algorithm is informed,
-/// so that the integral does not grow.
+/// @brief For any demand the wheel gets at most the supply voltage; the algorithm receives the
+/// applied voltage, so that its integral does not grow.
 /// @verifies FR-86
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
@@ -104,7 +104,8 @@ TEST_F(WheelControllerTest, FR90_WithoutVelocityItIsStopped) {
   }
 }
 
-/// @brief Without a current the wheel is stopped; when it returns, control starts without memory.
+/// @brief Without a current the wheel is stopped; when the current is available again, control
+/// starts without memory.
 /// @verifies FR-90
 TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
   control(velocityOf(1500));
@@ -137,7 +138,7 @@ TEST_F(WheelControllerTest, FR88_HaltLowersThenShortCircuits) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief After a halt that did not end, the rise begins at the remaining voltage.
+/// @brief After an incomplete halt the rise begins at the remaining voltage.
 /// @verifies FR-81
 TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -161,8 +162,8 @@ TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   EXPECT_TRUE(orientation.isOn());
 }
 
-/// @brief Voltage times time without motion: 6 V for 0.75 s, 3 V for 1.5 s and 12 V for 0.375 s,
-/// rounded up to whole cycles, count as no motion. The wheel is stopped step by step.
+/// @brief A wheel that does not move counts as without motion feedback after 6 V for 0.75 s, 3 V
+/// for 1.5 s or 12 V for 0.375 s, rounded up to whole cycles. The wheel is stopped step by step.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   struct Case {
@@ -193,9 +194,9 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   }
 }
 
-/// @brief A wheel that its load keeps at rest draws the full current of its voltage: of up to 14 V
-/// a sixteenth counts, of more an eighth. A current of half the voltage or less does not reduce the
-/// count, and an order of 3.2 V always counts fully.
+/// @brief A wheel that its load keeps at rest draws the full current of its voltage: up to 14 V
+/// only a sixteenth of the voltage counts, above 14 V an eighth. A current of half the voltage or
+/// less does not reduce the count, and an order of 3.2 V always counts fully.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   struct Case {
@@ -208,7 +209,7 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
         Case{14100, 9000, 26}, Case{3300, 2000, 219}, Case{3200, 2000, 15}, Case{-6000, -4000, 120},
         Case{-6000, 4000, 8}}) {
     ControlledWheel one;
-    one.control(tensionOf(tension));  // a reversal and a soft start take a cycle each
+    one.control(tensionOf(tension));  // a reversal and a soft start need one cycle each
     one.control(tensionOf(tension));
     one.controller.release();
     int needed = 0;
@@ -221,7 +222,8 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   }
 }
 
-/// @brief A wheel without motion stays stopped through motion and halt, until the release.
+/// @brief A wheel that was stopped without motion feedback stays stopped until the release, even
+/// when it moves and after a halt.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   for (int cycle = 0; cycle < 11; ++cycle) {
@@ -252,7 +254,7 @@ TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief One edge to and fro is no motion: one working sensor alone causes this.
+/// @brief One edge to and fro is no motion: a single working sensor causes it.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   control(tensionOf(7000));
@@ -263,7 +265,7 @@ TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief 2.0 V are not expected to turn a wheel, and a creeping wheel counts as moving.
+/// @brief A voltage of 2.0 V need not turn a wheel, and a creeping wheel counts as moving.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   for (int cycle = 0; cycle < 100; ++cycle) {

@@ -10,9 +10,8 @@
 
 namespace wr::test {
 
-/// Motor, gear and a quarter of the robot, as a train of first order with friction and a load. Its
-/// parameters are its own: a motor and a battery that differ from the assumptions of the
-/// controller.
+/// Motor, gear and a quarter of the robot, as a first-order system with friction and a load. Its
+/// motor and its battery may differ from the assumptions of the controller.
 class WheelPlant {
  public:
   double supply = 25.0;      // a charged battery of 24 V [V]
@@ -20,7 +19,7 @@ class WheelPlant {
   double constant = 0.485;   // [V s/rad], and [N m/A]
   double inertia = 0.039;    // at the shaft [kg m2]
   double friction = 0;       // torque at the shaft against the motion [N m]
-  double load = 0;           // constant torque at the shaft, positive against forwards [N m]
+  double load = 0;           // constant torque at the shaft, positive against forward motion [N m]
 
   /// Lets a cycle pass with the voltage that the driver applies to the motor.
   void cycle(const ControlledWheel& wheel) {

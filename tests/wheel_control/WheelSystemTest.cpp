@@ -47,7 +47,8 @@ TEST_F(WheelSystemTest, FR92_NoWorkBeforeStart) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief The orders of a cycle are executed by the thread: not before its turn, and each cycle completes.
+/// @brief The thread executes the orders of a cycle when its turn comes, and not before; each cycle
+/// completes.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_ThreadExecutesTheOrders) {
   system.start();
@@ -125,7 +126,7 @@ TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {
   EXPECT_EQ(outputs.tensions[1], Tension(88));
 }
 
-/// @brief A cycle does not depend on the one before: a current without samples is missing.
+/// @brief A cycle does not depend on the previous cycle: a current without samples is missing.
 /// @verifies FR-93
 TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
   system.start();

@@ -19,7 +19,8 @@ class WheelTest : public testing::Test {
   Wheel wheel{pwm, orientation, enable};
 };
 
-/// @brief A new wheel leaves its driver off, oriented forwards, until it is stopped or gets a voltage.
+/// @brief The driver of a new wheel is off, and its orientation is forwards, until the wheel is
+/// stopped or gets a voltage.
 /// @verifies FR-88
 TEST_F(WheelTest, FR88_NewWheelIsOff) {
   EXPECT_FALSE(enable.isOn());
@@ -41,7 +42,8 @@ TEST_F(WheelTest, FR80_TensionBecomesShareOfTheSupply) {
   }
 }
 
-/// @brief A voltage beyond the supply counts as the supply, and one below 0 as 0.
+/// @brief A voltage above the supply voltage counts as the supply voltage, and a voltage below 0 as
+/// 0.
 /// @verifies FR-86
 TEST_F(WheelTest, FR86_TensionStaysWithinTheSupply) {
   wheel.setTension(Tension(30000));
@@ -59,7 +61,7 @@ TEST_F(WheelTest, FR88_StopShortCircuits) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief The orientation is at its output.
+/// @brief The output of the orientation has the set level.
 /// @verifies FR-87
 TEST_F(WheelTest, FR87_OrientationStandsAtItsOutput) {
   wheel.setOrientation(true);
@@ -84,8 +86,8 @@ TEST_F(WheelTest, FR89_TripIsLatched) {
   }
 }
 
-/// @brief The driver stays off through one whole control cycle, in which the current decays, and is then
-/// on without voltage: the motor brakes.
+/// @brief The driver stays off for one whole control cycle, in which the current decays; then it is
+/// on without voltage, so that the motor brakes.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_BrakesWhenTheCurrentHasDecayed) {
   wheel.setTension(Tension(5000));

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
 
-/// @brief Results of the decoder for bytes from the line, without Nothing.
+/// @brief Returns the results of the decoder for bytes from the line, except Nothing.
 std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   std::vector<Decoded> said;
   for (const std::uint8_t byte : line) {
@@ -80,7 +80,7 @@ TEST(FrameDecoder, FR41_BadCobsIsDamaged) {
   EXPECT_THAT(push(decoder, {2, 1, 3, 1, 1, 9, 0}), ElementsAre(Decoded::Damaged));
 }
 
-/// @brief A body of fewer than 5 bytes is damaged, also with a right CRC.
+/// @brief A body of fewer than 5 bytes is damaged, even with a correct CRC.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_ABodyOfFewerThanFiveBytesIsDamaged) {
   for (std::size_t length = 0; length <= 2; ++length) {
@@ -150,7 +150,7 @@ TEST(FrameDecoder, FR48_TheFrameAfterADroppedOneIsFound) {
   }
 }
 
-/// @brief After random bytes a frame after a zero byte is always detected, and random bytes are
+/// @brief After random bytes and a zero byte, the next frame is always detected; random bytes are
 /// hardly ever accepted as a frame.
 /// @verifies FR-41
 /// @verifies FR-48

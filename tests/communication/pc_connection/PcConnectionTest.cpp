@@ -89,7 +89,7 @@ struct PcConnectionTest : testing::Test {
 
   [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
 
-  /// @brief Executes an action, and checks that it changes only one count, which is returned.
+  /// @brief Executes an action, checks that it changes only one count, and returns this count.
   template <class Action>
   void expectCounted(std::uint16_t LinkCounts::*count, int times, Action action) {
     LinkCounts expected = connection.counts();
@@ -218,8 +218,8 @@ TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A session that no Welcome has offered cannot be confirmed: neither a session in the cycle
-/// of its Hello, nor the session of a Welcome for which the port had no space.
+/// @brief A session that no Welcome has offered cannot be confirmed. This holds in the cycle of the
+/// Hello, and for a Welcome for which the port had no space.
 /// @verifies FR-245
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR245_OnlyASessionThatWasSentIsOffered) {
@@ -304,7 +304,8 @@ TEST_F(PcConnectionTest, FR31_AConfirmAfterOneSecondConnects) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A Confirm whose last byte comes later is unexpected, also when no cycle has ended the handshake.
+/// @brief A Confirm whose last byte comes later is unexpected, even when no cycle has ended the
+/// handshake yet.
 /// @verifies FR-31
 /// @verifies FR-32
 TEST_F(PcConnectionTest, FR32_AConfirmThatIsLateIsUnexpected) {
@@ -314,7 +315,8 @@ TEST_F(PcConnectionTest, FR32_AConfirmThatIsLateIsUnexpected) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief Without a right Confirm the handshake ends after 1 s; wrong ones do not prolong it.
+/// @brief Without a correct Confirm the handshake ends after 1 s; a wrong Confirm does not prolong
+/// it.
 /// @verifies FR-32
 TEST_F(PcConnectionTest, FR32_TheHandshakeEndsAfterOneSecond) {
   send(kHello);
@@ -486,8 +488,8 @@ TEST_F(PcConnectionTest, FR240_AStopActsInTheHandshake) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop acts although other fields of its order are out of range, and although bits of the commands
-/// are set that have no meaning.
+/// @brief A stop acts even when other fields of its order are out of range, or unused bits of the
+/// commands are set.
 /// @verifies FR-240
 /// @verifies FR-46
 TEST_F(PcConnectionTest, FR240_AStopActsWithFieldsOutOfRange) {
@@ -544,8 +546,9 @@ TEST_F(PcConnectionTest, FR241_ADroppedOrderDoesNotReleaseAStop) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief An order with the sequence number of the last accepted frame, or with one of the 128 before it, is
-/// stale: it is dropped and counted. One of the 127 numbers after it is newer.
+/// @brief An order is stale when its sequence number is that of the last accepted frame, or one of
+/// the 128 numbers before it: the order is dropped and counted. An order with one of the 127
+/// numbers after it is new.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOrderMustBeNewerThanTheFrameBefore) {
   for (int ahead = 0; ahead < 256; ++ahead) {
@@ -577,7 +580,7 @@ TEST_F(PcConnectionTest, FR243_AStaleOrderChangesNothing) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief A KeepAlive with an old number does not make old orders new.
+/// @brief A KeepAlive with an old sequence number does not make old orders valid.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOldKeepAliveDoesNotMakeOldOrdersNew) {
   handshake();
@@ -631,7 +634,8 @@ TEST_F(PcConnectionTest, FR41_FramesThatAreNotInOrderAreCounted) {
   EXPECT_TRUE(port.sent.empty());
 }
 
-/// @brief Types that the system sends, and types without a name, are unknown.
+/// @brief Frames whose type only the system sends, and frames of an undefined type, are counted as
+/// of unknown type.
 /// @verifies FR-44
 TEST_F(PcConnectionTest, FR44_UnknownTypesAreCounted) {
   expectCounted(&LinkCounts::unknownType, 4, [&] {
@@ -852,8 +856,8 @@ TEST_F(PcConnectionTest, FR30_AWelcomeWithoutRoomIsDropped) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief The first frame after start follows a zero byte, which ends a frame that an earlier firmware may have left on
-/// the line. The frames after it do not.
+/// @brief The first frame after start follows a zero byte: it ends a frame that the firmware may
+/// have sent in part before a reset. The frames after it do not.
 /// @verifies FR-247
 TEST_F(PcConnectionTest, FR247_TheFirstFrameFollowsAZeroByte) {
   send(kHello);
@@ -942,7 +946,7 @@ TEST(ProtocolExamples, FR40_TheCodecAgreesWithEachExample) {
   }
 }
 
-/// The example of a Welcome, as the firmware of this build sends it.
+/// The example of a Welcome, with the build id of this build.
 Bytes withThisBuild(Bytes body) {
   std::copy(firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end(), body.begin() + 7);
   return test::withCrc(body);
@@ -970,7 +974,8 @@ TEST_F(PcConnectionTest, FR40_TheConnectionAcceptsEachExample) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief The firmware sends the Welcome of the example that reports a fault, after the same start.
+/// @brief After the start of the example with a fault, the firmware sends the Welcome of this
+/// example.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   start = {ResetCause::Software, FaultKind::Assertion, 3, 0x4A6E};

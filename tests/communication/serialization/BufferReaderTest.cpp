@@ -43,7 +43,7 @@ TEST_F(BufferReaderTest, FR50_DirectionAloneIsNoOrder) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief An order is complete until the older of its signals is 200 ms old, and not later.
+/// @brief An order is complete until the older of its two signals is 200 ms old.
 /// @verifies FR-20
 /// @verifies FR-50
 /// @verifies FR-56
@@ -106,7 +106,7 @@ TEST_F(BufferReaderTest, FR51_SignalsAreLimited) {
   EXPECT_EQ(order.setPoints().steering, Angle(-3200));
 }
 
-/// @brief A signal that changes during a read does not change the order that is being read.
+/// @brief A signal that changes during a read does not change the order of this read.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, FR51_AnOrderHoldsOneValueOfEachSignal) {
   velocitySignal(1);

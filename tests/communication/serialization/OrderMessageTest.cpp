@@ -31,7 +31,7 @@ TEST(OrderMessage, IsAnOrderToStandStill) {
   EXPECT_EQ(order.setPoints(), SetPoints());
 }
 
-/// @brief The steering may be set to 32 degrees to each side, and no further.
+/// @brief The steering may be set to at most 32 degrees to each side.
 /// @verifies FR-46
 /// @verifies FR-178
 TEST(OrderMessage, FR46_SteeringIsInRangeUpToTheLimit) {
@@ -127,7 +127,7 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
   EXPECT_TRUE(copy.stop());
 }
 
-/// @brief An order of which the source contains only a part is not read.
+/// @brief An incomplete order is not read.
 /// @verifies FR-45
 TEST(OrderMessage, AnIncompleteOrderIsNotRead) {
   SerialReader reader;

@@ -237,8 +237,8 @@ TEST(ReportMessage, FR175_EachFlagHasItsBit) {
   EXPECT_EQ(written(armed)[11], 16);
 }
 
-/// @brief The reason why the robot does not follow its set-points, the cause of a protective stop,
-/// its wheel and the sources that order stop have one byte each.
+/// @brief One byte each contains: the reason why the robot does not follow its set-points, the
+/// cause of a protective stop, the wheel of this cause, and the sources that order stop.
 /// @verifies FR-242
 TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   ReportData data;
@@ -249,7 +249,7 @@ TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   EXPECT_EQ(Bytes(bytes.begin() + 120, bytes.begin() + 124), (Bytes{4, 9, 3, 2}));
 }
 
-/// @brief The time of the sender's clock of the order in force has its place.
+/// @brief The report has a field for the time of the sender's clock in the order in force.
 /// @verifies FR-249
 TEST(ReportMessage, FR249_TheTimeOfTheSenderHasItsPlace) {
   ReportData data;
@@ -394,7 +394,7 @@ TEST(ReportMessage, IsReadAsItWasWritten) {
   }
 }
 
-/// @brief A report of which the source contains only a part is not read.
+/// @brief An incomplete report is not read.
 /// @verifies FR-170
 TEST(ReportMessage, AnIncompleteReportIsNotRead) {
   Bytes bytes = written({});

@@ -74,8 +74,7 @@ TEST_F(SerialReaderTest, FR20_AnOrderIsReadUntilItIs200MillisecondsOld) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief An order whose last byte came after the clock pulse of the cycle that reads is not too
-/// old.
+/// @brief An order whose last byte came after the clock pulse of the reading cycle is not too old.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_AnOrderMayComeAfterTheClockPulse) {
   reader.beginCycle(Instant(100'000));
@@ -106,7 +105,8 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeChangesNothing) {
   EXPECT_EQ(read().setPoints().orderId, 1);
 }
 
-/// @brief An order out of range after a read one does not make the read order available again.
+/// @brief An order out of range does not make the previous order available again when that order
+/// was already read.
 /// @verifies FR-20
 /// @verifies FR-46
 TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {
@@ -116,8 +116,8 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A stop stays in force when its order was read, is old, or was dropped, until an order
-/// releases it.
+/// @brief A stop stays in force until an order releases it, even when its own order was read, is
+/// too old, or was dropped.
 /// @verifies FR-21
 TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderReleasesIt) {
   offer(orderBytes(1, 0, 0, 0, 1));
@@ -150,7 +150,7 @@ TEST_F(SerialReaderTest, FR241_OnlyANeutralOrderReleasesAStop) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief An order that moves the wheels does not stop them when no stop is latched.
+/// @brief When no stop is latched, an order that moves the wheels does not cause a stop.
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR241_AnOrderThatMovesDoesNotStop) {
   offer(orderBytes(1, 0, 0, 100));
@@ -208,7 +208,7 @@ TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
   EXPECT_TRUE(reader.finish());
 }
 
-/// @brief A read beyond the end gives 0, is reported at the finish, and does not affect the next
+/// @brief A read beyond the end returns 0, is reported by finish(), and does not affect the next
 /// read.
 /// @verifies FR-45
 TEST_F(SerialReaderTest, AReadBeyondTheEndFails) {

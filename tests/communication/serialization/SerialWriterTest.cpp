@@ -33,7 +33,7 @@ TEST(SerialWriter, BeginsAnew) {
   EXPECT_THAT(writer.bytes(), ElementsAre(0x34, 0x12));
 }
 
-/// @brief A field that does not fit is not written in part, and is reported at the finish.
+/// @brief A field that does not fit is not written at all, and is reported by finish().
 /// @verifies FR-64
 TEST(SerialWriter, TellsThatAFieldDidNotFit) {
   SerialWriter writer;

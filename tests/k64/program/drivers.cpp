@@ -59,7 +59,7 @@ class WheelBody final : public Command {
 std::array<WheelBody, kWheelCount> wheelBodies{WheelBody(0), WheelBody(1), WheelBody(2),
                                                WheelBody(3)};
 
-// Runs the threads of all wheels, the last one first.
+// Runs the threads of all wheels, beginning with the last wheel.
 class MainBody final : public Command {
  public:
   MainBody() = default;
@@ -86,7 +86,7 @@ void countEdges(std::size_t begin, std::size_t end) {
   }
 }
 
-// A value of which each word is its number.
+// A value whose words are all equal to its number.
 struct Numbered {
   std::array<std::uint32_t, 32> words{};
 };
@@ -178,7 +178,8 @@ struct Pulse {
 };
 std::array<Pulse, 3> pulses{};
 
-// Serves an input of the remote control, and computes as long as the handler of a product may.
+// Serves an input of the remote control, and computes for the longest time that a product's handler
+// may need.
 void servePulse(std::size_t input) {
   constexpr std::uint32_t kRounds = 400;
   countEdges(kHallCount + input, kHallCount + input + 1);

@@ -42,7 +42,7 @@ TEST_F(ControlSystemPoolTest, FR18_HoldReachesEachSystem) {
   }
 }
 
-/// @brief The pool has completed a cycle when each system has completed this very cycle.
+/// @brief The pool has completed a cycle when each system has completed the same cycle.
 /// @verifies FR-5
 TEST_F(ControlSystemPoolTest, FR5_CompletedWhenEachSystemIs) {
   EXPECT_TRUE(pool.completed(1));

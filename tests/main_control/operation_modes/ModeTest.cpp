@@ -76,7 +76,7 @@ TEST_F(ModeTest, FR20_OrderThatCannotBeReadWholeChangesNothing) {
   EXPECT_EQ(data.setPoints()->orderId, 8);
 }
 
-/// @brief A change of the mode from the basic mode has no effect.
+/// @brief changeMode() of the basic mode has no effect.
 /// @verifies FR-17
 TEST_F(ModeTest, FR17_BasicModeChangesNothing) {
   basicRc.changeMode(controller);

@@ -23,7 +23,7 @@ class OperationStateTest : public ControllerFixture {
     controller.read();
   }
 
-  // The state that controls after the reads so far.
+  // Returns the state that controls after the reads so far.
   bool isCurrent(FakeState& fake) {
     fake.steps.clear();
     controller.control();
@@ -53,8 +53,8 @@ TEST_F(OperationStateTest, FR15_WorkingSetsWaiting) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting stays until the N-th failed read, including the read before this state, and then
-/// sets WaitingN.
+/// @brief Waiting stays until the N-th failed read, and then sets WaitingN; the failed read that
+/// set Waiting counts.
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
@@ -87,7 +87,7 @@ TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting counts again from 1 after it has handed over to WaitingN.
+/// @brief After the change to WaitingN, Waiting counts again from 1.
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterItsEnd) {
   Waiting waiting(state, other, SystemConstants::instance().waitingCycles());

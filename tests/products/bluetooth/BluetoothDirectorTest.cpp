@@ -125,7 +125,8 @@ TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {
   EXPECT_EQ(cycle().orderId, 4);
 }
 
-/// @brief A stop of the device holds the robot while the PC commands, until the device orders otherwise.
+/// @brief A stop of the device holds the robot while the PC commands, until the device releases the
+/// stop.
 /// @verifies FR-151
 TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInAnyMode) {
   pcOrder(1);
@@ -199,7 +200,8 @@ TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
   EXPECT_FALSE(deviceStop.value);
 }
 
-/// @brief Noise, and orders and stops without a right tag, change nothing, and the PC continues.
+/// @brief Noise has no effect, and neither have orders and stops without a correct tag; the PC
+/// continues to command.
 /// @verifies FR-151
 /// @verifies FR-262
 TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {

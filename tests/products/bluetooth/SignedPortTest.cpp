@@ -45,7 +45,7 @@ class SignedPortTest : public testing::Test {
   scenario::PcSender frames;
 };
 
-/// @brief A frame with a right tag and a new counter is returned without counter and tag.
+/// @brief A frame with a correct tag and a new counter is returned without counter and tag.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
   const scenario::Bytes hello = frames.hello();
@@ -117,7 +117,7 @@ TEST_F(SignedPortTest, FR262_WrongFrameIsAnsweredWithAChallenge) {
   EXPECT_EQ(payload, (scenario::Bytes{0xef, 0xcd, 0xab, 0x89, 0x67, 0x45, 0x23, 0x01, 9, 0, 0, 0}));
 }
 
-/// @brief Sent frames have counters from 1 and right tags.
+/// @brief Sent frames have correct tags, and counters that begin at 1.
 /// @verifies FR-263
 TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
   const scenario::Bytes hello = frames.hello();
@@ -185,8 +185,8 @@ TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
   }
 }
 
-/// @brief A frame that is longer than any, or has other characters than digits after its counter, is dropped; the
-/// next right frame is returned.
+/// @brief A frame that is too long, or that has other characters than digits after its counter, is
+/// dropped; the next correct frame is returned.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_StrangeBytesAreDropped) {
   line.arrive(scenario::Bytes(1000, 1));

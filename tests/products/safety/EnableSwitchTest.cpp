@@ -99,8 +99,8 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief A confirmed stop between two cycles stops in the next one, also when the newest pulse drives; it ends
-/// with the stick centred.
+/// @brief A confirmed stop between two cycles stops the robot in the next cycle, even when the
+/// newest pulse has the position "drive"; the stop ends with the stick centred.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
@@ -154,8 +154,8 @@ TEST_F(EnableSwitchTest, FR286_TheStopLastsUntilTheStickIsCentred) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief Without pulses of the velocity stick the switch alone releases: because the stick cannot
-/// order a motion.
+/// @brief Without pulses of the velocity stick the switch alone releases the stop, because the
+/// stick cannot order a motion.
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
   signals(kStop, 3000);
@@ -169,7 +169,8 @@ TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief In the position "PC" the remote control has no order; in the others it has.
+/// @brief In the position "PC" the remote control has no order; in the other positions it has an
+/// order.
 /// @verifies FR-287
 TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
   signals(kDrive);
@@ -183,7 +184,7 @@ TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
   EXPECT_TRUE(mode.newMessage());
 }
 
-/// @brief The sequence stop, PC, drive acknowledges with the first three orders.
+/// @brief After the sequence stop, PC, drive the first three orders acknowledge.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   source.order.orderId = 9;
@@ -229,7 +230,8 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief Moving pulses that stay within 8 us stop the robot after 2 s, and not before.
+/// @brief When the pulses order a motion and vary by at most 8 us, the robot stops after 2 s, and
+/// not earlier.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   signals(kDrive, 0);
@@ -268,7 +270,7 @@ TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
   }
 }
 
-/// @brief A robot that the remote control does not move needs no change of its pulses.
+/// @brief While the remote control does not move the robot, its pulses need not change.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ACentredStickNeedsNoChange) {
   for (int cycles = 0; cycles < 200; ++cycles) {
@@ -343,7 +345,7 @@ TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {
   }
 }
 
-/// @brief Pulses of 1250 us to 2100 us confirm no stop.
+/// @brief Pulses from 1250 to 2100 us do not confirm a stop.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_PulsesThatDriveConfirmNoStop) {
   pulse(1500);

@@ -23,7 +23,8 @@ class WatchedInterrupts : public testing::Test {
   InterruptWatch watch_;
 };
 
-/// @brief A tick 20 ms after the one before is in time, a later one is not. Nothing precedes the first tick.
+/// @brief A tick 20 ms after the previous tick is in time; a later tick is not. Nothing precedes
+/// the first tick.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {
   tick(milliseconds(500));
@@ -32,7 +33,7 @@ TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {
   EXPECT_DEATH(tick(milliseconds(20) + Microseconds(1)), "assertion 7 failed");
 }
 
-/// @brief An edge may wait at four successive ticks, time and again, and not at five.
+/// @brief An edge may wait at four successive ticks, any number of times, but not at five.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_AnEdgeThatWaitsTooLongEndsTheProgram) {
   for (int number = 0; number < 100; ++number) {

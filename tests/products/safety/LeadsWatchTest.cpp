@@ -39,7 +39,7 @@ class WatchedLeads : public testing::Test {
     return (motor.constant * rpm + motor.resistance * amperes) * 24 / motor.supply;
   }
 
-  /// Starts, and drives for some seconds; returns whether the watch stopped it.
+  /// Starts the wheel and drives it for some seconds; returns whether the watch stopped it.
   bool drive(double rpm, double amperes, int cycles) {
     bool stopped = false;
     const double step = rpm < 0 ? -17.6 : 17.6;
@@ -52,7 +52,8 @@ class WatchedLeads : public testing::Test {
     return stopped;
   }
 
-  /// Cycles until leads that are swapped at a constant voltage are found; 0 if they are not.
+  /// Returns the number of cycles until swapped leads at a constant voltage are detected; 0 if they
+  /// are not detected.
   int found(double rpm, double volts) {
     motor.swapped = true;
     for (int number = 1; number <= 20; ++number) {
@@ -80,8 +81,8 @@ TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
 }
 
 /// @brief Motors at the ends of their tolerances, with a supply of 21 or 29 V and a current sensor
-/// with an error of 0.3 A, are learned: right leads are no cause, also when load and velocity
-/// change at once, and swapped leads are found within five cycles at 20 rpm.
+/// with an error of 0.3 A, are learned. Correct leads are no cause of a stop, even when load and
+/// velocity change at once; swapped leads are detected within five cycles at 20 rpm.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   for (const double supply : {21.0, 29.0}) {
@@ -107,7 +108,7 @@ TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   }
 }
 
-/// @brief One cycle that fits swapped leads, even perfectly, is no cause.
+/// @brief A single cycle that matches swapped leads, even perfectly, does not stop the robot.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   EXPECT_FALSE(drive(300, 1, 40));
@@ -141,7 +142,7 @@ TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   EXPECT_TRUE(cycle(100, pulling(100, 1)));
 }
 
-/// @brief Up to 1 V, with which the bring-up turns a wheel, swapped leads are no cause.
+/// @brief Up to 1 V, the voltage of the bring-up, swapped leads do not stop the robot.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_UpToOneVoltNothingCounts) {
   EXPECT_FALSE(drive(10, 1, 40));
@@ -149,7 +150,7 @@ TEST_F(WatchedLeads, FR307_UpToOneVoltNothingCounts) {
   EXPECT_GT(found(10, 1.1), 0);
 }
 
-/// @brief A watch that begins again has no evidence.
+/// @brief After a restart the watch has no evidence.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
   EXPECT_FALSE(drive(100, 1, 40));

@@ -24,10 +24,9 @@ WheelFeedback measured(int rpm, int milliamperes) {
   return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes)};
 }
 
-/// @brief Far from the limit, and for a wheel whose voltage is not known, the demand is not
-/// changed. With 12 A the voltage
-/// does not rise; with 10 A it rises by 2 V, as the winding has more than 1 ohm. The other
-/// direction has the same limits.
+/// @brief Far from the limit, and for a wheel whose voltage is unknown, the demand is not changed.
+/// With 12 A the voltage does not rise; with 10 A it rises by 2 V, as the winding has more than 1
+/// ohm. The other direction has the same limits.
 /// @verifies FR-296
 TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   DirectAlgorithm direct;
@@ -49,9 +48,8 @@ TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   EXPECT_EQ(limited.calculate(24000, measured(0, 12000)), Tension(24000));
 }
 
-/// @brief At 290 rpm the voltage of a wheel does not rise, above this velocity it falls, and a
-/// wheel that accelerates towards the limit gets less voltage. An order against the motion is not
-/// changed.
+/// @brief At 290 rpm the voltage of a wheel does not rise; above 290 rpm it falls. A wheel that
+/// accelerates towards the limit gets less voltage. An order against the motion is not changed.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   for (const int sign : {1, -1}) {
@@ -79,8 +77,9 @@ TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   }
 }
 
-/// @brief A wheel whose voltage is not known gets less than the voltage that its velocity induces: at 290 rpm
-/// 15.2 V. At 29 V instead of 24 V it is not driven then.
+/// @brief A wheel whose voltage is unknown gets less than the voltage that its velocity induces:
+/// 15.2 V at 290 rpm. Even with a supply of 29 V instead of 24 V, this voltage does not drive the
+/// wheel.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_AnUnknownVoltageIsTakenForLow) {
   DirectAlgorithm direct;

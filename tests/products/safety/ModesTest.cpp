@@ -58,7 +58,7 @@ TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
       continue;
     }
     const double angle = steering / 100.0 * std::numbers::pi / 180;
-    const double centre = kWheelbase / std::tan(angle);  // to the left of the rear axle
+    const double centre = kWheelbase / std::tan(angle);  // distance to the left of the rear axle
     const SetPoints order = read(alike(-3000, steering));
     std::array<double, 4> circles{};
     for (std::size_t wheel = 0; wheel < 4; ++wheel) {
@@ -147,7 +147,7 @@ TEST_F(PersistentStopTest, FR290_AStopOutlivesAReset) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief Power-on begins without a stop, with any content of the memory.
+/// @brief After power-on there is no stop, whatever the memory contains.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_PowerOnBeginsWithoutAStop) {
   cells = {.value = 0x12345678, .check = 0x9ABCDEF0};

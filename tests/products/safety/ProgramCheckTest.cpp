@@ -16,7 +16,7 @@ constexpr std::size_t kSizeOfRam = std::size_t{64} * 1024 / sizeof(Words);
 /// A program of two parts, and its copy.
 class CheckedProgram : public testing::Test {
  protected:
-  // The check after each of some ticks, and after other interrupts between them.
+  // Calls the check after each of some ticks, and after other interrupts between them.
   void ticks(int count) {
     for (int number = 0; number < count; ++number) {
       check_.tick();
@@ -40,7 +40,7 @@ class CheckedProgram : public testing::Test {
   ProgramCheck check_{parts_};
 };
 
-/// @brief A program that stays as it was is checked again and again.
+/// @brief While the program does not change, the check repeats without end.
 /// @verifies FR-309
 TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
   ticks(10'000);

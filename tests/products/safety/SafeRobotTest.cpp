@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint8_t kTension = 1;
 constexpr std::uint8_t kCurrent = 2;
 
-/// @brief Nothing moves at power-on with a deflected stick, for any time.
+/// @brief After power-on with a deflected stick nothing ever moves.
 /// @verifies FR-280
 /// @verifies FR-286
 TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
@@ -19,7 +19,8 @@ TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
   EXPECT_FALSE(voltage());
 }
 
-/// @brief Orders of the PC move nothing until neutral ones armed the robot; then the whole robot follows them.
+/// @brief Orders of the PC move nothing until neutral orders have armed the robot; then the whole
+/// robot follows the orders.
 /// @verifies FR-280
 /// @verifies FR-281
 /// @verifies FR-293
@@ -37,7 +38,8 @@ TEST_F(SafeRobot, FR280_OrdersOfThePcMoveNothingUnarmed) {
   EXPECT_NEAR(rpm(), 100, 3);
 }
 
-/// @brief A single neutral order does not arm, although it stays in force while the PC is silent.
+/// @brief A single neutral order does not arm the robot, although the order stays in force while
+/// the PC is silent.
 /// @verifies FR-280
 TEST_F(SafeRobot, FR280_ASingleNeutralOrderDoesNotArm) {
   enable(kPc);
@@ -50,8 +52,8 @@ TEST_F(SafeRobot, FR280_ASingleNeutralOrderDoesNotArm) {
   EXPECT_DOUBLE_EQ(fastest, 0.0);
 }
 
-/// @brief Speeds and reversals in each quantity, and stops between them, do not cause a protective
-/// stop, and no wheel is faster than 330 rpm.
+/// @brief Orders of different speeds and directions in each quantity, with stops between them, do
+/// not cause a protective stop; no wheel is faster than 330 rpm.
 /// @verifies FR-270
 /// @verifies FR-274
 /// @verifies FR-283
@@ -163,7 +165,8 @@ TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
   EXPECT_FALSE(voltage());
 }
 
-/// @brief Dead Hall sensors of one wheel stop the whole robot, before it drives 1.5 m without their signals.
+/// @brief When the Hall sensors of one wheel are dead, the whole robot stops before it has driven
+/// 1.5 m.
 /// @verifies FR-273
 /// @verifies FR-277
 TEST_F(SafeRobot, FR277_DeadHallSensorsStopTheRobot) {
@@ -190,8 +193,8 @@ TEST_F(SafeRobot, FR278_ABrokenCurrentSensorStopsTheRobot) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief The enable switch stops the robot in the second next cycle while the PC drives, and the
-/// stop lasts while the PC continues to send orders.
+/// @brief While the PC drives, the enable switch stops the robot within two cycles; the stop lasts
+/// while the PC continues to send orders.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(SafeRobot, FR285_TheRemoteControlStopsARobotThatThePcDrives) {
@@ -269,9 +272,8 @@ TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief A turn of the switch to "stop" for 40 ms stops a robot that the PC drives, at any time of
-/// the cycle. The
-/// robot stays at rest until the PC has ordered neutral values.
+/// @brief When the switch is in "stop" for 40 ms, at any time of the cycle, a robot that the PC
+/// drives stops. The robot stays at rest until the PC has ordered neutral values.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   armByPc();

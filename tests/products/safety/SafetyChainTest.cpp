@@ -143,8 +143,8 @@ TEST_F(ProtectiveStopTest, FR270_SetPointsPassWithoutAFault) {
   EXPECT_EQ(protection(stop), Protection{});
 }
 
-/// @brief A fault of one wheel holds all control systems in the same cycle, and in every later one,
-/// also after the end of the fault and after a hold.
+/// @brief A fault of one wheel holds all control systems in the same cycle and in every later
+/// cycle, even after the end of the fault and after a hold.
 /// @verifies FR-270
 /// @verifies FR-281
 TEST_F(ProtectiveStopTest, FR270_AFaultHoldsInItsCycleAndAfterwards) {
@@ -159,7 +159,8 @@ TEST_F(ProtectiveStopTest, FR270_AFaultHoldsInItsCycleAndAfterwards) {
   expectLatched(StopCause::Overcurrent, 2);
 }
 
-/// @brief The contact of the emergency-stop circuit is a cause while it is open, also of a held robot.
+/// @brief An open contact of the emergency-stop circuit causes a protective stop, even while the
+/// robot is held.
 /// @verifies FR-271
 TEST_F(ProtectiveStopTest, FR271_TheEmergencyStopIsACause) {
   contact.set(true);
@@ -194,7 +195,8 @@ TEST_F(ProtectiveStopTest, FR291_TheCauseIsStored) {
   EXPECT_EQ(memory.stored().wheel, Protection::kNoWheel);
 }
 
-/// @brief Power-on releases; after any other reset empty, erased or changed memory is a protective stop.
+/// @brief Power-on releases the protective stop. After any other reset, empty, erased or changed
+/// memory counts as a protective stop.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   RetainedProtection::Cells cells{};
@@ -234,7 +236,8 @@ TEST(RetainedProtectionTest, FR291_ALossOfTheClockIsAProtectiveStop) {
   EXPECT_EQ(memory.stored().wheel, 3);
 }
 
-/// @brief An opening of three ticks between two cycles stops in the next cycle; one of two ticks does not.
+/// @brief An opening of three ticks between two cycles stops the robot in the next cycle; an
+/// opening of two ticks does not.
 /// @verifies FR-271
 TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
   for (const int ticks : {2, 2, 3}) {
@@ -283,8 +286,8 @@ TEST_F(ProtectiveStopTest, FR271_AnOpenContactCannotBeAcknowledged) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A wheel that moves less than the others, and one that draws 12 A for a second, stop the
-/// robot. A hold restarts the comparison.
+/// @brief A wheel that moves less than the others stops the robot, and so does a wheel that draws
+/// 12 A for 1 s. A hold restarts the comparison.
 /// @verifies FR-297
 /// @verifies FR-298
 TEST_F(ProtectiveStopTest, FR297_FR298_TheWheelsAreCompared) {
@@ -314,7 +317,7 @@ TEST_F(ProtectiveStopTest, FR297_FR298_TheWheelsAreCompared) {
   expectLatched(StopCause::Overcurrent, 1);
 }
 
-/// @brief A fault of the steering is a cause.
+/// @brief A fault of the steering causes a protective stop.
 /// @verifies FR-272
 TEST_F(ProtectiveStopTest, FR272_AFaultOfTheSteeringIsACause) {
   order(stop, alike(0));
@@ -324,8 +327,8 @@ TEST_F(ProtectiveStopTest, FR272_AFaultOfTheSteeringIsACause) {
   expectLatched(StopCause::SteeringFault, Protection::kNoWheel);
 }
 
-/// @brief Only an acknowledgement releases a protective stop; it reaches the control systems. A fault that
-/// lasts begins the next one.
+/// @brief Only an acknowledgement releases a protective stop; it reaches the control systems. A
+/// fault that lasts causes the next protective stop.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnAcknowledgementReleases) {
   spy.measured.wheels[1].blind = true;
@@ -365,7 +368,7 @@ TEST_F(ArmingTest, FR280_NothingMovesUnarmed) {
   }
 }
 
-/// @brief Orders are forwarded after five cycles of 100 ms with neutral ones, and not after four.
+/// @brief Orders are forwarded after five cycles of 100 ms with neutral orders, and not after four.
 /// @verifies FR-280
 /// @verifies FR-281
 TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
@@ -397,7 +400,7 @@ TEST_F(ArmingTest, FR280_ANeutralOrderCountsOnce) {
   EXPECT_TRUE(protection(arming).armed);
 }
 
-/// @brief One wheel that is not at 0 is not neutral, in any quantity.
+/// @brief An order is not neutral when one of its wheel values is not 0, in any quantity.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_EveryWheelHasToBeNeutral) {
   for (const WheelQuantity quantity :
@@ -469,7 +472,7 @@ TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   EXPECT_EQ(cycles, 18 + 35 + 18);
 }
 
-/// @brief A change of up to 17.6 rpm is applied in one cycle; one of 17.7 rpm does not.
+/// @brief A change of up to 17.6 rpm is applied in one cycle; a change of 17.7 rpm is not.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_SmallChangesPass) {
   order(ramp, alike(176));
@@ -490,9 +493,9 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   EXPECT_EQ(spy.applied.wheels[2].value, -44);
 }
 
-/// @brief Set-points of current are not changed. Velocity then begins at the measured one, or at
-/// the velocity that the voltage of the wheel makes without load if this is lower, and at 0 when
-/// they oppose each other.
+/// @brief Set-points of current are not changed. The velocity then begins at the measured velocity,
+/// or at the velocity that the voltage of the wheel causes without load if this is lower. It begins
+/// at 0 when the two have opposite directions.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   struct Case {
@@ -506,7 +509,7 @@ TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
       wheel.velocity = Velocity(velocity);
     }
     spy.outputs.tensions.fill(Tension(1000 * volts));
-    for (int cycles = 0; cycles < 20; ++cycles) {  // a velocity that jumps lowers the set-points
+    for (int cycles = 0; cycles < 20; ++cycles) {  // a jump of the velocity lowers the set-points
       order(ramp, alike(-10000, WheelQuantity::Current));
     }
     EXPECT_EQ(first(), -10000);
@@ -539,8 +542,8 @@ TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
   EXPECT_EQ(first(), 1000);
 }
 
-/// @brief Up to 1 degree, 300 rpm are permitted, at 5 degrees 260 rpm, at 32 degrees 240 rpm, of
-/// the ordered or of the measured angle, whichever is greater. All wheels have one factor.
+/// @brief The permitted velocity is 300 rpm up to 1 degree, 260 rpm at 5 degrees and 240 rpm at 32
+/// degrees. The greater of the ordered and the measured angle counts. All wheels have one factor.
 /// @verifies FR-294
 TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
   struct Case {
@@ -568,9 +571,9 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
   }
 }
 
-/// @brief While one wheel is measured faster than 310.0 rpm, or will be in two cycles, the set-points of all
-/// wheels fall by 6 % per cycle, down to a tenth; otherwise they rise by 1 % per cycle. In a curve
-/// of 5 degrees the limit is 270.0 rpm.
+/// @brief While one wheel turns faster than 310.0 rpm, or will do so in two cycles, the set-points
+/// of all wheels fall by 6 % per cycle, to a tenth at least. Otherwise they rise by 1 % per cycle.
+/// In a curve of 5 degrees the limit is 270.0 rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   constexpr WheelQuantity kCurrent = WheelQuantity::Current;

@@ -82,7 +82,7 @@ class SafetyBuilderTest : public testing::Test {
       {.wheels = {}, .systems = systems, .emergencyStop = emergencyStop, .memory = memory}};
 };
 
-/// @brief Before the control systems are built starting, ordering and ticking is not possible.
+/// @brief Before the control systems are built, they cannot be started, ordered or ticked.
 /// @verifies FR-78
 TEST_F(SafetyBuilderTest, FR78_UseBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(builder.start(), "assertion 1 failed");

@@ -25,7 +25,8 @@ std::vector<std::filesystem::path> scenarios() {
 
 class ScenariosWithSafety : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The robot with safety functions meets each scenario that is not of the paper's design alone.
+/// @brief The robot with safety functions meets each scenario, except those that only the design of
+/// the paper can meet.
 /// @verifies NFR-6
 TEST_P(ScenariosWithSafety, NFR6_RobotDoesWhatIsExpected) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -79,7 +80,8 @@ INSTANTIATE_TEST_SUITE_P(Drives, SwappedLeads,
 
 class FaultOfAPart : public SafetyScenario {};
 
-/// @brief A fault of one wheel, of its leads or of its sensors brakes the whole robot, and it stays at rest.
+/// @brief A fault of one wheel, of its leads or of its sensors brakes the whole robot, and the
+/// robot stays at rest.
 /// @verifies FR-270
 TEST_P(FaultOfAPart, FR270_StopsTheWholeRobot) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -134,7 +136,8 @@ INSTANTIATE_TEST_SUITE_P(Limits, LimitOfTheRobot,
 
 class EmergencyStop : public SafetyScenario {};
 
-/// @brief The robot stops when the emergency stop is pressed, also shortly, and waits for an acknowledgement.
+/// @brief The robot stops when the emergency stop is pressed, even for a short time, and waits for
+/// an acknowledgement.
 /// @verifies FR-271
 TEST_P(EmergencyStop, FR271_StopsTheRobot) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -146,7 +149,8 @@ INSTANTIATE_TEST_SUITE_P(Presses, EmergencyStop,
 
 class StartOfTheRobot : public SafetyScenario {};
 
-/// @brief After power-on, after a reset and after silence of the PC, orders move nothing before neutral ones.
+/// @brief After power-on, after a reset and after silence of the PC, orders move nothing until
+/// neutral orders have come.
 /// @verifies FR-280
 TEST_P(StartOfTheRobot, FR280_NeedsNeutralOrders) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});

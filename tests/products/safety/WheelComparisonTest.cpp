@@ -38,8 +38,8 @@ class ComparedWheels : public testing::Test {
   WheelComparison comparison;
 };
 
-/// @brief A wheel that does not move is detected after twice 20 edges of the others, which are
-/// 0.114 m: the wheel of 0.272 m radius turns once in 600 edges.
+/// @brief A wheel that does not move is detected after two comparisons of 20 edges of the others.
+/// This is a distance of 0.114 m: a wheel with a radius of 0.272 m has 600 edges in a turn.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   for (const int direction : {1, -1}) {
@@ -52,7 +52,7 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   }
 }
 
-/// @brief A wheel that moves half as far as the others is reported, a wheel that moves further is
+/// @brief A wheel that moves half as far as the others is reported; a wheel that moves farther is
 /// not. A wheel that is faster than the others, or too slow only once, is never reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
@@ -67,7 +67,7 @@ TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
 }
 
 /// @brief A wheel whose sensors count the wrong way, and one whose position is missing, are
-/// reported. The ratios of the tightest curve are not reported.
+/// reported. The different velocities in the tightest curve are not reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
   for (int cycle = 0; cycle < 10; ++cycle) {

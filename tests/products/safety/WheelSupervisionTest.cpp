@@ -23,14 +23,14 @@ class SupervisedWheel : public testing::Test {
     return {.quantity = WheelQuantity::Velocity, .value = static_cast<std::int16_t>(rpm * 10)};
   }
 
-  /// A cycle with a voltage and a set-point that apply until the next cycle.
+  /// Runs a cycle with a voltage and a set-point that apply until the next cycle.
   StopCause cycle(const WheelMeasurements& values, double volts, double setPoint) {
     const WheelSetPoint followed = velocity(setPoint);
     return wheel.examine(values, Tension(static_cast<std::int32_t>(volts * 1000)), &followed);
   }
 
-  /// The same cycle several times, with the noise of a current sensor; returns the first cycle with
-  /// a cause, 0 for none.
+  /// Repeats a cycle, with the noise of a current sensor; returns the number of the first cycle
+  /// with a cause, 0 if there is none.
   int firstCause(int cycles, WheelMeasurements values, double volts, double setPoint) {
     for (int number = 1; number <= cycles; ++number) {
       if (values.current) {
@@ -44,7 +44,7 @@ class SupervisedWheel : public testing::Test {
     return 0;
   }
 
-  /// A halted wheel that has its voltage from a cycle before.
+  /// A halted wheel that still has the voltage of an earlier cycle.
   StopCause halted(const WheelMeasurements& values, double volts = 0) {
     return wheel.examine(values, Tension(static_cast<std::int32_t>(volts * 1000)), nullptr);
   }
@@ -59,7 +59,8 @@ TEST_F(SupervisedWheel, FR277_MatchingMeasurementsArePlausible) {
   EXPECT_EQ(firstCause(100, measured(150, 1), 9.354, 150), 0);
 }
 
-/// @brief The overcurrent trip, and missing motion, are causes at once, also of a halted wheel.
+/// @brief The overcurrent trip and missing motion are causes at once, even when the wheel is
+/// halted.
 /// @verifies FR-273
 TEST_F(SupervisedWheel, FR273_FaultsOfTheWheelAreCauses) {
   WheelMeasurements tripped = measured(0, 0);
@@ -101,8 +102,8 @@ TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.5 V and 20 rpm against it, 1.124 V may remain unexplained: 40 % of 1.5 V and half of 1.047 V.
-/// The bound is met by 0.949 A.
+/// @brief At 1.5 V, and 20 rpm in the opposite direction, up to 1.124 V may remain unexplained: 40
+/// % of 1.5 V plus half of 1.047 V. The bound is met by 0.949 A.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(firstCause(20, measured(-20, 0.96), 1.5, 17.6), 0);
@@ -110,8 +111,8 @@ TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief A wheel that a slope drags against its voltage, ever faster, draws (3 V + k v) / 1.5 Ohm: it is
-/// no cause, nor is it with 15 % more resistance and a supply of 21 V.
+/// @brief A slope drags a wheel faster and faster against its voltage. The wheel draws (3 V + k v)
+/// / 1.5 Ohm: this is no cause, not even with 15 % more resistance and a supply of 21 V.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_ADraggedWheelIsNoCause) {
   for (const double share : {1.0, 21.0 / 24 / 1.15}) {
@@ -171,8 +172,8 @@ TEST_F(SupervisedWheel, FR276_TheLastTenSetPointsCount) {
   EXPECT_EQ(cause, StopCause::Overspeed);
 }
 
-/// @brief A wheel that is too fast and loses more than 1 rpm in a cycle is braked: it is no cause.
-/// A wheel that loses 1 rpm is a cause.
+/// @brief A wheel that is too fast and loses more than 1 rpm in a cycle is being braked: this is no
+/// cause. A wheel that loses only 1 rpm is a cause.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
   EXPECT_EQ(firstCause(10, measured(20, 1), 2.5, 20), 0);
@@ -190,7 +191,7 @@ TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
   EXPECT_EQ(cycle(measured(98, 0), 5.2, 20), StopCause::Overspeed);
 }
 
-/// @brief A wheel that follows a falling set-point later by up to 0.4 s is no cause.
+/// @brief A wheel that follows a falling set-point with a delay of up to 0.4 s is no cause.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
   std::vector<double> setPoints;
@@ -225,8 +226,9 @@ TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief No supply from 21 to 29 V and no resistance within 25 %, or motor constant within 10 %, of its
-/// nominal value is a cause, for each voltage, load and direction of a wheel below 330 rpm.
+/// @brief A supply from 21 to 29 V, a resistance within 25 % of its nominal value and a motor
+/// constant within 10 % of its nominal value are no cause. This is tested for each voltage, load
+/// and direction of a wheel below 330 rpm.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
   int points = 0;
@@ -271,9 +273,9 @@ TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   }
 }
 
-/// @brief A current that is the same in seven changes of cycle under 1.1 V is a cause in the cycle
-/// of the seventh change, at a constant voltage too; a current that varies by 1 mA is no cause, nor
-/// is a current under 1.0 V.
+/// @brief At 1.1 V, a current that stays the same from cycle to cycle seven times is a cause in the
+/// last of these cycles, also at a constant voltage. A current that varies by 1 mA is no cause, nor
+/// is a constant current at 1.0 V.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   const auto stuckFor = [&](int cycles, double rpm, double volts, double noise) {
@@ -294,8 +296,8 @@ TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   EXPECT_EQ(stuckFor(50, 18, 1.0, 0), 0);
 }
 
-/// @brief A wheel at rest without voltage has no current: more than 1.0 A in two cycles is a cause,
-/// 1.0 A is no cause, nor is 1.1 A of a turning wheel.
+/// @brief A wheel at rest without voltage has no current. More than 1.0 A in two cycles is a cause;
+/// 1.0 A is no cause, nor is 1.1 A while the wheel turns.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, 1.0)), StopCause::None);
@@ -344,8 +346,8 @@ class RejectedEdges : public SupervisedWheel {
   int milliamperes_ = 0;
 };
 
-/// @brief Nine implausible edges under voltage are a cause; a cycle counts for at most five, and takes back a
-/// half. Those before the first cycle do not count.
+/// @brief Nine implausible edges while the wheel has voltage are a cause. One cycle counts at most
+/// five edges, and subtracts half an edge. Those before the first cycle do not count.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 200), StopCause::None);
@@ -368,7 +370,8 @@ TEST_F(RejectedEdges, FR279_SingleLostEdgesAddUp) {
   }
 }
 
-/// @brief A wheel that rests on an edge gives implausible edges: fewer than five in a cycle count nothing.
+/// @brief A wheel at rest on an edge causes implausible edges: fewer than five in a cycle do not
+/// count.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_AWheelAtRestMayGiveSome) {
   EXPECT_EQ(rejected(100, 4, 9, 2), StopCause::None);

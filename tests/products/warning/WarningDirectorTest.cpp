@@ -14,7 +14,7 @@ constexpr int kWaitingN = 2;
 constexpr int kReconnecting = 3;
 constexpr int kWaitingK = 4;
 
-// A robot that warns. The PC is connected and has ordered.
+// A robot that warns. The PC is connected and has sent an order.
 class WarningRobot : public ProductFixture {
  protected:
   WarningRobot() {
@@ -33,8 +33,8 @@ class WarningRobot : public ProductFixture {
   WarningDirector director{poolBuilder, builder, warning};
 };
 
-/// @brief The warning is on at the failed read before the last waiting state, and at no other one;
-/// the robot follows its set-points until the last waiting state ends.
+/// @brief The warning is on only at the failed read before the last waiting state; the robot
+/// follows its set-points until the last waiting state ends.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_EQ(order(8).orderId, 8);

@@ -95,7 +95,8 @@ TEST_F(CurrentTest, FR125_RecordInGroupsOfEight) {
 }
 
 /// @brief Sum and number may overflow: the mean of a cycle is still correct. With a negative
-/// current the sum underflows at the first sample; with a positive one it rises until it overflows.
+/// current the sum underflows at the first sample; with a positive current it rises until it
+/// overflows.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_SumsMayWrap) {
   ticks(64, 2048);
@@ -115,7 +116,7 @@ TEST_F(CurrentTest, FR125_SumsMayWrap) {
   }
 }
 
-/// @brief A tick at which no conversion has ended has no sample, and requests one again.
+/// @brief A tick at which no conversion has ended has no sample, and requests a new sample.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_BeatWithoutSample) {
   ticks(71, 2048);
@@ -181,8 +182,8 @@ TEST_F(CurrentTest, FR125_NothingWithoutSamples) {
   EXPECT_EQ(after.value, before.value);
 }
 
-/// @brief The noise of the sensor averages out: 50 mA rms leave 5 mA of the zero and 5 mA of a
-/// cycle.
+/// @brief The noise of the sensor averages out: of 50 mA rms, 5 mA remain in the zero and 5 mA in
+/// the mean of a cycle.
 /// @verifies FR-125
 /// @verifies FR-126
 TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
@@ -270,8 +271,8 @@ TEST_F(CurrentTest, FR128_NotInARow) {
   EXPECT_EQ(overcurrent.executions, 0);
 }
 
-/// @brief A sensor at an end of its range is too high, also when its zero leaves less than 15 A to
-/// it.
+/// @brief A value at an end of the sensor's range counts as too high, even when it is less than 15
+/// A from the zero.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_EndOfTheRange) {
   struct Sensor {
@@ -293,7 +294,8 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   }
 }
 
-/// @brief Where the zero leaves less than 15 A to an end of the range, only the very end is too high.
+/// @brief When the zero is less than 15 A from an end of the range, only the last value of the
+/// range is too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   struct Sensor {
@@ -318,8 +320,8 @@ TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   }
 }
 
-/// @brief A cycle with a mean beyond 16 A has no current, up to the end of the range: the value of a
-/// broken sensor is not reported.
+/// @brief A cycle whose mean is beyond 16 A, up to the end of the range, has no current: the value
+/// of a broken sensor is not reported.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_EndOfTheRangeIsNoMeasurement) {
   ticks(64, 2048);

@@ -15,8 +15,8 @@ namespace {
 
 class DirSensorTest : public testing::Test {
  protected:
-  /// One tick, at which the conversion of the tick before has a result; true when the tick ended a
-  /// measurement.
+  /// One tick, at which the conversion of the previous tick has a result; returns true when the
+  /// tick ended a measurement.
   bool tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -73,7 +73,7 @@ TEST_F(DirSensorTest, FR129_ScaleOfTheSensor) {
   }
 }
 
-/// @brief The angle is the mean of 8 samples, and of no older sample.
+/// @brief The angle is the mean of the last 8 samples only.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_MeanOfEight) {
   ticks(8, 2048);
@@ -119,7 +119,7 @@ TEST_F(DirSensorTest, FR129_NoiseIsSmoothed) {
 }
 
 /// @brief A sample near an end of the range is rejected, and no angle is written until 8 good ones
-/// have followed. The measurement ends at its 8th tick all the same.
+/// have followed. The measurement still ends at its 8th tick.
 /// @verifies FR-130
 TEST_F(DirSensorTest, FR130_RefusesTheEndsOfTheRange) {
   for (const int broken : {0, 81, 4014, 4095}) {
@@ -140,7 +140,7 @@ TEST_F(DirSensorTest, FR130_RefusesTheEndsOfTheRange) {
   }
 }
 
-/// @brief A sensor that is broken for long gives no angle, and its measurements end all the same.
+/// @brief A sensor that is broken for a long time has no angle; its measurements still end.
 /// @verifies FR-130
 TEST_F(DirSensorTest, FR130_BrokenForLong) {
   int ended = 0;
@@ -174,7 +174,7 @@ class NoFunction final : public Function {
   }
 };
 
-/// @brief Without an angle of the function nothing is written.
+/// @brief When the function returns no angle, nothing is written.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_NothingWithoutAnAngle) {
   const NoFunction none;

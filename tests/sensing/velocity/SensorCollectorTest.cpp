@@ -13,7 +13,7 @@ namespace {
 
 class SensorCollectorTest : public testing::Test {
  protected:
-  /// An edge some time after the one before.
+  /// An edge, some time after the previous edge.
   void edge(std::uint8_t phase, std::int64_t microseconds = 10000) {
     at = at + Microseconds(microseconds);
     collector.collect(phase, at);
@@ -103,8 +103,8 @@ TEST_F(SensorCollectorTest, FR121_CountsEachStepHoweverSoon) {
   EXPECT_EQ(unclear() + reversals(), 0U);
 }
 
-/// @brief A step that reverses the direction within 25 ms is counted, and is a reversal that no
-/// turning wheel can cause; after 25 ms it is not.
+/// @brief A step that reverses the direction within 25 ms is counted as a step and as an
+/// implausible reversal, which no turning wheel can cause. After 25 ms a reversal is plausible.
 /// @verifies FR-123
 TEST_F(SensorCollectorTest, FR123_CountsFastReversals) {
   edge(0);
@@ -151,7 +151,7 @@ TEST(HallInterrupt, FR121_EdgeOfEitherSensorIsCollected) {
   EXPECT_FALSE(wheel.b.pending);
 }
 
-/// @brief An interrupt of another pin of the port is no edge of this wheel.
+/// @brief An interrupt of another pin of the port does not count as an edge of this wheel.
 /// @verifies FR-123
 TEST(HallInterrupt, FR123_InterruptOfAnotherPinIsNoEdge) {
   TurningWheel wheel;

@@ -16,8 +16,8 @@
 
 namespace wr::test {
 
-/// @brief A wheel that turns past two Hall sensors, and all that measures it. A turn of its shaft
-/// has 60 edges, so that 1 rpm is 1 edge a second.
+/// @brief A wheel that turns past two Hall sensors, and the objects that measure it. A turn of its
+/// shaft has 60 edges, so that 1 rpm is 1 edge a second.
 struct TurningWheel {
   TurningWheel() { active.start(); }
 

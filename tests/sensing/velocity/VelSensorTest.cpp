@@ -30,7 +30,7 @@ class VelSensorTest : public testing::Test {
 
 class VelocityAccuracy : public VelSensorTest, public testing::WithParamInterface<double> {};
 
-/// @brief Each measurement of an even movement is within 0.2 % and the rounding of the unit.
+/// @brief At a constant velocity each measurement is within 0.2 % plus the rounding of the unit.
 /// @verifies FR-120
 TEST_P(VelocityAccuracy, FR120_EvenEdges) {
   const double rpm = GetParam();
@@ -41,8 +41,8 @@ TEST_P(VelocityAccuracy, FR120_EvenEdges) {
   }
 }
 
-/// @brief With a sensor that is 5 % of the distance between two edges off its place, each
-/// measurement is within 1 % from 60 rpm on, and within 6 % at any velocity.
+/// @brief When a sensor is displaced by 5 % of the distance between two edges, each measurement is
+/// within 1 % from 60 rpm on, and within 6 % at any velocity.
 /// @verifies FR-120
 TEST_P(VelocityAccuracy, FR120_MisplacedSensor) {
   const double rpm = GetParam();
@@ -66,8 +66,8 @@ TEST_F(VelSensorTest, FR122_StandsAtStart) {
   EXPECT_EQ(measured, 0);
 }
 
-/// @brief The first edges after a standstill are measured over the time since the measurement
-/// before, not since the last edge of an earlier movement.
+/// @brief The first edges after a standstill are measured over the time since the previous
+/// measurement, not since the last edge of an earlier movement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   cycles(100, 3);
@@ -91,7 +91,7 @@ TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
   }
 }
 
-/// @brief While edges stay away the velocity is at most one edge in the time since the last one.
+/// @brief While no edges come, the velocity is at most one edge in the time since the last edge.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
   for (const int direction : {1, -1}) {
@@ -107,8 +107,8 @@ TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
   }
 }
 
-/// @brief A wheel slows down. Whether its last edge comes just before the measurement or just after
-/// it, the velocity is the same.
+/// @brief A wheel slows down. The velocity is the same whether the last edge comes just before or
+/// just after the measurement.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_AnEdgeAtTheMeasurementMakesNoStep) {
   for (const int direction : {1, -1}) {
@@ -164,7 +164,8 @@ TEST_F(VelSensorTest, FR122_StandsAfterHalfASecond) {
   EXPECT_EQ(wheel.measure(), 0);
 }
 
-/// @brief A wheel that turns back within a cycle has the velocity of its net movement.
+/// @brief When a wheel changes its direction within a cycle, its velocity is that of the net
+/// movement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_TurnsBack) {
   cycles(100, 5);
@@ -226,7 +227,7 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   }
 }
 
-/// @brief One sensor gives no edges any more while the wheel turns: from the second cycle on the last
+/// @brief One sensor stops sending edges while the wheel turns: from the second cycle on the last
 /// velocity is more than 150 ms old.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {

@@ -66,7 +66,7 @@ TEST(AloneTest, UnmodelledRegisterIsNamed) {
   EXPECT_THAT(text, testing::ContainsRegex("at pc 0x[0-9A-F]+, 1[0-9][.][0-9]{3} ms"));
 }
 
-/// @brief As a warning the same access does nothing, and is reported once.
+/// @brief When findings are warnings, the same access has no effect, and is reported once.
 TEST(AloneTest, UnmodelledRegisterCanBeAWarning) {
   emulator::VirtualBoard board = switchedOn({.unmodelledIsFinding = false});
   ASSERT_TRUE(board.runUntil(10ms));
@@ -87,7 +87,7 @@ struct Named {
 
 class RegisterNamesTest : public testing::TestWithParam<Named> {};
 
-/// @brief Addresses have the names of the manual's memory maps.
+/// @brief Findings name addresses as the memory maps of the manual do.
 TEST_P(RegisterNamesTest, IsThatOfTheManual) {
   EXPECT_EQ(emulator::registerName(GetParam().address), GetParam().name);
 }

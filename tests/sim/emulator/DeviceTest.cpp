@@ -20,8 +20,8 @@ using testing::ElementsAre;
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// @brief The sequence over the external clock and the PLL ends at 120 MHz, and lasts as long as
-/// the PLL needs to lock.
+/// @brief The start sequence with external clock and PLL ends at 120 MHz, and lasts until the PLL
+/// has locked.
 TEST(ClockOfBoard, RunsAt120MHz) {
   VirtualBoard board(Guest("runsAt120MHz").image());
   ASSERT_TRUE(board.runToSleep(10ms));
@@ -30,7 +30,7 @@ TEST(ClockOfBoard, RunsAt120MHz) {
   EXPECT_GT(board.now(), 580us);
 }
 
-/// @brief Without the external clock the core stays at the clock of the start.
+/// @brief Without the external clock the core continues with its clock after reset.
 TEST(ClockOfBoard, StaysWithoutExternalClock) {
   VirtualBoard board(Guest("waitsForExternalClock").image(), {.externalClock = false});
   ASSERT_TRUE(board.runToSleep(1s));
@@ -38,7 +38,7 @@ TEST(ClockOfBoard, StaysWithoutExternalClock) {
   EXPECT_EQ(board.clockHz(), 20'971'520U);
 }
 
-/// @brief The core stops with its clock, and time goes on.
+/// @brief When its clock stops, the core stops, but time passes.
 TEST(ClockOfBoard, CoreStandsWithoutItsClock) {
   VirtualBoard board(Guest("runsAt120MHz").image());
   ASSERT_TRUE(board.runToSleep(10ms));
@@ -78,7 +78,7 @@ TEST(TimerOfBoard, CounterTellsTheTime) {
   EXPECT_NEAR(told(board, 0), 100 * 2'097'152.0, 60);
 }
 
-/// @brief A chained timer counts the periods of the one before it.
+/// @brief A chained timer counts the periods of the previous timer.
 TEST(TimerOfBoard, ChainedTimerCountsPeriods) {
   Guest guest("chainsTimers");
   guest.handleLine(49, "acknowledgesSecondTimer");
@@ -110,7 +110,7 @@ TEST(SerialPortOfBoard, EchoTakesTheTimeOfTwoBytes) {
   EXPECT_NEAR(static_cast<double>((sent[2] - sent[0]).count()), 2 * 86'806.0, 1'000);
 }
 
-/// @brief Bytes with a time of their own begin at that time.
+/// @brief A byte that has a start time begins at that time.
 TEST(SerialPortOfBoard, BytesArriveAtTheirTime) {
   Guest guest("echoes");
   guest.handleLine(31, "echoesByte");
@@ -120,7 +120,8 @@ TEST(SerialPortOfBoard, BytesArriveAtTheirTime) {
   EXPECT_NEAR(static_cast<double>(board.now().count()), 5e6 + 86'806, 1'000);
 }
 
-/// @brief The flag of a received byte stays when the data is read without the status before it.
+/// @brief The flag of a received byte stays set when the program reads the data without reading the
+/// status first.
 TEST(SerialPortOfBoard, FlagStaysUntilStatusAndDataWereRead) {
   VirtualBoard board(Guest("readsNoFlags").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -144,7 +145,7 @@ TEST(SerialPortOfBoard, FramingErrorIsFlagged) {
   EXPECT_EQ(told(board, 2) & 0x22U, 0U);
 }
 
-/// @brief With its FIFO on the UART stores eight bytes.
+/// @brief With its FIFO enabled the UART stores eight bytes.
 TEST(SerialPortOfBoard, FifoTakesEightBytes) {
   VirtualBoard board(Guest("usesFifo").image());
   ASSERT_TRUE(board.runUntil(2ms));
@@ -169,8 +170,8 @@ TEST(PinOfBoard, OutputIsShown) {
   EXPECT_THAT(changes, ElementsAre(32 + 22, 0, 32 + 22, 1));
 }
 
-/// @brief A falling level raises the interrupt of its port once, and a pull-up makes the pin high
-/// before.
+/// @brief A falling level raises the interrupt of its port once; before that a pull-up keeps the
+/// pin high.
 TEST(PinOfBoard, FallingLevelRaisesInterrupt) {
   Guest guest("watchesPin");
   guest.handleLine(62, "notesPin");
@@ -187,8 +188,8 @@ TEST(PinOfBoard, FallingLevelRaisesInterrupt) {
   EXPECT_EQ(told(board, 0), 1U);
 }
 
-/// @brief The program can read the cause of the reset; memory is kept over all resets except
-/// power-on.
+/// @brief The program can read the cause of the reset. Every reset except power-on leaves the
+/// memory unchanged.
 TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   VirtualBoard board(Guest("tellsCauseOfReset").image());
   ASSERT_TRUE(board.runToSleep(1ms));

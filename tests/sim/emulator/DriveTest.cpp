@@ -22,7 +22,7 @@ using testing::ElementsAre;
 
 using Bytes = std::vector<std::uint8_t>;
 
-// A bus clock of 32768 Hz * 640 after reset.
+// The bus clock after reset: 32768 Hz * 640.
 constexpr double kBusClock = 1e9 / 20'971'520;
 
 struct Pulse {
@@ -47,8 +47,8 @@ double clocksBetween(nanoseconds from, nanoseconds to) {
   return static_cast<double>((to - from).count()) / kBusClock;
 }
 
-/// @brief A pin is high for the share of the period that its channel sets, and the event shows it;
-/// a channel without pin is not high.
+/// @brief A pin is high for the share of the period that its channel sets, and the event contains
+/// this share; a channel without a pin has a share of 0.
 TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   VirtualBoard board(Guest("pulses").image());
   EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
@@ -61,7 +61,7 @@ TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   EXPECT_EQ(pulses[0].share, 250'000U);
 }
 
-/// @brief Pulses of low truth are low for that share.
+/// @brief Low-true pulses are low for that share.
 TEST(PulsesOfBoard, LowTruthTurnsTheShareRound) {
   VirtualBoard board(Guest("pulsesWithLowTruth").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -126,8 +126,8 @@ TEST(PulsesOfBoard, ResetEndsThem) {
   EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
 }
 
-/// @brief The counter counts prescaled clocks, its overflow is flagged until it was read and
-/// cleared, and any write makes the counter 0.
+/// @brief The counter counts prescaled clocks. Its overflow flag stays set until the program has
+/// read and cleared it. Any write sets the counter to 0.
 TEST(PulsesOfBoard, CounterAndItsFlagCanBeRead) {
   VirtualBoard board(Guest("countsPeriods").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -140,7 +140,8 @@ TEST(PulsesOfBoard, CounterAndItsFlagCanBeRead) {
   EXPECT_EQ(told(board, 6), 0xC0U);
 }
 
-/// @brief The write protection is removed by a one in WPDIS, after it was read.
+/// @brief The program removes the write protection by reading the register and then writing 1 to
+/// WPDIS.
 TEST(PulsesOfBoard, ProtectionIsTakenAwayAfterItWasRead) {
   VirtualBoard board(Guest("unprotectsTimer").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -150,7 +151,7 @@ TEST(PulsesOfBoard, ProtectionIsTakenAwayAfterItWasRead) {
   EXPECT_EQ(told(board, 3), 0x28U);
 }
 
-/// @brief The result is the nearest step of the reference, in each width.
+/// @brief The result is the nearest step of the reference voltage, for each number of bits.
 TEST(ConverterOfBoard, ResultIsTheVoltageInSteps) {
   VirtualBoard board(Guest("convertsInputs").image());
   board.setAnalog(0, 12, 1.2345);
@@ -213,7 +214,7 @@ TEST(ConverterOfBoard, ConversionTakesItsTimeAndInterrupts) {
   }
 }
 
-/// @brief A conversion that is started before the last one ended replaces it.
+/// @brief A conversion that starts before the previous conversion has ended replaces it.
 TEST(ConverterOfBoard, NewConversionTakesThePlaceOfTheLast) {
   Guest guest("convertsAnew");
   guest.handleLine(39, "notesConversion");
@@ -225,7 +226,7 @@ TEST(ConverterOfBoard, NewConversionTakesThePlaceOfTheLast) {
   EXPECT_EQ(told(board, 3), 1U);
 }
 
-/// @brief The second serial port has a line of its own, a bus clock, and no FIFO.
+/// @brief The second serial port has its own line, uses the bus clock, and has no FIFO.
 TEST(SecondSerialPortOfBoard, HasALineOfItsOwn) {
   Guest guest("echoesAtSecondUart");
   guest.handleLine(66, "echoesByteOfSecondUart");
@@ -247,7 +248,7 @@ TEST(SecondSerialPortOfBoard, HasALineOfItsOwn) {
   EXPECT_THROW(board.receiveOn(2, Bytes{1}), std::invalid_argument);
 }
 
-/// @brief The line of the second serial port has a speed of its own.
+/// @brief The line of the second serial port has its own speed.
 TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   Guest guest("echoesAtSecondUart");
   guest.handleLine(66, "echoesByteOfSecondUart");
@@ -261,8 +262,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief The program reads a level from its given time on, independent of the order in which the
-/// levels were given.
+/// @brief The program reads a level from the time of the level on, in whatever order the test sets
+/// the levels.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -284,7 +285,8 @@ TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   EXPECT_NEAR(static_cast<double>((entered[1] - 3ms).count()), 12 * kBusClock, 100);
 }
 
-/// @brief Of two levels for the same time the later one stays, and a level for the past is set now.
+/// @brief Of two levels for the same time the one that was set last is valid; a level for a past
+/// time is set now.
 TEST(WorldOfBoard, LevelsOfOneTimeComeInTheirOrder) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -298,8 +300,8 @@ TEST(WorldOfBoard, LevelsOfOneTimeComeInTheirOrder) {
   EXPECT_TRUE(board.pin('D', 6));
 }
 
-/// @brief Each pin interrupts at the edges that it was set for; one without digital function never,
-/// and a change to a digital function is not an edge.
+/// @brief Each pin interrupts at the configured edges. A pin without digital function never
+/// interrupts, and a change to a digital function is not an edge.
 TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -349,8 +351,8 @@ TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
   EXPECT_THROW(board.onTime(0ns, [] {}), std::invalid_argument);
 }
 
-/// @brief No interrupt of a robot with four wheels gets lost: each millisecond a timer, five
-/// conversions at two converters, and an edge of each wheel.
+/// @brief No interrupt of a robot with four wheels is lost. In each millisecond there are a timer,
+/// five conversions at two converters, and an edge of each wheel.
 TEST(WorldOfBoard, InterruptsOfFourWheelsAreAllTaken) {
   Guest guest("drivesFourWheels");
   guest.handleLine(48, "startsConversions").handleLine(62, "countsEdges");
@@ -371,7 +373,7 @@ TEST(WorldOfBoard, InterruptsOfFourWheelsAreAllTaken) {
   EXPECT_EQ(told(board, 2) - before[2], 4000U);
 }
 
-/// @brief A call can give levels and voltages, and add a call.
+/// @brief A callback can set levels and voltages, and can add a callback.
 TEST(WorldOfBoard, CallsMayUseTheBoard) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");

@@ -34,14 +34,14 @@ TEST(ExecutedCodeTest, EachHalfWordHasItsBit) {
   EXPECT_FALSE(code.noted(0x20000000));
 }
 
-/// @brief Each number of a half-word has one address.
+/// @brief Each number of a half-word belongs to one address.
 TEST(ExecutedCodeTest, EachHalfWordHasItsAddress) {
   EXPECT_EQ(ExecutedCode::addressOf(0), 0x1FFF0000U);
   EXPECT_EQ(ExecutedCode::addressOf(0x8000), 0U);
   EXPECT_EQ(ExecutedCode::addressOf(ExecutedCode::kHalves - 1), 0xFFFFEU);
 }
 
-/// @brief The processor records executed instructions, but not those that it jumps over.
+/// @brief The processor records executed instructions, but not instructions that it jumps over.
 TEST(ExecutedCodeTest, WhatIsJumpedOverIsNotExecuted) {
   constexpr std::uint32_t kCode = 0x100;
   const std::array<std::uint8_t, 8> vectors{0, 8, 0, 0, 0x01, 0x01, 0, 0};  // start at kCode

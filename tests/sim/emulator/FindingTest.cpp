@@ -117,7 +117,7 @@ TEST(FindingOfBoardAlone, EmptyProgramGivesNone) {
   EXPECT_EQ(board.now(), 10s);
 }
 
-/// @brief Memory can be used up to the border to the other one.
+/// @brief Both memories can be used up to the border between them.
 TEST(FindingOfBoardAlone, MemoryUpToTheBorderGivesNone) {
   VirtualBoard board(Guest("usesMemoryUpToTheBorder").image());
   EXPECT_TRUE(board.runUntil(1ms));
@@ -126,7 +126,7 @@ TEST(FindingOfBoardAlone, MemoryUpToTheBorderGivesNone) {
   EXPECT_EQ(told(board, 2), 0x12U);
 }
 
-/// @brief A finding names the function and the line of the instruction, and the time.
+/// @brief A finding contains the function and the line of the instruction, and the time.
 TEST(FindingOfBoardAlone, NamesFunctionLineAndTime) {
   VirtualBoard board(Guest("usesPortBehindClosedGate").image(), {.elf = Guest::elf()});
   EXPECT_FALSE(board.runUntil(1s));
@@ -154,7 +154,8 @@ TEST(FindingOfBoardAlone, MissingVector) {
   EXPECT_EQ(board.finding()->id, "vector-missing");
 }
 
-/// @brief A byte that comes before the last one was read is an overrun; a single one is not.
+/// @brief A byte that arrives before the previous byte was read is an overrun; a single byte is
+/// not.
 TEST(FindingOfBoardAlone, Overrun) {
   VirtualBoard board(Guest("readsNoByte").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -166,7 +167,7 @@ TEST(FindingOfBoardAlone, Overrun) {
   EXPECT_EQ(board.finding()->id, "uart-overrun");
 }
 
-/// @brief A byte that arrives while the receiver has another speed is found.
+/// @brief A byte that arrives while the receiver has another speed is a finding.
 TEST(FindingOfBoardAlone, ReceiverAtWrongBaud) {
   VirtualBoard board(Guest("receivesAtWrongBaud").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -186,7 +187,7 @@ TEST(FindingOfBoardAlone, Lockup) {
   EXPECT_EQ(board.finding()->id, "lockup");
 }
 
-/// @brief A watchdog that is missed is a finding at its time-out.
+/// @brief A watchdog that is not refreshed in time is a finding at its time-out.
 TEST(FindingOfBoardAlone, MissedWatchdogAtItsTimeOut) {
   VirtualBoard board(Guest("refreshesNever").image());
   EXPECT_TRUE(board.runUntil(299ms));

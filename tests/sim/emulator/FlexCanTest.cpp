@@ -95,7 +95,7 @@ TEST_F(CanOfTheBoard, SendsAFrame) {
   EXPECT_TRUE(now.findings.empty());
 }
 
-/// @brief A frame with the identifier of a buffer is stored in it, and another one is not.
+/// @brief A buffer stores frames with its identifier, and no others.
 TEST_F(CanOfTheBoard, ReceivesTheFramesOfItsIdentifier) {
   bringUp();
   can.arrive({.identifier = 0x100, .data = {9}});
@@ -137,8 +137,9 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
   EXPECT_EQ(can.read(kIflag1, 4), 6U);
 }
 
-/// @brief A use that the manual forbids is a finding: the timing outside of the freeze mode, the source of the clock while
-/// enabled, a buffer while disabled, and sending without pins.
+/// @brief Each use that the manual forbids is a finding: to write the timing outside of the freeze
+/// mode, the clock source while the controller is enabled, or a buffer while it is disabled, and to
+/// send without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
   EXPECT_EQ(now.findings.size(), 1U) << "buffer while disabled";

@@ -16,7 +16,7 @@ using emulator::Event;
 using emulator::VirtualBoard;
 using testing::ElementsAre;
 
-// A core clock of 32768 Hz * 640 after reset.
+// The core clock after reset: 32768 Hz * 640.
 constexpr std::uint32_t kStartHz = 20'971'520;
 
 /// @brief An interrupt of higher priority runs inside the handler of a lower one.
@@ -40,7 +40,7 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
   ASSERT_EQ(events.size(), 4U);
   EXPECT_EQ(events[1].kind, Event::Kind::ExceptionLeft);
   EXPECT_EQ(events[2].kind, Event::Kind::ExceptionEntered);
-  // 6 cycles from one to the next, not the 22 of a return and an entry.
+  // The change takes 6 cycles; a return and an entry would take 22 cycles.
   EXPECT_LE(events[2].at - events[1].at, 6 * 48ns);
 }
 
@@ -66,7 +66,8 @@ TEST(ProcessorOfBoard, FloatingPointRegistersAreKept) {
   EXPECT_EQ(told(board, 3), 0U);
 }
 
-/// @brief A program on the process stack gets its frame there, and its handler the main stack.
+/// @brief The exception frame of a program on the process stack is on the process stack; the
+/// handler uses the main stack.
 TEST(ProcessorOfBoard, ProcessStackHoldsTheFrame) {
   Guest guest("usesProcessStack");
   guest.handleLine(1, "tellsFrame");
@@ -79,7 +80,7 @@ TEST(ProcessorOfBoard, ProcessStackHoldsTheFrame) {
   EXPECT_EQ(told(board, 4), 2U);
 }
 
-/// @brief A bus fault is delivered with its address when its handler is on.
+/// @brief A bus fault is delivered with its address when its handler is enabled.
 TEST(ProcessorOfBoard, BusFaultTellsTheAddress) {
   Guest guest("faultsWithHandlerOn");
   guest.handle(5, "tellsFault");
@@ -90,7 +91,7 @@ TEST(ProcessorOfBoard, BusFaultTellsTheAddress) {
   EXPECT_EQ(told(board, 3), 5U);
 }
 
-/// @brief A fault whose handler is off becomes a HardFault.
+/// @brief A fault whose handler is disabled becomes a HardFault.
 TEST(ProcessorOfBoard, FaultBecomesHardFault) {
   Guest guest("faultsWithHandlerOff");
   guest.handle(3, "tellsFault");
@@ -100,7 +101,7 @@ TEST(ProcessorOfBoard, FaultBecomesHardFault) {
   EXPECT_EQ(told(board, 3), 3U);
 }
 
-/// @brief A fault that the test raises reaches the program, also when faults are findings.
+/// @brief A fault that the test raises reaches the program, even when faults are findings.
 TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
   Guest guest("countsUp");
   guest.handle(3, "tellsFault");
@@ -197,7 +198,8 @@ TEST(ProcessorOfBoard, AnInterruptHidesNoCall) {
   }
 }
 
-/// @brief An interrupt with the same calls as before is recorded once, until the record is cleared.
+/// @brief An interrupt that repeats the same calls is recorded only once, until the record is
+/// cleared.
 TEST(ProcessorOfBoard, CallsOfAnInterruptThatRepeatsAreRecordedOnce) {
   Guest guest("callsFunctions");
   guest.handleLine(1, "handlerThatAcknowledgesNothing");

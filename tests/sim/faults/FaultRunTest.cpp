@@ -136,7 +136,7 @@ TEST_F(FaultRunTest, ARandomCampaignHasMoreThanOneClassAndKind) {
   EXPECT_GT(outcomes.size(), 1U);
 }
 
-// The handler returns and leaves the flag of its timer: the interrupt comes again and again.
+// The handler returns and does not clear the flag of its timer: the interrupt repeats without end.
 TEST_F(FaultRunTest, AnInterruptThatForgetsItsFlagIsFoundWithoutAFault) {
   const Code forgets{0x4770};  // bx lr
   EXPECT_THROW(FaultRun(withHandler(image(), kPulseException, forgets), elf(), kSeed),

@@ -43,7 +43,7 @@ TEST(HostDigitalOutputTest, TellsWhenItGoesOn) {
   EXPECT_TRUE(output.isOn());
 }
 
-/// @brief Each sample is the voltage of the time at which the previous call requested it.
+/// @brief Each sample is the voltage at the time at which the previous call requested it.
 TEST(HostAnalogInputTest, EachSampleIsThatOfTheCallBefore) {
   host::HostAnalogInput input;
   EXPECT_EQ(input.sample(), std::nullopt);
@@ -57,7 +57,7 @@ TEST(HostAnalogInputTest, EachSampleIsThatOfTheCallBefore) {
   EXPECT_EQ(input.sample(), 1024);
 }
 
-/// @brief Edges interrupt once the input was started, and only when the level changes.
+/// @brief Edges interrupt only after the input was started, and only when the level changes.
 TEST(HostEdgeInputTest, EdgesInterruptOnceStarted) {
   host::HostScheduler scheduler;
   host::HostEdgeInput input(scheduler);

@@ -53,7 +53,8 @@ TEST_F(HostSchedulerTest, HigherPriorityRunsAtOnce) {
   EXPECT_EQ(log, (Log{"low begins", "high", "low ends"}));
 }
 
-/// @brief Threads of equal or lower priority run when the running one has ended, the higher first.
+/// @brief Threads of equal or lower priority run after the running thread has ended, in the order
+/// of their priorities.
 TEST_F(HostSchedulerTest, OthersRunAfterTheRunningOne) {
   Body lowBody([&] { log.emplace_back("low"); });
   Body alsoHighBody([&] { log.emplace_back("also high"); });
@@ -96,7 +97,8 @@ TEST_F(HostSchedulerTest, ThreadThatPostsItselfRunsAgain) {
   EXPECT_EQ(low.overruns(), 1);
 }
 
-/// @brief A timer that is stopped raises no interrupt; the flag of a raised one stays until acknowledged.
+/// @brief A stopped timer raises no interrupt. The flag of an interrupt stays set until it is
+/// acknowledged.
 TEST_F(HostSchedulerTest, TimerRaisesItsInterruptWhileItRuns) {
   host::HostTimer timer(scheduler);
   int pulses = 0;
@@ -138,7 +140,8 @@ scenario::Bytes readAll(SerialPort& port) {
   return all;
 }
 
-/// @brief Received bytes are read in their order; bytes without room are counted as lost.
+/// @brief Received bytes are read in their order; bytes for which there is no space are counted as
+/// lost.
 TEST(HostSerialPortTest, ReceivesUpToItsCapacity) {
   host::HostSerialPort port;
   port.arrive(counting(host::HostSerialPort::kReceived + 3));

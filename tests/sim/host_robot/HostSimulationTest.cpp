@@ -78,8 +78,8 @@ TEST_F(HostSimulationTest, WithoutOrdersTheRobotStands) {
   EXPECT_EQ(world.physics.steeringDegrees(), 0.0);
 }
 
-/// @brief Edges come at their own times: the firmware counts the movement of the wheel, 60 in a
-/// turn of the shaft, and measures the speed of the wheel.
+/// @brief Each edge comes at its own time. The firmware counts 60 edges in a turn of the shaft, and
+/// measures the speed of the wheel.
 TEST_F(HostSimulationTest, FirmwareCountsTheWayOfTheWheels) {
   connect();
   cycles(30, velocity(1000));
@@ -103,8 +103,8 @@ TEST_F(HostSimulationTest, RemoteControlDrivesTheRobot) {
   EXPECT_NEAR(world.physics.groundSpeed(), 0, 0.001);
 }
 
-/// @brief A reset starts new firmware with the cause; the robot continues to roll, and the stored
-/// state of its pins is that of the new firmware.
+/// @brief A reset starts new firmware with the cause of the reset. The robot continues to roll, and
+/// its pins have the state that the new firmware sets.
 TEST_F(HostSimulationTest, ResetStartsNewFirmwareInTheSameRobot) {
   connect();
   cycles(40, velocity(1000));

@@ -11,7 +11,8 @@
 namespace wr::test {
 namespace {
 
-// The firmware in a robot with other parameters than it assumes: a seed chooses them.
+// The firmware in a robot whose parameters differ from the firmware's assumptions: a seed chooses
+// them.
 class VariedRobot : public testing::TestWithParam<std::uint32_t> {
  protected:
   VariedRobot() {
@@ -46,7 +47,7 @@ class VariedRobot : public testing::TestWithParam<std::uint32_t> {
     }
   }
 
-  // The greatest difference of a wheel to a velocity.
+  // Returns the greatest difference between the velocity of a wheel and a given velocity.
   [[nodiscard]] double greatestError(double rpm) {
     double greatest = 0;
     for (std::size_t wheel = 0; wheel < plant::kWheels; ++wheel) {
@@ -61,8 +62,8 @@ class VariedRobot : public testing::TestWithParam<std::uint32_t> {
   scenario::PcSender pc;
 };
 
-/// @brief With any motors, battery and load of the bands, each wheel turns at 50 and at 150 rpm
-/// with an error of at most 5 %, 5 s after the order.
+/// @brief With any motors, battery and load within their tolerances, each wheel turns at 50 and at
+/// 150 rpm with an error of at most 5 %, 5 s after the order.
 TEST_P(VariedRobot, VelocityIsReached) {
   cycles(50, 500);
   EXPECT_LT(greatestError(50), 2.5);

@@ -93,7 +93,8 @@ TEST_F(RemoteControlTest, EnableSwitchHasThreePositions) {
   EXPECT_EQ(widthsOf(remote, 2, 20), std::vector<nanoseconds>{microseconds(1500)});
 }
 
-/// @brief A pulse that has begun ends, also when the remote control is switched off meanwhile.
+/// @brief A pulse that has begun is completed, even when the remote control is switched off during
+/// the pulse.
 TEST_F(RemoteControlTest, PulseThatHasBegunEnds) {
   remote.set(plant::Sticks{});
   ASSERT_EQ(remote.step().size(), 1U);
@@ -123,7 +124,7 @@ TEST_F(RemoteControlTest, PulsesOfATransmitterVary) {
   EXPECT_EQ(*std::ranges::max_element(widths), microseconds(1502));
 }
 
-/// @brief A receiver that holds sends the last pulses repeatedly and without variation, on each
+/// @brief A receiver with fail-safe "hold" repeats the last pulses without variation, on each
 /// channel.
 TEST_F(RemoteControlTest, ReceiverThatHoldsRepeatsTheLastPulses) {
   remote.setNoise(true);
@@ -165,7 +166,8 @@ TEST_F(RemoteControlTest, PulsesCanBeginTogether) {
   EXPECT_EQ(pulses[0].begin, pulses[2].begin);
 }
 
-/// @brief A trembling hand changes the pulses of the velocity by its amount, and no others.
+/// @brief A trembling hand changes the pulses of the velocity by the given amount, and no other
+/// pulses.
 TEST_F(RemoteControlTest, HandTrembles) {
   remote.set(plant::Sticks{});
   remote.setTremor(20);

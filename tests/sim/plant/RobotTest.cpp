@@ -141,8 +141,8 @@ TEST_F(RobotTest, OrientationTurnsEverything) {
   EXPECT_NEAR(other.currentVolts(3) - Robot::kMiddle, Robot::kMiddle - robot.currentVolts(3), 0.01);
 }
 
-/// @brief Energy is conserved: the supply delivers more in a run up and down than the energy of the
-/// robot's movement, and while it coasts that energy only falls.
+/// @brief Energy is conserved: in a run uphill and downhill the supply delivers more than the
+/// kinetic energy of the robot, and while the robot coasts this energy only falls.
 TEST_F(RobotTest, EnergyIsOnlyLost) {
   double supplied = 0;
   drive({.duty = 0.8, .backwards = false, .enabled = true});
@@ -206,8 +206,8 @@ TEST_F(RobotTest, RollsDownASteepSlope) {
   EXPECT_LT(robot.distance(), -0.1);
 }
 
-/// @brief The robot comes onto a slope axle by axle: while it drives its own slope changes evenly over one
-/// wheelbase of 1.582 m, and at rest within 2 s.
+/// @brief The robot comes onto a slope axle by axle. While it drives, its slope changes linearly
+/// over one wheelbase of 1.582 m; at rest it changes within 2 s.
 TEST_F(RobotTest, ASlopeBeginsAxleByAxle) {
   robot.setSlope(2);
   EXPECT_EQ(robot.slope(), 0);
@@ -243,7 +243,8 @@ TEST_F(RobotTest, SixtyEdgesInATurn) {
   EXPECT_NEAR(netEdges(1) - forwards, 60 * back, 0.02 * 60 * std::abs(back));
 }
 
-/// @brief At a steady speed edges come evenly, each within the step that reports it.
+/// @brief At a constant speed the edges have equal distances, and each is within the time step that
+/// reports it.
 TEST_F(RobotTest, EdgesAreEven) {
   drive({.duty = 0.5, .backwards = false, .enabled = true});
   run(4000);
@@ -352,7 +353,7 @@ TEST_F(RobotTest, StepsAreLostWithoutCurrentAndWhenStalled) {
   EXPECT_NEAR(robot.steeringDegrees(), 0.05, 1e-9);
 }
 
-/// @brief A dead Hall sensor keeps its level; the others go on.
+/// @brief A dead Hall sensor keeps its level; the others continue.
 TEST_F(RobotTest, DeadHallSensors) {
   robot.setFault(Fault::Hall, 0, true);
   robot.setFault(Fault::HallB, 1, true);
@@ -382,7 +383,7 @@ TEST_F(RobotTest, BrokenCables) {
   EXPECT_EQ(robot.steeringVolts(), 0.0);
 }
 
-/// @brief A blocked wheel draws the current that only its resistance limits.
+/// @brief Only its resistance limits the current of a blocked wheel.
 TEST_F(RobotTest, BlockedWheelDrawsAllCurrent) {
   robot.setFault(Fault::Block, 1, true);
   drive({.duty = 1.0, .backwards = false, .enabled = true});
@@ -406,8 +407,8 @@ TEST_F(RobotTest, BatterySagsUnderLoad) {
   EXPECT_NEAR(robot.supplyVolts(), 24.0, 0.01);
 }
 
-/// @brief A robot of a seed is always the same, others differ, and each of a hundred lies in the bands of
-/// the page of the simulated robot.
+/// @brief A seed always gives the same robot, and other seeds give other robots. Each of a hundred
+/// robots has parameters within the ranges that the page of the simulated robot states.
 TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
   double lowest = 100;
   double highest = 0;
@@ -437,8 +438,9 @@ TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
   EXPECT_GT(highest, 28.5);
 }
 
-/// @brief The front wheels point at the same centre of the curve: at 32 degrees the inner one is
-/// turned by 38.2 degrees, the outer one by 27.4 (cot outer - cot inner = track / wheelbase).
+/// @brief Both front wheels turn about the same centre of the curve: at 32 degrees the inner wheel
+/// is turned by 38.2 degrees, the outer wheel by 27.4 degrees (cot outer - cot inner = track /
+/// wheelbase).
 TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   plant::SteeringLinkage linkage;
   linkage.turn(32);
@@ -457,8 +459,8 @@ TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   EXPECT_EQ(degrees(3), 0);
 }
 
-// A robot that drives a curve of 32 degrees to the left, each wheel under a velocity controller of
-// the test's own.
+// A robot that drives a curve of 32 degrees to the left. A velocity controller of the test controls
+// each wheel.
 class CurveTest : public RobotTest {
  protected:
   CurveTest() {
@@ -488,7 +490,7 @@ class CurveTest : public RobotTest {
 // the middle of the curve over that of the rear axle, 1.582 m / tan 32 degrees = 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
-/// @brief With set-points that follow the geometry the robot follows the curve of the geometry, and
+/// @brief With set-points that match the geometry, the robot drives the curve of the geometry, and
 /// the wheels have equal forces.
 TEST_F(CurveTest, GeometryGivesTheCurveWithoutFight) {
   follow({100 * kGeometry[0], 100 * kGeometry[1], 100 * kGeometry[2], 100 * kGeometry[3]}, 8000);
@@ -521,7 +523,8 @@ TEST_F(CurveTest, SteeringTurnsTheRobot) {
   EXPECT_GT(robot.heading(), 0.03);
 }
 
-/// @brief The slope belongs to the ground: after half a turn the robot that drove uphill goes downhill.
+/// @brief The slope belongs to the ground: a robot that drove uphill drives downhill after half a
+/// turn.
 TEST_F(CurveTest, SlopeBelongsToTheGround) {
   robot.setSlope(4);
   const std::array<double, plant::kWheels> rpm{100 * kGeometry[0], 100 * kGeometry[1],
@@ -541,8 +544,8 @@ TEST_F(CurveTest, SlopeBelongsToTheGround) {
   EXPECT_GT(uphill, meanCurrent() + 1.0);
 }
 
-/// @brief With swapped leads a voltage forwards turns the wheel backwards, and its sensor still shows the
-/// current that the driver drives.
+/// @brief With swapped leads a forward voltage turns the wheel backwards, and its sensor still
+/// shows the current of the driver.
 TEST_F(RobotTest, SwappedLeadsTurnTheMotorRound) {
   robot.setFault(Fault::Leads, 2, true);
   robot.setWheel(2, {.duty = 0.2, .backwards = false, .enabled = true});
@@ -552,7 +555,7 @@ TEST_F(RobotTest, SwappedLeadsTurnTheMotorRound) {
   EXPECT_GT(robot.currentVolts(2), Robot::kMiddle);
 }
 
-/// @brief With swapped Hall sensors the same turns count backwards.
+/// @brief With swapped Hall sensors the same rotation counts backwards.
 TEST_F(RobotTest, SwappedHallSensorsCountBackwards) {
   robot.setFault(Fault::HallSwapped, 1, true);
   drive({.duty = 0.5, .backwards = false, .enabled = true});
@@ -582,7 +585,8 @@ TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
   }
 }
 
-/// @brief Glitches are pulses of 30 us on sensor a, with the given rate; lost edges are missing.
+/// @brief Glitches are pulses of 30 us on sensor a, at the given rate. The robot does not report
+/// lost edges.
 TEST_F(RobotTest, GlitchesAndLostEdges) {
   robot.setFault(Fault::HallGlitches, 0, true, 50);
   run(10'000);
@@ -619,7 +623,8 @@ TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
   EXPECT_GT(robot.currentVolts(0), Robot::kMiddle + 1);
 }
 
-/// @brief An open current input goes to the voltage of the input that its converter converts before it.
+/// @brief An open current input takes the voltage of the input that its converter converts before
+/// it.
 TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   robot.setFault(Fault::CurrentOffset, 0, true, 8000);
   robot.setFault(Fault::CurrentOpen, 1, true);
@@ -633,8 +638,8 @@ TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   EXPECT_EQ(robot.currentVolts(1), Robot::kMiddle);
 }
 
-/// @brief An open angle input goes to the voltage of the input that is converted before it; a stuck
-/// sensor keeps its value; a drifting one deviates from the true value with its rate.
+/// @brief An open angle input takes the voltage of the input that is converted before it. A stuck
+/// sensor keeps its value. A drifting sensor deviates from the true value at its rate.
 TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   robot.setSteeringEnabled(true);
   for (int i = 0; i < 400; ++i) {

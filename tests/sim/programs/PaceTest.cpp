@@ -25,7 +25,7 @@ TEST_F(PaceOfTheRobot, WaitsForTheClock) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(6));
 }
 
-/// @brief A machine that is late by 20 ms is compensated.
+/// @brief A delay of the machine by 20 ms is caught up.
 TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   clock += milliseconds(25);
   pace.waitFor(milliseconds(5));
@@ -35,7 +35,7 @@ TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(30));
 }
 
-/// @brief After a longer delay the robot's time continues from its value.
+/// @brief After a longer delay the time of the robot continues without catching up.
 TEST_F(PaceOfTheRobot, StandsStillWhileTheMachineIsLate) {
   clock += milliseconds(1005);
   pace.waitFor(milliseconds(5));

@@ -43,7 +43,7 @@ Bytes readAll(programs::SerialLine& line, std::size_t count) {
   return all;
 }
 
-// A program that opens the far end of a line.
+// A program at the other end of a line.
 class Client {
  public:
   explicit Client(const std::string& path) : file_(open(path.c_str(), O_RDWR | O_NOCTTY)) {}
@@ -89,8 +89,8 @@ TEST(PseudoTerminalTest, SurvivesAClientThatLeaves) {
   EXPECT_EQ(port.read(read), 0U);
 }
 
-/// @brief When the far end does not read, the port fills; then a whole write is rejected, and
-/// nothing blocks.
+/// @brief When the other end does not read, the port fills; then each write is rejected as a whole,
+/// and nothing blocks.
 TEST(PseudoTerminalTest, RefusesWhatHasNoRoom) {
   programs::PseudoTerminal port;
   int written = 0;

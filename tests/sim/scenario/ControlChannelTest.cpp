@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The side of the operator: a socket with a name, which sends actions and reads answers.
+// The operator's end: a named socket that sends actions and reads answers.
 class Operator {
  public:
   Operator(const std::string& path, const std::string& channel) : path_(path) {
@@ -85,7 +85,7 @@ TEST_F(ControlChannelTest, ActionsActOnTheRobotThatRuns) {
   EXPECT_DOUBLE_EQ(robot.robot().slope(), -5);
 }
 
-/// @brief An action takes no time of the robot.
+/// @brief No time of the robot passes during an action.
 TEST_F(ControlChannelTest, AnActionTakesNoTime) {
   scenario::ControlChannel channel("", robot);
   const scenario::RobotSession::Time before = robot.now();
@@ -101,7 +101,7 @@ TEST_F(ControlChannelTest, AnExpectationIsAnswered) {
               HasSubstr("true_velocity0 is 0.0, not between 5 and 100"));
 }
 
-/// @brief Words that are not an action are answered with the error.
+/// @brief Text that is not an action is answered with an error.
 TEST_F(ControlChannelTest, WordsThatAreNoActionAreRefused) {
   scenario::ControlChannel channel("", robot);
   EXPECT_THAT(channel.perform("fly"), HasSubstr("there is no action 'fly'"));

@@ -172,7 +172,7 @@ TEST(ScenarioTest, ADamagedScenarioIsReadOrHasALineWithAnError) {
   EXPECT_GT(errors, 100);
 }
 
-/// @brief Sticks of the remote control have the units of orders, faults by name and wheel.
+/// @brief Sticks of the remote control have the units of orders; faults have a name and a wheel.
 TEST(ScenarioTest, ActionsOfTheWorld) {
   const scenario::Scenario scenario = scenarioOf(
       "seed 9\nat 0 rc velocity -1500 steering 1600\nat 1 rc off\nat 2 slope -2.5\n"
@@ -222,7 +222,7 @@ TEST(ScenarioTest, SafetyActionsOfTheWorld) {
   EXPECT_TRUE(worldOf<scenario::world::SetCoincident>(steps[12]).on);
 }
 
-/// @brief To arm is to connect, and to order nothing for thirteen cycles.
+/// @brief `arm` connects, and sends neutral orders for thirteen cycles.
 TEST(ScenarioTest, ArmConnectsAndOrdersNeutral) {
   const scenario::Scenario scenario = scenarioOf("at 50 arm\nat 2000 end\n");
   const auto& steps = scenario.steps();
@@ -235,7 +235,7 @@ TEST(ScenarioTest, ArmConnectsAndOrdersNeutral) {
   }
 }
 
-/// @brief An action of the world can be read from a line of its own.
+/// @brief An action of the world can be read from a single line.
 TEST(ScenarioTest, WorldActionOfALine) {
   EXPECT_TRUE(std::holds_alternative<scenario::world::SetEmergencyStop>(
       scenario::worldActionOf("estop press")));
@@ -264,7 +264,7 @@ TEST(ScenarioPlayerTest, ExpectationsThatMayComeTrue) {
                   "text:5: slope is 0.0, not 2 at the end, at 4000 ms"));
 }
 
-/// @brief A replay sends the bytes of the last order again.
+/// @brief A replay repeats the bytes of the last order.
 TEST(ScenarioPlayerTest, ReplayBringsTheSameBytes) {
   const auto outcome = played(
       "at 50 arm\nat 1550 order velocity 300\nat 1650 expect order_id 14\nat 1680 replay\n"
@@ -359,7 +359,7 @@ TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   EXPECT_THAT(text, testing::ContainsRegex(",3..(,-?[0-9]+[.][0-9])+\n$"));
 }
 
-// A robot that a finding stops after a while.
+// A robot that a finding stops after some time.
 class BrokenRobot final : public scenario::RobotSession {
  public:
   void send(std::span<const std::uint8_t> /*bytes*/) override {}

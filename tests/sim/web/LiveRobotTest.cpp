@@ -80,7 +80,7 @@ TEST(LiveRobotTest, RepeatsAnOrder) {
   EXPECT_NEAR(speed(*robot), 0, 1);
 }
 
-/// @brief A person acts on the world while the robot drives.
+/// @brief A user changes the surroundings while the robot drives.
 TEST(LiveRobotTest, ActsOnTheWorld) {
   const auto robot = robotIn(kFree);
   robot->repeat("order velocity 1000");
@@ -91,7 +91,7 @@ TEST(LiveRobotTest, ActsOnTheWorld) {
   EXPECT_THROW(robot->perform("fault nonsense"), scenario::Scenario::Error);
 }
 
-/// @brief The bytes of both sides are recorded, each once.
+/// @brief The bytes of both directions are recorded, each once.
 TEST(LiveRobotTest, RecordsTheLine) {
   const auto robot = robotIn(kFree);
   run(*robot, 5);
@@ -102,7 +102,7 @@ TEST(LiveRobotTest, RecordsTheLine) {
   EXPECT_TRUE(robot->takePieces().empty());
 }
 
-/// @brief Without clock pulses a cycle also ends.
+/// @brief A cycle also ends when there are no clock pulses.
 TEST(LiveRobotTest, GoesOnWithoutClock) {
   const auto robot = robotIn(kFree);
   run(*robot, 3);
@@ -113,7 +113,7 @@ TEST(LiveRobotTest, GoesOnWithoutClock) {
   EXPECT_GT(robot->session().board.resets(), 0);
 }
 
-/// @brief A scenario ends at its end.
+/// @brief A scenario stops after its last step.
 TEST(LiveRobotTest, EndsWithTheScenario) {
   const auto robot = robotIn("at 50 connect\nat 450 end\n");
   EXPECT_EQ(robot->runToEnd(), web::LiveRobot::State::Ended);

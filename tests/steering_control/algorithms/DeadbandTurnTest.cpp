@@ -51,7 +51,8 @@ TEST_F(DeadbandTurnTest, FR102_ItTurnsBackBeyondTheDeadBandOnly) {
   EXPECT_EQ(turn(100, StepRate(-500)), kLeft);
 }
 
-/// @brief It brakes as soon as half of the acceleration would only just stop it at the target.
+/// @brief The steering starts to brake when half of the maximum deceleration would stop it exactly
+/// at the target.
 /// @verifies FR-101
 TEST_F(DeadbandTurnTest, FR101_ItBrakesInTime) {
   EXPECT_EQ(turn(1250, kLeft), kLeft);

@@ -12,7 +12,7 @@ struct SteeringPowerTest : testing::Test {
   SteeringDevice& device = motor.device;
 };
 
-/// @brief After start the motor is off, with any ticks and any set turn.
+/// @brief After start the motor is off, for any number of ticks and any set turn.
 /// @verifies FR-106
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR106_TheMotorIsOffAfterStart) {
@@ -40,7 +40,7 @@ TEST_F(SteeringPowerTest, FR107_TheMotorIsReadyAfter50Milliseconds) {
   EXPECT_EQ(device.rate(), StepRate(1));
 }
 
-/// @brief To switch a motor on that is on changes nothing: it need not settle again.
+/// @brief Switching on a motor that is on has no effect: the motor need not settle again.
 /// @verifies FR-107
 TEST_F(SteeringPowerTest, FR107_AMotorThatIsOnStaysReady) {
   motor.settle();
@@ -68,7 +68,7 @@ TEST_F(SteeringPowerTest, FR113_AMotorThatIsSwitchedOffStopsAtOnce) {
   EXPECT_EQ(device.steps(), steps);
 }
 
-/// @brief To switch a motor off that is off changes nothing.
+/// @brief Switching off a motor that is off has no effect.
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR113_AMotorThatIsOffStaysOff) {
   device.disable();

@@ -18,7 +18,7 @@ TEST_F(DirStateTest, FR116_StatesAreNumbered) {
   EXPECT_EQ(control.states.fault.id(), SteeringState::Fault);
 }
 
-/// @brief Off stays off without an order, and with an order to hold.
+/// @brief The motor stays off without an order, and with an order to hold.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
   tickOnly();
@@ -75,7 +75,7 @@ TEST_F(DirStateTest, FR102_HoldingTurnsBeyondTheDeadBand) {
   EXPECT_EQ(demand(), StepRate(1));
 }
 
-/// @brief An order to hold in Holding keeps the motor on, and an angle no longer matters.
+/// @brief An order to hold in the state Holding keeps the motor on, and the angle is ignored.
 /// @verifies FR-108
 TEST_F(DirStateTest, FR108_HoldingStaysOnWithAnOrderToHold) {
   switchOn();
@@ -88,7 +88,8 @@ TEST_F(DirStateTest, FR108_HoldingStaysOnWithAnOrderToHold) {
   EXPECT_EQ(demand(), StepRate(0));
 }
 
-/// @brief An order to hold ends a turn: the demand is 0, and Holding follows when the motor rests.
+/// @brief An order to hold ends a turn: the demand is 0, and the state Holding follows when the
+/// motor is at rest.
 /// @verifies FR-108
 TEST_F(DirStateTest, FR108_AnOrderToHoldEndsATurn) {
   beginTurn();
@@ -152,7 +153,7 @@ TEST_F(DirStateTest, FR105_NoTurnTowardsAnEnd) {
   EXPECT_EQ(state(), SteeringState::Turning);
 }
 
-/// @brief Holding is switched off when the last order is older than 300 ms.
+/// @brief In the state Holding the motor is switched off when the last order is older than 300 ms.
 /// @verifies FR-109
 TEST_F(DirStateTest, FR109_HoldingWithoutOrdersIsSwitchedOff) {
   switchOn();
@@ -184,7 +185,8 @@ TEST_F(DirStateTest, FR109_TurningWithoutOrdersIsSwitchedOff) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief Holding is in fault when the last position is older than 20 ms, and stays there.
+/// @brief The state Holding changes to the fault state when the last position is older than 20 ms;
+/// the fault lasts.
 /// @verifies FR-110
 TEST_F(DirStateTest, FR110_HoldingWithoutPositionIsAFault) {
   switchOn();
@@ -198,7 +200,7 @@ TEST_F(DirStateTest, FR110_HoldingWithoutPositionIsAFault) {
   }
 }
 
-/// @brief A turn is in fault when the last position is older than 20 ms.
+/// @brief A turn changes to the fault state when the last position is older than 20 ms.
 /// @verifies FR-110
 TEST_F(DirStateTest, FR110_TurningWithoutPositionIsAFault) {
   beginTurn();
@@ -220,7 +222,7 @@ TEST_F(DirStateTest, FR110_WithoutAnyPositionThereIsAFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief A turn whose steps move nothing is a fault.
+/// @brief A turn is a fault when its steps do not move the steering.
 /// @verifies FR-111
 TEST_F(DirStateTest, FR111_ATurnThatMovesNothingIsAFault) {
   beginTurn();
@@ -235,7 +237,7 @@ TEST_F(DirStateTest, FR111_ATurnThatMovesNothingIsAFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief The fault stays with any order to follow, and without orders.
+/// @brief The fault lasts with any order to follow, and without orders.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_AFaultStays) {
   switchOn();

@@ -54,8 +54,8 @@ TEST_F(ControlCycleOfRobotOnHost, FR2_CycleReadsThenControlsThenWrites) {
   EXPECT_EQ(robot.report().velocity[0], 432);
 }
 
-/// @brief A cycle that has not begun when the next clock pulse comes is reported as an overrun, and is
-/// followed by one cycle more.
+/// @brief A cycle that has not begun when the next clock pulse comes is reported as an overrun, and
+/// one more cycle follows.
 /// @verifies FR-4
 TEST_F(ControlCycleOfRobotOnHost, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOverrun) {
   robot.connect();

@@ -222,7 +222,8 @@ void maskFaults(std::uint32_t inner) {
   }
 }
 
-/// @brief Thread mode sleeps with an interrupt pending, as an idle loop with interrupts masked.
+/// @brief Thread mode sleeps while an interrupt is pending, like an idle loop with masked
+/// interrupts.
 void sleep() {
   const Masks now = masks();
   if (depth > 0 || now.basePriority + now.interrupts + now.faults > 0) {
@@ -323,7 +324,7 @@ Action randomAction(std::uint32_t inner) {
   if (choice < 26) {
     return Action::PendSystem;
   }
-  // Sections in sections end at a depth of two.
+  // Sections are nested at most two deep.
   const auto kinds = static_cast<std::uint32_t>(Action::End);
   const auto action = static_cast<Action>(choice - 26 < kinds ? choice - 26 : random(kinds));
   const bool section = action == Action::RaiseBasePriority || action == Action::MaskInterrupts ||

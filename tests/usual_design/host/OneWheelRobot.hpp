@@ -52,7 +52,7 @@ class OneWheelRobot : public SteppedRobot {
     return {.id = id, .wheels = {{{0, value}}}};
   }
 
-  /// Cycles in each of which the PC gives the same order.
+  /// Runs cycles in each of which the PC sends the same order.
   void orderedCycles(const scenario::PcOrder& same, int count) {
     for (int i = 0; i < count; ++i) {
       order(same);
@@ -60,14 +60,14 @@ class OneWheelRobot : public SteppedRobot {
     }
   }
 
-  /// Orders until one is read: the robot may look for orders elsewhere.
+  /// Sends orders until the robot reads one: it may be reading another source.
   void commandByPcAgain(const scenario::PcOrder& same) {
     for (int i = 0; i < 4 && !report().orderRead(); ++i) {
       orderedCycles(same, 1);
     }
   }
 
-  /// The same cycles, and the mean of the velocities that are reported meanwhile.
+  /// Runs such cycles, and returns the mean of the velocities in their reports.
   double meanVelocity(const scenario::PcOrder& same, int count) {
     double sum = 0;
     for (int i = 0; i < count; ++i) {

@@ -724,8 +724,8 @@ void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
     const std::int32_t edges = record.count - seenCount_;
     const Instant from = standing_ ? measuredAt_ : *seenEdge_;
     if (standing_) {
-      // The wheel was at rest between two edges: the way to the first one is half of one, on
-      // average.
+      // The wheel was at rest between two edges: on average the first edge comes after half of the
+      // distance.
       const std::int32_t direction = std::clamp<std::int32_t>(edges, -1, 1);
       measured = velocityOf(2 * edges - direction, (now - from) * 2);
     } else {
@@ -755,7 +755,7 @@ bool UsualDesign::plausible(const HallRecord& record) const {
   return record.unclear - seenHall_.unclear + reversals <= kMostImplausible;
 }
 
-// A wheel that is faster than this would have given one edge more.
+// A wheel that is faster than this would have caused one more edge.
 Velocity UsualDesign::bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const {
   const std::optional<Velocity> bound = velocityOf(std::abs(edges) + 1, elapsed);
   return bound ? std::clamp(value, -*bound, *bound) : value;

@@ -23,14 +23,15 @@ TEST_F(CurrentAlgorithmTest, FR85_WindingAtRest) {
   EXPECT_EQ(calculate(-4000, 0, 0), Tension(-6000));
 }
 
-/// @brief The velocity is predicted from the two last ones, and its induced voltage is added.
+/// @brief The algorithm predicts the velocity from the last two velocities, and adds its induced
+/// voltage.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_ForeseesTheVelocity) {
   EXPECT_EQ(calculate(0, 1000, 0), Tension(5236));
   EXPECT_EQ(calculate(0, 1200, 0), Tension(1400 * 5236 / 1000));
 }
 
-/// @brief The error of the cycle that ends is corrected, half of it in each cycle.
+/// @brief Each cycle corrects half of the error of the cycle that ends.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_CorrectsTheError) {
   algorithm.applied(calculate(2000, 0, 0));
@@ -50,7 +51,7 @@ TEST_F(CurrentAlgorithmTest, FR85_ResetForgetsTheCorrection) {
   EXPECT_EQ(calculate(2000, 0, 2000), Tension(3000));
 }
 
-/// @brief A new set-point causes no error in the cycle that ends.
+/// @brief A new set-point does not count as an error of the cycle that ends.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_NewSetPointIsNoError) {
   algorithm.applied(calculate(2000, 0, 0));

@@ -12,7 +12,7 @@ class PiRegulatorTest : public testing::Test {
   PiRegulator regulator{{.proportional = 3000, .integral = 500}};
 };
 
-/// @brief The voltage is a part of the error plus a part of each earlier error.
+/// @brief The voltage is a share of the error plus a share of each earlier error.
 /// @verifies FR-83
 TEST_F(PiRegulatorTest, FR83_AddsErrorAndSumOfErrors) {
   EXPECT_EQ(regulator.regulate(100), Tension(350));
@@ -44,8 +44,8 @@ TEST_F(PiRegulatorTest, FR301_IntegralStaysWithinTheSupply) {
   EXPECT_EQ(regulator.regulate(0), Tension(-24000));
 }
 
-/// @brief An error that a missing voltage explains is not added to the integral; an error of the
-/// other sign is added.
+/// @brief An error that a missing voltage explains is not added to the integral; an error with the
+/// opposite sign is added.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
   regulator.regulate(1000);
@@ -85,7 +85,7 @@ TEST(PiRegulatorMemory, FR224_OneBitIsCorrected) {
   }
 }
 
-/// @brief After a reset neither errors nor missing voltage are left.
+/// @brief A reset clears the errors and the missing voltage.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_ResetForgets) {
   regulator.regulate(1000);

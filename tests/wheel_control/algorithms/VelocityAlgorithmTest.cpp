@@ -15,7 +15,7 @@ class VelocityAlgorithmTest : public testing::Test {
   VelocityAlgorithm algorithm;
 };
 
-/// @brief The first voltage is that of the motor at the set-point without load.
+/// @brief The first voltage is the voltage of a motor without load at the set-point.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(1500, 0), Tension(7854));
@@ -60,7 +60,7 @@ TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
 TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);
   algorithm.applied(Tension(12000));
-  // From rest the mean velocity of the model in this cycle is 582.0, which is 58.2 rpm.
+  // From rest the mean velocity of the model in this cycle is 58.2 rpm, stored as 582.0.
   const Tension explained = calculate(3000, 400, 6600);
   EXPECT_EQ(explained, Tension(15708 + 4650 * 182 / 1000));
   algorithm.applied(explained);
@@ -93,7 +93,8 @@ TEST_F(VelocityAlgorithmTest, FR224_LoadIsNoDoubt) {
   EXPECT_GT(loaded, Tension(5236 + 2000));
 }
 
-/// @brief The set-point of the cycle that ends is used for its error, not the new one.
+/// @brief The error of the cycle that ends is computed with the set-point of this cycle, not with
+/// the new set-point.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_ErrorBelongsToTheCycleThatEnds) {
   algorithm.applied(calculate(1500, 1500));

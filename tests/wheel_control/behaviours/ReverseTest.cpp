@@ -33,7 +33,7 @@ TEST_F(ReverseTest, FR87_DemandInTheOrientationPasses) {
   EXPECT_EQ(log, (CommandLog{{"tension", 5000}, {"tension", 0}}));
 }
 
-/// @brief A small demand against the orientation, as noise can cause, counts as 0 and has no
+/// @brief A small demand against the orientation, which noise can cause, counts as 0 and has no
 /// effect.
 /// @verifies FR-80
 /// @verifies FR-87
@@ -67,7 +67,8 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief A cycle that is neither slow nor along the demand restarts the count.
+/// @brief A cycle in which the wheel is neither slow nor turns in the direction of the demand
+/// restarts the count.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {
@@ -117,7 +118,8 @@ TEST_F(ReverseTest, FR87_BackToForwards) {
   EXPECT_EQ(log.back(), (CommandLog::value_type{"tension", 3000}));
 }
 
-/// @brief A demand that agrees again ends the stop; a later reverse counts its slow cycles again.
+/// @brief A demand in the present orientation ends the stop; a later reversal counts its slow
+/// cycles from 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
   apply(-5000, 0);
@@ -155,9 +157,10 @@ TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
   }
 }
 
-/// @brief For any demand and measurement the output follows three rules: the orientation changes
-/// only without voltage, and only at a wheel that is slow or turns in the direction of the demand,
-/// the voltage rises by 12 V at most, and it falls by 2.4 V at most while the demand opposes.
+/// @brief For any demand and measurement the output follows three rules. The orientation changes
+/// only without voltage, and only when the wheel is slow or turns in the direction of the demand.
+/// The voltage rises by at most 12 V. It falls by at most 2.4 V while the demand is against the
+/// orientation.
 /// @verifies FR-87
 /// @verifies FR-81
 TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
@@ -195,7 +198,7 @@ TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
   EXPECT_GT(flips, 10);
 }
 
-/// @brief On the wheel itself the orientation changes with no voltage at the output.
+/// @brief At the outputs of the wheel, the orientation changes only while there is no voltage.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_WheelTurnsWithoutTension) {
   ControlledWheel one;

@@ -57,7 +57,7 @@ TEST_F(SoftStartTest, FR81_RisesFromWhatAnotherBehaviourApplied) {
   EXPECT_EQ(apply(24000), Tension(17000));
 }
 
-/// @brief Without other behaviours Advance applies the demand at once.
+/// @brief Without decorators the behaviour Advance applies the demand at once.
 /// @verifies FR-80
 TEST_F(SoftStartTest, FR80_AdvanceAppliesAtOnce) {
   advance.resume(Tension(1000));

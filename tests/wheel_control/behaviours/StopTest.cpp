@@ -30,7 +30,8 @@ TEST_F(StopTest, FR88_MagnitudeFallsBackwards) {
   EXPECT_EQ(log, (CommandLog{{"tension", -600}, {"stop", 0}}));
 }
 
-/// @brief The value that another behaviour applied before has no effect: each call has the present value.
+/// @brief The voltage that another behaviour applied earlier has no effect: each call gets the
+/// present voltage.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_StartsFromWhatItIsTold) {
   stop.resume(Tension(20000));

@@ -84,8 +84,8 @@ TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
   EXPECT_TRUE(work.measured.blind);
 }
 
-/// @brief Too much current switches the driver off in the interrupt. It is on again, without
-/// voltage, in the second control cycle, and stays so: the wheel brakes.
+/// @brief Too much current switches the driver off in the interrupt. The driver is on again,
+/// without voltage, from the second control cycle on: the wheel brakes.
 /// @verifies FR-89
 /// @verifies FR-94
 /// @verifies FR-221
@@ -108,7 +108,7 @@ TEST_F(WheelOrderTest, FR89_FR94_FR221_TrippedWheelBrakes) {
   }
 }
 
-/// @brief A halt brakes in the same way: so that the robot does not roll on a slope.
+/// @brief A halt brakes in the same way, so that the robot does not roll on a slope.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   pass(true, kMiddle);
@@ -125,8 +125,8 @@ TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   }
 }
 
-/// @brief A protective stop controls and then halts the wheel in one cycle: its current still has 50 ms to
-/// decay before the driver is on again.
+/// @brief A protective stop controls and then halts the wheel in one cycle. The current of the
+/// wheel still has 50 ms to decay before the driver is on again.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_ACycleThatControlsAndHaltsCountsOnce) {
   pass(true, kMiddle);
@@ -159,8 +159,8 @@ TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief A halt releases nothing, also when the wheel is at rest for a long time; the order to
-/// release does.
+/// @brief A halt does not release the trip, even when the wheel is at rest for a long time; the
+/// order to release does.
 /// @verifies FR-89
 TEST_F(WheelOrderTest, FR89_OnlyAnAcknowledgementReleases) {
   pass(true, kTooMuch);
@@ -180,7 +180,8 @@ TEST_F(WheelOrderTest, FR89_OnlyAnAcknowledgementReleases) {
   EXPECT_EQ(work.applied, Tension(3000));
 }
 
-/// @brief An acknowledgement releases no trip while the velocity is missing, and none from 40 rpm on.
+/// @brief An acknowledgement does not release a trip while the velocity is missing, or is 40 rpm or
+/// more.
 /// @verifies FR-89
 TEST_F(WheelOrderTest, FR89_AcknowledgementNeedsASlowWheel) {
   wheel.cutOff().execute();

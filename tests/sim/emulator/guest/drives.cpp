@@ -206,8 +206,8 @@ PROGRAM watchesLevel() {
   sleepForever();
 }
 
-// A timer of 1 kHz that starts five conversions; each conversion interrupts and starts the next one
-// of its converter; two edges of each wheel interrupt in a millisecond.
+// A timer of 1 kHz starts five conversions. Each conversion interrupts and starts the next
+// conversion of its converter. In each millisecond two edges of each wheel interrupt.
 static void workFor(std::uint32_t turns) {
   for (std::uint32_t i = 0; i < turns; ++i) {
     told(11) = i;

@@ -176,15 +176,16 @@ PROGRAM countsTicks() {
   told(0) = told(0) + 1;
 }
 
-// Comes after another time each time, so that it comes at each place of a loop.
+// The interrupt comes after a different time each time, so that it comes at every instruction of a
+// loop.
 PROGRAM countsTicksBetweenConditions() {
   told(2) = told(2) + 1;
   wordAt(0xE000E014) = 80 + told(2) % 29;
   asm volatile("cmp %0, %0" ::"r"(0) : "cc");
 }
 
-// An IT block across a border of 1 KB, where the engine ends a stretch of code, interrupted at each
-// place in turn.
+// An IT block across a border of 1 KB, at which the engine ends a block of code. The interrupt
+// comes at each of its instructions in turn.
 PROGRAM runsConditionalBlocks() {
   stopWatchdog();
   told(2) = 0;

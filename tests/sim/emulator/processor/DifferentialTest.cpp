@@ -52,7 +52,7 @@ class Source {
     }
   }
 
-  /// The bits of a floating-point number: of all kinds, and near the limits.
+  /// The bits of a floating-point number of any kind, often near a limit.
   [[nodiscard]] std::uint32_t single() {
     constexpr std::array<std::uint32_t, 14> kLimits{
         0,          0x3F800000, 0x00800000, 0x007FFFFF, 1,          0x7F7FFFFF, 0x7F800000,
@@ -214,8 +214,7 @@ std::string text(const State& state) {
 
 class DifferentialTest : public testing::TestWithParam<Encoding> {};
 
-/// @brief An instruction changes registers, flags and memory in the same way as in another
-/// emulator.
+/// @brief Each instruction changes registers, flags and memory in the same way as another emulator.
 TEST_P(DifferentialTest, InstructionDoesTheSameAsInUnicorn) {
   const Encoding& encoding = GetParam();
   const bool wide =

@@ -13,8 +13,8 @@ namespace wr::emulator::reference {
 struct Encoding {
   std::string_view name;
   std::string_view bits;
-  std::string_view differ = "";  ///< fields that must not be equal, two by two
-  bool toNearest = false;        ///< the engine rounds it by FPSCR, which is wrong
+  std::string_view differ = "";  ///< pairs of fields that must not be equal
+  bool toNearest = false;        ///< the engine rounds the result by FPSCR, which is wrong
   bool qTooOften =
       false;  ///< the engine sets Q when a part of the sum is too large, which is wrong
 };

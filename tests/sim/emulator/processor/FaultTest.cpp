@@ -142,8 +142,8 @@ TEST_F(FaultTest, ConversionFromFixedPointRoundsToNearest) {
   EXPECT_EQ(core_.registers.s[0], 0x43800000U);      // 256, not the next number
 }
 
-/// @brief SMLAD sets Q when the whole sum is too large, not when the sum of the products alone is:
-/// A7.7.144. Unicorn sets it in both cases.
+/// @brief SMLAD sets Q when the whole sum is too large, but not when only the sum of the products
+/// is too large: A7.7.144. Unicorn sets it in both cases.
 TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
   core_.registers.r[1] = 0x80008000;  // the products make 2^31
   core_.registers.r[2] = 0xFFFFFFFF;
@@ -155,8 +155,8 @@ TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
   EXPECT_TRUE(core_.registers.q);
 }
 
-/// @brief In a block whose condition does not hold an instruction does nothing; a fault keeps the
-/// block, so that the return from its handler goes on in it.
+/// @brief When the condition of an IT block is false, its instructions have no effect. A fault
+/// saves the state of the block, so that the block continues after the return from the handler.
 TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   core_.registers.r[1] = 0x30000000;
   core_.registers.it = 0x08;  // EQ, the last of its block
@@ -169,7 +169,7 @@ TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   EXPECT_EQ(core_.registers.it, 0x08);
 }
 
-/// @brief A store-exclusive stores after a load-exclusive only, and returns whether it stored.
+/// @brief A store-exclusive stores only after a load-exclusive, and returns whether it stored.
 TEST_F(FaultTest, StoreExclusiveNeedsLoadExclusive) {
   core_.registers.r[1] = kUpper;
   core_.registers.r[2] = 7;

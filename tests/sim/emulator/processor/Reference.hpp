@@ -26,7 +26,7 @@ inline constexpr std::uint32_t kRam = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x2000;
 
 /// @brief The Cortex-M4 of the Unicorn engine, an independent emulator with which instructions are
-/// compared. It is under the GPL, and linked to these tests only.
+/// compared. Its licence is the GPL, and it is linked only to these tests.
 class UnicornCore {
  public:
   UnicornCore();

@@ -16,8 +16,8 @@ constexpr std::uint32_t kRamSize = 0x1000;
 constexpr std::uint32_t kFlashSize = 0x1000;
 constexpr std::uint32_t kOdd = 0x201;  // target of branches
 
-/// @brief A core with flash at 0 and memory; all registers point to the
-/// middle of the memory, where the address of an instruction is.
+/// @brief A core with flash at 0 and with memory. All registers point to the middle of the memory,
+/// which contains the address of an instruction.
 class Program {
  public:
   Program(Timing timing, std::uint32_t at, std::vector<std::uint16_t> halves) : core_(timing) {
@@ -65,8 +65,8 @@ struct Row {
 
 class TimingTest : public testing::TestWithParam<Row> {};
 
-/// @brief An instruction takes the cycles of the processor's manual, the upper end where that gives a
-/// range.
+/// @brief An instruction takes the cycles that the manual of the processor states; of a range it
+/// takes the greatest number.
 TEST_P(TimingTest, InstructionTakesTheCyclesOfTheManual) {
   Program program(Timing::NoWaitStates, 0x100, GetParam().halves);
   EXPECT_EQ(program.cyclesOf(1), GetParam().cycles);
@@ -143,8 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, TimingTest, testing::ValuesIn(rows()),
 
 constexpr std::uint16_t kNop = 0xBF00;
 
-/// @brief Each phrase of 8 bytes that instructions are fetched from costs 5 cycles when it is
-/// entered, and the next instructions in it cost nothing more.
+/// @brief To enter a phrase of 8 bytes of code costs 5 cycles; the next instructions in the phrase
+/// cost nothing more.
 TEST(SlowFlashTest, EachPhraseCostsOnce) {
   Program program(Timing::SlowFlash, 0x100, std::vector<std::uint16_t>(8, kNop));
   EXPECT_EQ(program.cyclesOf(1), 6U);
@@ -160,8 +160,8 @@ TEST(SlowFlashTest, InstructionAcrossTwoPhrasesWaitsForBoth) {
   EXPECT_EQ(program.cyclesOf(1), 1U);
 }
 
-/// @brief A branch back into the phrase that was read last costs no read; a branch to another
-/// phrase does, also when this phrase was read earlier.
+/// @brief A branch back into the phrase that was read last costs no read. A branch to another
+/// phrase costs a read, even when this phrase was read earlier.
 TEST(SlowFlashTest, OnlyTheLastPhraseIsKept) {
   Program same(Timing::SlowFlash, 0x100, {0xE7FE});
   EXPECT_EQ(same.cyclesOf(1), 4U + 5);

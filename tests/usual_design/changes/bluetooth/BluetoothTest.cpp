@@ -1,5 +1,5 @@
-// A third reading mode: a Bluetooth device orders over a second serial port, in the frames of the
-// PC, without a handshake. The modes follow each other as RC, PC, Bluetooth.
+// A third reading mode: a Bluetooth device sends orders over a second serial port, in frames like
+// those of the PC, without a handshake. The modes follow each other as RC, PC, Bluetooth.
 
 #include "sim/host/HostSerialPort.hpp"
 #include "usual_design/host/OneWheelRobot.hpp"
@@ -71,7 +71,7 @@ TYPED_TEST(BluetoothMode, StopOfTheDeviceActsInEachMode) {
   EXPECT_FALSE(this->robot.report().stop());
 }
 
-/// @brief Other bytes of the device than orders have no effect.
+/// @brief Bytes of the device that are not an order have no effect.
 TYPED_TEST(BluetoothMode, PassesOverAllButOrders) {
   this->robot.commandByPc();
   for (std::uint16_t id = 2; id < 20; ++id) {

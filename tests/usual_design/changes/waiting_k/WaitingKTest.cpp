@@ -1,5 +1,6 @@
-// A state that warns: after K - 1 = N - 2 failed reads the next one sets WaitingK, which lights a
-// lamp; the robot continues in this time, and moves to Reconnecting after N failed reads as before.
+// A state that warns: after K - 1 = N - 2 failed reads the next failed read sets WaitingK, which
+// switches a lamp on. The robot continues to drive in this state, and changes to Reconnecting after
+// N failed reads as before.
 
 #include "sim/host/HostDigitalOutput.hpp"
 #include "usual_design/host/OneWheelRobot.hpp"
@@ -18,8 +19,8 @@ class WarningState : public testing::Test {
 };
 TYPED_TEST_SUITE(WarningState, Designs, DesignName);
 
-/// @brief The lamp is on in the cycle before the last waiting state, and in no other one; the
-/// set-points are followed meanwhile.
+/// @brief The lamp is on only in the cycle before the last waiting state; the robot follows its
+/// set-points in this cycle.
 TYPED_TEST(WarningState, WarnsBeforeTheLastWaitingState) {
   this->robot.commandByPc();
   EXPECT_FALSE(this->lamp.isOn());
