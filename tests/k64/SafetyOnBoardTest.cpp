@@ -172,7 +172,7 @@ class SafeBoard final : public SteppedRobot {
   board_robot::BoardSession& line_;
 };
 
-/// What the robot does before the switch stops it.
+/// The activity of the robot before the switch stops it.
 struct Situation {
   const char* name;
   int mode;
