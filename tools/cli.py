@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import signal
 import sys
 from pathlib import Path
 
@@ -31,12 +30,11 @@ from tools import (
     verify_build,
 )
 from tools.campaign import command as campaign
-from tools.lock import BUSY, BusyError
-from tools.steps import FailureError, MissingError
+from tools.exit_codes import BUSY, INTERRUPTED, MISSING
+from tools.lock import BusyError
+from tools.steps import FailureError, MissingError, cannot_write
 
 ROOT = Path(__file__).resolve().parents[1]
-MISSING = 3
-INTERRUPTED = 130
 
 
 def parser() -> argparse.ArgumentParser:
@@ -75,15 +73,6 @@ def parser() -> argparse.ArgumentParser:
     return top
 
 
-def heed_interrupts() -> None:
-    """Lets SIGINT and SIGTERM end the command in the same way.
-
-    A shell ignores SIGINT for a command in the background. A time limit sends SIGTERM.
-    """
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, signal.default_int_handler)
-
-
 def main(arguments: list[str]) -> int:
     options = parser().parse_args(arguments)
     try:
@@ -100,4 +89,14 @@ def main(arguments: list[str]) -> int:
     except FailureError as error:
         print(f"wr {options.command}: {error}", file=sys.stderr)
         return MISSING if isinstance(error, MissingError) else 1
+    except OSError as error:
+        if (said := cannot_write(error)) is None or not is_of_project(error):
+            raise
+        print(f"wr {options.command}: {said}.", file=sys.stderr)
+        return MISSING
     return code
+
+
+def is_of_project(error: OSError) -> bool:
+    """Whether the error is one of a file of the project, or of no named file."""
+    return error.filename is None or ROOT in Path(str(error.filename)).absolute().parents

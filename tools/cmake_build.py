@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import secrets
+import shlex
 import shutil
 import subprocess
 import threading
@@ -227,7 +228,8 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
             "\n"
         )
 
-    inputs = set(ask("inputs", *targets))
+    # Ninja quotes the inputs for a shell.
+    inputs = {shlex.split(line)[0] for line in ask("inputs", *targets) if line}
     found = set(inputs)
     object_wanted = False
     for line in ask("deps"):

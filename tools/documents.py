@@ -17,6 +17,7 @@ from traceability.exports.revision import revision_of, write_revision
 from traceability.reading.build_evidence import git
 from traceability.reading.results import RESULTS, read_json
 from traceability.schema import Finding, Place
+from traceability.whole_file import write_whole
 
 if TYPE_CHECKING:
     from traceability.model.build import Built
@@ -70,9 +71,8 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
     """Adds numbers to the metrics that were measured after the documents were made."""
     for path in (root / name for name in files or (METRICS,)):
         known = read_json(path)
-        path.parent.mkdir(parents=True, exist_ok=True)
         text = json.dumps((known or {}) | value, indent=1, sort_keys=True)
-        path.write_text(f"{text}\n", encoding="utf-8")
+        write_whole(path, f"{text}\n")
 
 
 def main(root: Path) -> int:
@@ -80,9 +80,7 @@ def main(root: Path) -> int:
     steps = Steps(root, len(PARTS))
     with no_collection():
         findings, complete = make(root, steps)
-    (root / FINDINGS).parent.mkdir(parents=True, exist_ok=True)
-    text = json.dumps([asdict(finding) for finding in findings])
-    (root / FINDINGS).write_text(text, encoding="utf-8")
+    write_whole(root / FINDINGS, json.dumps([asdict(finding) for finding in findings]))
     return 0 if complete else 1
 
 

@@ -22,6 +22,7 @@ from traceability.model.build import logic_of
 from traceability.reading.prose_record import write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
 from traceability.sources import DESIGN, include_options
+from traceability.whole_file import write_whole
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 # Which module may include which; CMake writes it.
@@ -195,8 +196,8 @@ def check_changed(
             if not good:
                 failed.append(file)
                 log.write(f"{file}:\n{output}\n")
-    store.parent.mkdir(parents=True, exist_ok=True)
-    store.write_text(json.dumps({f: key for f, key in keys.items() if f not in failed}, indent=1))
+    good_keys = {file: key for file, key in keys.items() if file not in failed}
+    write_whole(store, json.dumps(good_keys, indent=1))
     if failed:
         raise FailureError(f"{len(failed)} of {len(paths)} files")
     return f"{len(paths)} files, {len(changed)} of them changed"

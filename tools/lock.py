@@ -1,18 +1,24 @@
 """Only one command at a time may build, test or make pages, because another one would change its
-files."""
+files.
+
+A command that was ended by force leaves programs behind, such as a build. The next command ends
+them before it begins.
+"""
 
 from __future__ import annotations
 
 import fcntl
 import os
+import signal
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 LOCK = Path("build/lock")
 HOLDER = "WR_LOCK"  # set for programs that the owner of the lock starts
-BUSY = 5  # exit code
+GRACE = 2.0  # [s] in which a program may end itself
+MOST_WAIT = 10.0  # [s] until it has ended
 
 
 class BusyError(Exception):
@@ -42,9 +48,47 @@ def only_one(root: Path, command: str) -> Iterator[None]:
         file.truncate(0)
         file.write(f"./wr {command} (process {os.getpid()}, since {time.strftime('%H:%M')})\n")
         file.flush()
+        end_programs_of(root)
         os.environ[HOLDER] = str(root)
         try:
             yield
+        except BaseException:
+            end_programs_of(root)
+            raise
         finally:
-            del os.environ[HOLDER]
-            file.truncate(0)
+            os.environ.pop(HOLDER, None)
+            with suppress(OSError):
+                file.truncate(0)
+
+
+@contextmanager
+def outliving() -> Iterator[None]:
+    """Programs that start in it go on when the command ends, such as the user's browser."""
+    owner = os.environ.pop(HOLDER, None)
+    try:
+        yield
+    finally:
+        if owner is not None:
+            os.environ[HOLDER] = owner
+
+
+def end_programs_of(root: Path) -> None:
+    """Ends the programs that an owner of the lock started, and waits until they have ended."""
+    begin = time.monotonic()
+    while (left := programs_of(root)) and time.monotonic() < begin + MOST_WAIT:
+        gentle = time.monotonic() < begin + GRACE
+        for process in left:
+            with suppress(ProcessLookupError):
+                os.kill(process, signal.SIGTERM if gentle else signal.SIGKILL)
+        time.sleep(0.02)
+
+
+def programs_of(root: Path) -> list[int]:
+    """Returns the processes that began with the mark of the owner of the lock."""
+    mark = f"{HOLDER}={root}".encode()
+    found = []
+    for path in Path("/proc").glob("[0-9]*/environ"):
+        with suppress(OSError):
+            if mark in path.read_bytes().split(b"\0"):
+                found.append(int(path.parent.name))
+    return found

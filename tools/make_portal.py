@@ -14,7 +14,7 @@ from pathlib import Path
 
 from tools.check import report
 from tools.documents import FINDINGS, read_findings, write_time
-from tools.lock import only_one
+from tools.lock import only_one, outliving
 from tools.serve import STATUS, add_port, serving, wait
 from tools.task_graph import Progress, Task
 from tools.tasks import DOCUMENTS, HOST_FIRMWARE, RESULT_TASKS, graph, pages_graph
@@ -57,7 +57,8 @@ def portal(root: Path, options: argparse.Namespace) -> int:
         if cold:
             write_time(root, "build.first_page_s", time.monotonic() - start)
         if not options.no_open and (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-            webbrowser.open(server)
+            with outliving():
+                webbrowser.open(server)
         if not options.docs_only:
             with Pages(root) as pages:
                 failed = graph(root).run(RESULT_TASKS, pages.changed).failed

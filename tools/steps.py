@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import re
 import signal
@@ -64,6 +65,15 @@ def run(
     return used.ru_utime + used.ru_stime
 
 
+def heed_interrupts() -> None:
+    """Lets SIGINT and SIGTERM end the command in the same way.
+
+    A shell ignores SIGINT for a command in the background. A time limit sends SIGTERM.
+    """
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.default_int_handler)
+
+
 @contextmanager
 def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
     """While it runs, an interrupt ends the program too."""
@@ -88,6 +98,28 @@ def tail(path: Path, lines: int = TAIL_LINES) -> str:
     return "\n".join(path.read_text(errors="replace").splitlines()[-lines:])
 
 
+def cannot_write(error: OSError) -> str | None:
+    """Returns the message of an error that the user must correct; None of any other error."""
+    if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+        action = "free space on this disk, then run the command again"
+    elif error.errno in (errno.EROFS, errno.EACCES, errno.EPERM):
+        action = "make it writable, or copy the project to a folder that is"
+    else:
+        return None
+    return f"cannot write {error.filename or 'a file'}: {error.strerror}; {action}"
+
+
+@contextmanager
+def log_file(path: Path) -> Iterator[TextIO]:
+    """Opens the log of a step; a log that cannot be written fails the step."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("w") as log:
+            yield log
+    except OSError as error:
+        raise FailureError(cannot_write(error) or str(error)) from error
+
+
 def attempt(action: Callable[[TextIO], Result], log: TextIO) -> Result:
     """Runs the action; an error in the tools themselves fails the step, its place is in the log."""
     try:
@@ -95,8 +127,10 @@ def attempt(action: Callable[[TextIO], Result], log: TextIO) -> Result:
     except FailureError:
         raise
     except Exception as error:
-        log.write(traceback.format_exc())
-        raise FailureError(f"{type(error).__name__}: {error}") from error
+        with suppress(OSError):
+            log.write(traceback.format_exc())
+        said = cannot_write(error) if isinstance(error, OSError) else None
+        raise FailureError(said or f"{type(error).__name__}: {error}") from error
 
 
 def log_of(root: Path, title: str) -> Path:
@@ -118,17 +152,17 @@ class Steps:
         """Runs one step. The action writes to the log and returns a short note, or nothing."""
         self.number += 1
         path = log_of(self.root, title)
-        path.parent.mkdir(parents=True, exist_ok=True)
         self._say(f"[{self.number}/{self.total}] {title} ... ", end="")
         start = time.monotonic()
         try:
-            with path.open("w") as log, redirect_stdout(log), redirect_stderr(log):
+            with log_file(path) as log, redirect_stdout(log), redirect_stderr(log):
                 note = attempt(action, log)
         except FailureError as error:
             self.failed.append(title)
             self._say(f"FAILED, {time.monotonic() - start:.1f} s: {error}")
-            self._say(tail(path))
-            self._say(f"The whole log: {path.relative_to(self.root)}")
+            if path.exists():
+                self._say(tail(path))
+                self._say(f"The whole log: {path.relative_to(self.root)}")
             return False
         seconds = f"{time.monotonic() - start:.1f} s"
         self._say(f"{note}, {seconds}" if note else seconds)

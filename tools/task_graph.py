@@ -25,9 +25,10 @@ from doit.runner import MThreadRunner
 from doit.task import Task as DoitTask
 from doit.task import dict_to_task
 
-from tools.steps import FailureError, attempt, log_of, stop_programs, tail
+from tools.steps import FailureError, attempt, log_file, log_of, stop_programs, tail
 from traceability.reading.task_record import RECORD
 from traceability.sources import files_below
+from traceability.whole_file import write_whole
 
 SECONDS = "seconds of tasks"  # the entry with the duration of each task
 WAKE = 0.2  # [s]
@@ -78,13 +79,11 @@ class Step(BaseAction):  # type: ignore[misc]  # doit has no types
         self.values: dict[str, Any] = {}
 
     def execute(self, out: object = None, err: object = None) -> BaseFail | None:  # noqa: ARG002 - doit names them
-        path = log_of(self.root, self.work.name)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        for name in self.work.results:
-            (self.root / name).unlink(missing_ok=True)
         start = time.time()
         try:
-            with path.open("w") as log:
+            with log_file(log_of(self.root, self.work.name)) as log:
+                for name in self.work.results:
+                    (self.root / name).unlink(missing_ok=True)
                 found = attempt(self.work.action, log)
         except FailureError as error:
             return TaskFailed(str(error), report=False)
@@ -102,11 +101,7 @@ class Database(JsonDB):  # type: ignore[misc]  # doit has no types
     """The record is replaced as a whole, so that an interruption keeps the previous one."""
 
     def dump(self) -> None:
-        path = Path(self.name)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        new = path.with_suffix(".new")
-        new.write_text(self.codec.encode(self._db), encoding="utf-8")
-        new.replace(path)
+        write_whole(Path(self.name), self.codec.encode(self._db))
 
 
 class Record(Dependency):  # type: ignore[misc]  # doit has no types
@@ -123,6 +118,13 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
             if not made and Path(name).stat().st_mtime > self.began:
                 self._set(task.name, name, None)
 
+    def forget(self, task: DoitTask) -> None:
+        """Removes a task from the record before it runs: if the run is ended by force, its outputs
+        are incomplete, also for the inputs of the previous run."""
+        if self.get_values(task.name):
+            self.remove_success(task)
+            self.backend.dump()
+
 
 class WakingQueue(queue.Queue[Any]):
     """A queue whose reader wakes up periodically, because only then Ctrl-C reaches the main
@@ -136,6 +138,12 @@ class WakingQueue(queue.Queue[Any]):
 
 class Runner(MThreadRunner):  # type: ignore[misc]  # doit has no types
     Queue = WakingQueue
+
+    def select_task(self, node: Any, tasks: Any) -> bool:
+        selected = bool(super().select_task(node, tasks))
+        if selected:
+            self.dep_manager.forget(node.task)
+        return selected
 
 
 class Reporter:
@@ -270,7 +278,7 @@ class Graph:
             runner = Runner(record, reporter, continue_=True, num_process=max(1, self.workers))
             try:
                 runner.run_all(control.task_dispatcher())
-            except KeyboardInterrupt:
+            except BaseException:
                 stop_programs()
                 raise
         return reporter

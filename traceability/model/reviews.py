@@ -37,6 +37,7 @@ from traceability.schema import (
     Suspicion,
     Transition,
 )
+from traceability.whole_file import write_whole
 
 BASELINE = Path("requirements/baseline.toml")
 REVIEWS = Path("requirements/reviews.toml")
@@ -253,7 +254,7 @@ def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterabl
         names = [key.removeprefix(f"{kind} ") for key in used if key.startswith(f"{kind} ")]
         parts += [f"\n[{kind}]\n"] if names else []
         parts += [f'"{name}" = "{hashes[f"{kind} {name}"]}"\n' for name in names]
-    (root / BASELINE).write_text("".join(parts), encoding="utf-8")
+    write_whole(root / BASELINE, "".join(parts))
 
 
 def read_reviews(root: Path, entries: Entries | None = None) -> list[Review]:
@@ -276,7 +277,7 @@ def add_review(root: Path, review: Review) -> None:
     lines = [f"{key} = {json.dumps(getattr(review, key), ensure_ascii=False)}\n" for key in keys]
     answers = ", ".join(f'{key} = "{answer}"' for key, answer in review.answers.items())
     entry = f"\n[[review]]\n{''.join(lines)}answers = {{ {answers} }}\n"
-    path.write_text(before + entry, encoding="utf-8")
+    write_whole(path, before + entry)
 
 
 def _order(name: str) -> tuple[str, int]:

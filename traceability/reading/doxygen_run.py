@@ -17,6 +17,7 @@ from pathlib import Path
 from traceability.reading.comments import SUFFIXES
 from traceability.schema import Place
 from traceability.sources import DESIGN, files_below, hash_of
+from traceability.whole_file import write_whole
 
 INPUTS = (*DESIGN, "tests", "requirements")
 DOXYFILE = Path("traceability/doxygen/Doxyfile")
@@ -48,7 +49,7 @@ class DoxygenRun:
             if code != 0 or not self.xml.is_dir():
                 raise RuntimeError(f"Doxygen failed with exit code {code}:\n{output[-2000:]}")
             record = {"state": self.state, "output": output.splitlines()}
-            self.record.write_text(json.dumps(record), encoding="utf-8")
+            write_whole(self.record, json.dumps(record))
         lines = json.loads(self.record.read_text(encoding="utf-8"))["output"]
         return list(_warnings(self.root, lines))
 
@@ -85,6 +86,7 @@ def start_doxygen(root: Path, build: Path) -> DoxygenRun:
     last = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
     if xml.is_dir() and last.get("state") == run.state:
         return run
+    record.unlink(missing_ok=True)  # first: the folder may be left with some of its files
     shutil.rmtree(xml, ignore_errors=True)
     build.mkdir(parents=True, exist_ok=True)
     folders = " ".join(name for name in INPUTS if (root / name).exists())

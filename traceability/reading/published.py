@@ -11,6 +11,7 @@ from typing import Any
 
 from traceability.reading.results import read_json
 from traceability.schema import LastRecord
+from traceability.whole_file import write_whole
 
 RECORDS = Path("tests/records")
 
@@ -29,8 +30,7 @@ def publish(root: Path, name: str, command: str, commit: str, result: Mapping[st
     """Writes the record of a run that ends today; returns its file."""
     record = Published(command, commit, time.strftime("%Y-%m-%d", time.gmtime()), result)
     path = root / RECORDS / f"{name}.json"
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(asdict(record), indent=1) + "\n", encoding="utf-8")
+    write_whole(path, json.dumps(asdict(record), indent=1) + "\n")
     return path
 
 

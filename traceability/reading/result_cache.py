@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from traceability.sources import file_hash
+from traceability.whole_file import write_whole
 
 Result = TypeVar("Result")
 
@@ -25,10 +26,7 @@ def kept(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Res
                 found: Result = pickle.load(stream)
                 return found
     result = make()
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("wb") as stream:
-        pickle.dump(key, stream)
-        pickle.dump(result, stream)
+    write_whole(path, pickle.dumps(key) + pickle.dumps(result))
     return result
 
 

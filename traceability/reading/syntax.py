@@ -28,6 +28,7 @@ from traceability.reading.translation_units import (
 )
 from traceability.schema import Place
 from traceability.sources import DESIGN, file_hash, include_options
+from traceability.whole_file import write_whole
 
 READERS = (
     *("syntax", "translation_units", "ast_reader", "ast_facts", "clang_names", "constants"),
@@ -123,7 +124,7 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
     path = _entry(cache, unit)
     if facts.errors:
         entry["reader"] = "the unit has errors"
-    path.write_bytes(pickle.dumps(entry))
+    write_whole(path, pickle.dumps(entry))
 
 
 def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax, set[str]]:

@@ -17,6 +17,7 @@ from traceability.reading.products import PAPER, recorded_image_of
 from traceability.reading.results import RESULTS, RUNS
 from traceability.schema import HOST, VIRTUAL_K64, TraceRow, TreeNode
 from traceability.sources import file_hash
+from traceability.whole_file import write_whole
 
 
 @dataclass(frozen=True)
@@ -189,8 +190,7 @@ def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
         name = match and (method_of(match[2]) or function_of(match[2]))
         if match and name:
             symbols[int(match[1], 16) & ~even] = name
-    cache.parent.mkdir(parents=True, exist_ok=True)
-    cache.write_text(json.dumps({"key": key, "symbols": symbols}), encoding="utf-8")
+    write_whole(cache, json.dumps({"key": key, "symbols": symbols}))
     return symbols
 
 

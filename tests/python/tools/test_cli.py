@@ -159,10 +159,11 @@ def test_serve_serves_the_portal_to_this_machine_only(tmp_path: Path) -> None:
 INTERRUPTED = """
 import argparse, signal, sys
 from tools import cli
+from tools.steps import heed_interrupts
 options = argparse.Namespace(
     command="check", run=lambda *_: signal.raise_signal(signal.Signals[sys.argv[1]]))
 argparse.ArgumentParser.parse_args = lambda *_: options
-cli.heed_interrupts()
+heed_interrupts()
 sys.exit(cli.main([]))
 """
 

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from tools import cli
-from tools.lock import BUSY, HOLDER, LOCK, BusyError, only_one
+from tools.exit_codes import BUSY
+from tools.lock import HOLDER, LOCK, BusyError, only_one
 
 HOLD = """
 import sys, time

@@ -1,0 +1,62 @@
+"""Surroundings in which ./wr must end with a message: a full disk, a folder that cannot be written,
+no network, a user without rights. Linux namespaces make them; no test changes the machine."""
+
+from __future__ import annotations
+
+import functools
+import os
+import shlex
+import subprocess
+from pathlib import Path
+
+import pytest
+
+NOBODY = 65534
+
+
+@functools.cache
+def namespaces() -> str:
+    """Returns why this system makes no namespaces; empty if it does."""
+    words = ["unshare", "--map-root-user", "--mount", "--net", "true"]
+    try:
+        done = subprocess.run(words, capture_output=True, text=True, check=False)
+    except FileNotFoundError:
+        return "there is no program unshare"
+    return done.stderr.strip()
+
+
+def confined(*options: str, first: str, then: list[str | Path]) -> list[str]:
+    """The command ``then`` in namespaces of its own, after the shell commands ``first``.
+
+    Skips the test, with the reason, where the system does not allow it.
+    """
+    if reason := namespaces():
+        pytest.skip(f"this system makes no namespaces: {reason}")
+    words = shlex.join(map(str, then))
+    return ["unshare", "--map-root-user", *options, "sh", "-ec", f"{first}\nexec {words}"]
+
+
+def with_disk(folder: Path, size: str, then: list[str | Path]) -> list[str]:
+    """The command with a small disk at the folder."""
+    first = f"mount -t tmpfs -o size={size} none {shlex.quote(str(folder))}"
+    return confined("--mount", first=first, then=then)
+
+
+def read_only(folder: Path, then: list[str | Path]) -> list[str]:
+    """The command with a folder that cannot be written."""
+    name = shlex.quote(str(folder))
+    first = f"mount --bind {name} {name}\nmount -o remount,ro,bind {name}"
+    return confined("--mount", first=first, then=then)
+
+
+def without_network(then: list[str | Path]) -> list[str]:
+    return confined("--net", first="", then=then)
+
+
+def without_rights(then: list[str | Path]) -> list[str]:
+    """The command of a user who is not root."""
+    if os.geteuid() != 0:
+        return [str(word) for word in then]
+    group = str(NOBODY)
+    user = ["setpriv", "--reuid", group, "--regid", group, "--clear-groups", "--inh-caps=-all"]
+    return [*user, *map(str, then)]

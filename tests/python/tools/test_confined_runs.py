@@ -1,0 +1,224 @@
+"""./wr where something is missing: space on the disk, a folder to write, the network, rights. Each
+message says what is wrong, where, and the next action; the run after the correction is right."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.python.tools.confined import read_only, with_disk, without_network, without_rights
+from tests.python.tools.small_command import RESULT, expected, write_sources
+from tests.python.tools.test_killed_runs import COMMAND
+from tools.cmake_build import sources_of
+from tools.exit_codes import MISSING
+from tools.lock import HOLDER
+from traceability.reading.result_cache import kept
+
+SOURCE = Path(__file__).resolve().parents[3]
+LOCK = "no-such-package==1 --hash=sha256:" + 64 * "0" + "\n"
+
+
+def run(words: list[str], **variables: str) -> subprocess.CompletedProcess[str]:
+    environment = {name: value for name, value in os.environ.items() if name != HOLDER}
+    return subprocess.run(
+        words,
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=SOURCE,
+        env=environment | variables,
+        stdin=subprocess.DEVNULL,
+        timeout=120,
+    )
+
+
+def command(root: Path) -> list[str | Path]:
+    return [sys.executable, "-c", COMMAND, root]
+
+
+@pytest.fixture
+def copy() -> Iterator[Path]:
+    """A copy of ./wr without its Python packages, in a folder whose name has a blank, which each
+    user can read."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder) / "a copy"
+        (root / "setup").mkdir(parents=True)
+        shutil.copy(SOURCE / "wr", root / "wr")
+        (root / "setup/python.lock").write_text(LOCK)
+        for path in (Path(folder), root, root / "setup"):
+            path.chmod(0o755)
+        yield root
+
+
+# ---- a full disk -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize("size", ["4k", "8k", "12k", "16k", "20k", "24k", "28k"])
+def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size: str) -> None:
+    """The sources need no space of the disk: it is mounted at build."""
+    write_sources(tmp_path, "text")
+    (tmp_path / "build").mkdir()
+    keep = tmp_path / "kept"
+    script = '"$@"; code=$?; cp -a build/. "$KEPT" 2>/dev/null; exit $code'
+    words = ["sh", "-c", f"cd {tmp_path}; {script}", "sh", *command(tmp_path)]
+    keep.mkdir()
+    full = run(with_disk(tmp_path / "build", size, words), KEPT=str(keep), PYTHONPATH=str(SOURCE))
+    assert "Traceback" not in full.stdout + full.stderr
+    assert full.returncode in (1, MISSING)
+    assert "No space left on device" in full.stdout + full.stderr
+    (tmp_path / "build").rmdir()
+    keep.rename(tmp_path / "build")  # what the disk had when it was full
+    assert run([*map(str, command(tmp_path))]).returncode == 0
+    assert (tmp_path / RESULT).read_text() == expected(tmp_path)
+
+
+CACHE = """
+import sys
+from pathlib import Path
+from traceability.reading.result_cache import kept
+print(kept(Path(sys.argv[1]), [1], lambda: ["text" * 1000]))
+"""
+
+
+def test_a_cache_that_could_not_be_written_whole_is_not_read(tmp_path: Path) -> None:
+    cache = tmp_path / "disk"
+    cache.mkdir()
+    words: list[str | Path] = [sys.executable, "-c", CACHE, cache / "cache"]
+    with_copy = ["sh", "-c", f'"$@"; cp {cache}/* {tmp_path}', "sh", *words]
+    full = run(with_disk(cache, "4k", [*with_copy]))
+    assert "No space left on device" in full.stderr
+    assert kept(tmp_path / "cache", [1], lambda: ["new"]) == ["new"]
+
+
+# ---- a folder that cannot be written ---------------------------------------------
+
+
+def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    write_sources(tmp_path, "text")
+    done = run(read_only(tmp_path, command(tmp_path)))
+    assert done.returncode == MISSING
+    assert done.stderr == (
+        f"cannot write {tmp_path}/build: Read-only file system; "
+        "make it writable, or copy the project to a folder that is\n"
+    )
+
+
+def test_the_real_command_names_the_folder_that_it_cannot_write() -> None:
+    done = run(read_only(SOURCE, [SOURCE / "wr", "check"]), WR_HAS_PACKAGES="1")
+    assert done.returncode == MISSING
+    assert done.stderr.startswith(f"wr check: cannot write {SOURCE}/build/lock: Read-only")
+
+
+def test_set_up_of_a_user_without_rights_names_the_folder(copy: Path) -> None:
+    done = run(without_rights([copy / "wr", "setup"]), WR_HAS_PACKAGES="1")
+    if os.geteuid() == 0:
+        assert done.returncode == MISSING
+        assert done.stderr == (
+            f"wr: {copy} cannot be written. Copy the project to a folder that you may write.\n"
+        )
+
+
+# ---- no network ------------------------------------------------------------------
+
+
+def test_after_set_up_no_network_is_needed(tmp_path: Path) -> None:
+    """The set-up finds nothing to do, and tasks run."""
+    write_sources(tmp_path, "text")
+    for words in ([SOURCE / "wr", "setup"], command(tmp_path)):
+        done = run(without_network(words))
+        assert (done.returncode, done.stderr) == (0, "")
+    assert (tmp_path / RESULT).read_text() == expected(tmp_path)
+
+
+def test_set_up_without_network_says_so_and_begins_anew(copy: Path) -> None:
+    for _ in range(2):
+        done = run(without_network([copy / "wr", "setup"]), WR_HAS_PACKAGES="1", PIP_RETRIES="0")
+        assert done.returncode == MISSING
+        assert done.stderr.splitlines()[-1] == (
+            "wr: the Python packages are not installed. Check the network and the space on the "
+            "disk, then run the command again."
+        )
+        assert not (copy / ".venv/stamp").exists()
+
+
+# ---- set-up at once and after an end by force --------------------------------------
+
+
+def test_a_set_up_waits_for_another_and_does_not_repeat_it(copy: Path) -> None:
+    """The first makes the folder and its stamp while it has the lock."""
+    (copy / ".venv/bin").mkdir(parents=True)
+    begin = "exec 9>>.venv/lock; flock 9; echo begun; read -r _; ln -s /bin/true .venv/bin/python"
+    stamp = 'printf "%s\\n" "$(sha256sum <setup/python.lock) $PWD" >.venv/stamp'
+    first = subprocess.Popen(
+        ["sh", "-c", f"{begin}; {stamp}"],
+        cwd=copy,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    assert first.stdout is not None and first.stdin is not None
+    assert first.stdout.readline() == "begun\n"
+    environment = {**os.environ, "WR_HAS_PACKAGES": "1"}
+    second = subprocess.Popen(
+        [copy / "wr", "setup"], stdout=subprocess.PIPE, text=True, env=environment
+    )
+    assert second.stdout is not None
+    assert "waits for another command" in second.stdout.readline()
+    first.stdin.write("go\n")
+    first.stdin.close()
+    assert (first.wait(60), second.wait(60)) == (0, 0)
+    assert second.stdout.read() == ""
+
+
+def test_an_interrupted_set_up_is_never_taken_for_a_whole_one(copy: Path) -> None:
+    """The previous packages have a stamp. The set-up is ended while it removes them."""
+    (copy / ".venv/bin").mkdir(parents=True)
+    (copy / ".venv/stamp").write_text("of another lock file\n")
+    tools = copy / "tools"
+    tools.mkdir()
+    (tools / "find").write_text("#!/bin/sh\nkill -KILL $PPID\n")
+    (tools / "find").chmod(0o755)
+    done = run(
+        [str(copy / "wr"), "setup"],
+        WR_HAS_PACKAGES="1",
+        PATH=f"{tools}:{os.environ['PATH']}",
+    )
+    assert done.returncode == -9
+    assert not (copy / ".venv/stamp").exists()
+
+
+# ---- a path with blanks ----------------------------------------------------------
+
+
+def test_the_sources_of_a_program_are_found_below_a_path_with_blanks(tmp_path: Path) -> None:
+    root = tmp_path / "a path with blanks"
+    (root / "src").mkdir(parents=True)
+    (root / "src/main.cpp").write_text("int main() {}\n")
+    (root / "src/table.txt").write_text("1\n")
+    (root / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.20)\nproject(small CXX)\n"
+        "add_custom_command(OUTPUT table.hpp DEPENDS ${CMAKE_SOURCE_DIR}/src/table.txt\n"
+        "  COMMAND cp ${CMAKE_SOURCE_DIR}/src/table.txt table.hpp VERBATIM)\n"
+        "add_executable(small src/main.cpp table.hpp)\n"
+    )
+    for words in (
+        ["-G", "Ninja", "-S", root, "-B", root / "build/host"],
+        ["--build", root / "build/host"],
+    ):
+        subprocess.run(["cmake", *words], check=True, stdout=subprocess.DEVNULL)
+    assert sources_of(root, "host", "small") == ["CMakeLists.txt", "src/main.cpp", "src/table.txt"]
+
+
+def test_a_command_runs_below_a_path_with_blanks(tmp_path: Path) -> None:
+    root = tmp_path / "a path with blanks"
+    write_sources(root, "text")
+    done = run([*map(str, command(root))])
+    assert (done.returncode, done.stderr) == (0, "")
+    assert (root / RESULT).read_text() == expected(root)
