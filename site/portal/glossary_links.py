@@ -47,14 +47,14 @@ class GlossaryLinks:
         return "".join([*parts, html[done:]])
 
     def _first_uses(self, html: str) -> Iterator[tuple[int, int, str]]:
-        text = html.lower()
-        apart = [(0, 0), *(element.span() for element in ELEMENTS.finditer(html))]
+        text, starts, shifts = without_apart(html)
         for words in self.terms:
             at = text.find(words)
             while at >= 0:
                 end = END.match(text, at + len(words))
-                if end and self._stands_alone(text, at, words) and is_text(html, at, apart):
-                    yield at, end.end(), words
+                if end and self._stands_alone(text, at, words) and is_text(text, at):
+                    shift = shifts[bisect_right(starts, at) - 1]
+                    yield at + shift, end.end() + shift, words
                     break
                 at = text.find(words, at + 1)
 
@@ -65,10 +65,22 @@ class GlossaryLinks:
         return not any(text.startswith(one, at - offset) for one, offset in self.longer[words])
 
 
-def is_text(html: str, at: int, apart: list[tuple[int, int]]) -> bool:
-    """Whether a place is outside of tags and of elements that are not changed."""
-    _, end = apart[bisect_right(apart, (at, len(html))) - 1]
-    return at >= end and html.rfind("<", 0, at) <= html.rfind(">", 0, at)
+def without_apart(html: str) -> tuple[str, list[int], list[int]]:
+    """The page in lower case without the elements that are not changed; where each part of it
+    begins, and how far this is from the place of the part on the page."""
+    parts, starts, shifts, done, length = [], [], [], 0, 0
+    for begin, end in [*(one.span() for one in ELEMENTS.finditer(html)), (len(html), 0)]:
+        parts.append(html[done:begin])
+        starts.append(length)
+        shifts.append(done - length)
+        length += begin - done + 1
+        done = end
+    return "\0".join(parts).lower(), starts, shifts
+
+
+def is_text(text: str, at: int) -> bool:
+    """Whether a place is outside of tags."""
+    return text.rfind("<", 0, at) <= text.rfind(">", 0, at)
 
 
 def anchor(term: Section, words: str, prefix: str) -> str:

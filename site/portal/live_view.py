@@ -17,8 +17,10 @@ from traceability.model.design_model import Model
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.live_record import MODULE, read_live
 from traceability.reading.products import DEFAULT, PAPER, PRODUCTS, image_of, recorded_image_of
+from traceability.reading.result_cache import kept
 from traceability.reading.traces import function_of, method_of
 from traceability.schema import Method, TreeNode
+from traceability.sources import file_hash
 from weeding_robot_client.layout import Field, Layout, read_frames
 
 FOLDER = "live"  # of the site
@@ -89,8 +91,8 @@ def write_live(portal: Portal, site: Path) -> None:
     """Writes the files that the page loads when the reader starts the robot."""
     root, folder = portal.root, site / FOLDER
     found = images(root)
-    kept = [f"{one.name}.bin" for one in found]
-    remove_others(folder, "*", [*kept, DATA, MODULE.name] if found else [])
+    names = [f"{one.name}.bin" for one in found]
+    remove_others(folder, "*", [*names, DATA, MODULE.name] if found else [])
     if not found:
         return
     write_changed(folder / MODULE.name, (root / MODULE).read_bytes())
@@ -161,8 +163,14 @@ def entered_by_hardware(model: Model) -> set[str]:
 
 def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]:
     """The address and the number of each method that an image has, by rising address."""
-    words = ["arm-none-eabi-nm", "--demangle", str(root / file_of(name, ".elf"))]
-    listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    elf = root / file_of(name, ".elf")
+    words = ["arm-none-eabi-nm", "--demangle", str(elf)]
+
+    def symbols() -> str:
+        return subprocess.run(words, capture_output=True, text=True, check=True).stdout
+
+    cache = root / "build" / "pages-cache" / "symbols" / name
+    listed = kept(cache, [words, file_hash(elf)], symbols)
     found = {}
     for line in listed.splitlines():
         match = SYMBOL.match(line)

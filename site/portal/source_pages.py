@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from markupsafe import Markup
+
 from portal.module_page import line_kind
 from portal.portal import Page, Portal
 
@@ -17,21 +19,26 @@ def folders(portal: Portal) -> dict[str, list[str]]:
 
 @dataclass
 class Line:
-    number: int
-    code: str
-    hits: int | None
+    html: Markup
     marks: list[str]
 
 
 def source_page(portal: Portal, path: str) -> Page:
     marks, hits = portal.marks.get(path, {}), portal.hits.get(path, {})
+    on_board = path in (portal.model.board_lines or {})
     lines = [
-        Line(number, code, hits.get(number), marks.get(number, []))
+        Line(line_html(number, code, hits.get(number), on_board), marks.get(number, []))
         for number, code in enumerate(portal.code.lines(path), 1)
     ]
     modules = [m.name for m in portal.model.modules.values() if path in (m.header, m.source)]
     return portal.page(
         f"source/{path}", path, "source", "source_file", path=path, lines=lines, modules=modules,
-        measured=bool(hits), on_board=path in (portal.model.board_lines or {}),
-        line_kind=line_kind,
+        measured=bool(hits), on_board=on_board,
     )  # fmt: skip
+
+
+def line_html(number: int, code: str, hits: int | None, on_board: bool) -> Markup:
+    """The line with its number, its link, and how often it was executed."""
+    title = "" if hits is None or on_board else f' title="executed {hits} times"'
+    anchor = f'<a class="ln" href="#L{number}"{title}>{number}</a>'
+    return Markup(f'<span class="cl {line_kind(hits)}" id="L{number}">{anchor}{code}</span>\n')

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import functools
 import html
+import pickle
 import posixpath
 import re
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass
 from multiprocessing import get_context
 from pathlib import Path
@@ -13,7 +15,7 @@ from urllib.parse import unquote
 
 from traceability.model.design_model import Model
 from traceability.schema import Finding, Place
-from traceability.sources import files_below
+from traceability.sources import file_hash, files_below
 
 # A path of the project, as it is written; or as a link of the README.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
@@ -23,6 +25,8 @@ HELP = '"--help"'  # options of every command
 PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
+CACHE = "pages-cache/links"  # next to the site
+FEW = 100  # pages that one process reads as fast as several
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
@@ -30,7 +34,7 @@ ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|
 @dataclass
 class _Page:
     anchors: set[str]
-    links: dict[str, int]  # link -> place in the text
+    links: dict[str, int]  # link -> place in the text; without live links to its own anchors
 
 
 def _text(file: str) -> str:
@@ -51,7 +55,31 @@ def _read(file: str) -> _Page:
             page.anchors.add(value)
         elif name != "name" and value:
             page.links.setdefault(value, start)
+    own = [link for link in page.links if link.startswith(("#", "?"))]
+    for link in own:
+        if unquote(link.partition("#")[2]) in page.anchors:
+            del page.links[link]
     return page
+
+
+def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
+    """Reads the files, and those again that changed since they were read last."""
+    known: dict[str, tuple[object, _Page]] = {}
+    code = file_hash(Path(__file__))
+    with suppress(OSError, EOFError, pickle.UnpicklingError), cache.open("rb") as stream:
+        known = pickle.load(stream) if pickle.load(stream) == code else {}
+    stats = {name: Path(name).stat() for name in names}
+    states = {name: (stat.st_mtime_ns, stat.st_size) for name, stat in stats.items()}
+    changed = [name for name in names if name not in known or known[name][0] != states[name]]
+    with get_context("fork").Pool() if len(changed) > FEW else nullcontext() as pool:
+        read = pool.map(_read, changed) if pool else map(_read, changed)
+        known |= {name: (states[name], page) for name, page in zip(changed, read, strict=True)}
+    known = {name: known[name] for name in names}
+    cache.parent.mkdir(parents=True, exist_ok=True)
+    with cache.open("wb") as stream:
+        pickle.dump(code, stream)
+        pickle.dump(known, stream)
+    return {name: page for name, (_, page) in known.items()}
 
 
 class _Site:
@@ -61,15 +89,14 @@ class _Site:
         self.root = str(root.resolve())
         self.files = {str(path) for path in Path(self.root).rglob("*") if path.is_file()}
         names = [file for file in sorted(self.files) if file.endswith((".html", ".svg", ".css"))]
-        with get_context("fork").Pool() as pool:
-            self.pages = dict(zip(names, pool.map(_read, names), strict=True))
+        self.pages = _read_all(names, root.parent / CACHE)
         self.away = functools.cache(self._away)
 
-    def reason(self, file: str, link: str) -> str:
+    def reason(self, file: str, folder: str, link: str) -> str:
         """Why a link is dead; empty for a live one."""
         if link.startswith(("#", "?")):
             return self._without(file, link.partition("#")[2])
-        return self.away(posixpath.dirname(file), link)
+        return self.away(folder, link)
 
     def _away(self, folder: str, link: str) -> str:
         """The result is equal for each page of a folder, so it is computed once."""
@@ -98,8 +125,9 @@ def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
     site = _Site(root)
     found: list[tuple[Path, int, str, str]] = []
     for file, page in site.pages.items():
+        folder = posixpath.dirname(file)
         for link, start in page.links.items():
-            if reason := site.reason(file, link):
+            if reason := site.reason(file, folder, link):
                 line = _text(file).count("\n", 0, start) + 1
                 found.append((Path(file), line, link, reason))
     return found

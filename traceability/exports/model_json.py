@@ -31,18 +31,34 @@ PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: 
 
 def model_text(model: Model, report: Report) -> str:
     """The model with the verdicts as JSON. Places, names and texts are those of the pages."""
-    data, verdicts = dataclasses.asdict(model), dataclasses.asdict(report)
-    for name, requirement in data["requirements"].items():
-        requirement.update(verdicts["requirements"][name])
-        for evidence in requirement["evidence"]:
-            evidence["value"] = report.measured[evidence["figure"]]
-    for name, goal in data["safety"]["goals"].items():
-        goal.update(verdicts["goals"][name])
-    for name, scenario in data["safety"]["scenarios"].items():
-        scenario["state"] = report.scenarios[name]
-    for name, application in data["patterns"].items():
-        application["clauses"] = verdicts["clauses"][name]
-    return json.dumps(data | {"findings": verdicts["findings"]}, indent=1)
+
+    def fields(one: object) -> dict[str, Any]:
+        return _fields(one) | _verdict(one, report)
+
+    return json.dumps(model, default=fields)
+
+
+def _fields(one: Any) -> dict[str, Any]:
+    return {field.name: getattr(one, field.name) for field in dataclasses.fields(one)}
+
+
+def _verdict(one: object, report: Report) -> dict[str, Any]:
+    """The fields that the report adds to a record."""
+    found: dict[str, Any] = {}
+    match one:
+        case Model():
+            found["findings"] = report.findings
+        case schema.Requirement():
+            found = _fields(report.requirements[one.id])
+        case schema.SafetyGoal():
+            found = _fields(report.goals[one.id])
+        case schema.Evidence():
+            found["value"] = report.measured[one.figure]
+        case schema.FaultScenario():
+            found["state"] = report.scenarios[one.name]
+        case schema.PatternApplication():
+            found["clauses"] = report.clauses[one.id]
+    return found
 
 
 def schema_text() -> str:

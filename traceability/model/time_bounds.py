@@ -66,6 +66,9 @@ class Times:
         self.once = frozenset(once)
         self.limited = {one.method: one for one in limited}
         self.known: dict[tuple[str, tuple[tuple[str, int], ...]], int] = {}
+        # The longest path of a function, for each cost of its blocks.
+        self.paths: dict[tuple[str, tuple[int, ...]], int] = {}
+        self.copies: dict[tuple[str, int], int] = {}  # function and bytes -> cycles
         self.unbound: set[tuple[str, Place]] = set()  # loops without a bound: function and place
         self.unresolved: set[tuple[str, Place]] = set()  # calls without a known target
 
@@ -109,6 +112,11 @@ class Times:
 
     def copy(self, symbol: str, count: int) -> int:
         """The bound of a function that copies or fills a number of bytes."""
+        if (symbol, count) not in self.copies:
+            self.copies[symbol, count] = self._copy(symbol, count)
+        return self.copies[symbol, count]
+
+    def _copy(self, symbol: str, count: int) -> int:
         code = self.codes[symbol]
         steps = {loop.head: _stored(code, loop) for loop in code.loops}
         larger = sorted({step for step in steps.values() if step > 1}, reverse=True)
@@ -186,6 +194,12 @@ class Times:
         return found[0].rounds
 
     def _longest(self, code: Code, cost: Mapping[int, int]) -> int:
+        key = (code.symbol, tuple(cost.values()))
+        if key not in self.paths:
+            self.paths[key] = self._solve(code, cost)
+        return self.paths[key]
+
+    def _solve(self, code: Code, cost: Mapping[int, int]) -> int:
         rounds = [(loop, self._bound(code, loop)) for loop in code.loops]
         counted = []
         for start, block in code.blocks.items():

@@ -11,6 +11,7 @@ import struct
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import TypeVar
 
 FUNCTION, BLOCKS, ARCS, LINES = 0x01000000, 0x01410000, 0x01430000, 0x01450000
 HEADER = 16  # bytes: kind of file, version, and two sums
@@ -18,6 +19,7 @@ ON_TREE, FAKE = 1, 2
 
 Line = tuple[str, int]  # file, and number of the line
 Branch = tuple[int, int]  # line, and the number of the branch
+Part = TypeVar("Part")
 
 
 @dataclass
@@ -32,8 +34,16 @@ class Covered:
         self.branches.setdefault(file, set()).update(branches)
 
     def merge(self, other: Covered) -> None:
-        for file, lines in other.lines.items():
-            self.add(file, lines, other.branches.get(file, set()))
+        _merge(self.lines, other.lines)
+        _merge(self.branches, other.branches)
+
+
+def _merge(known: dict[str, set[Part]], others: dict[str, set[Part]]) -> None:
+    for file, found in others.items():
+        if file in known:
+            known[file] |= found
+        else:
+            known[file] = set(found)
 
 
 @dataclass

@@ -28,7 +28,9 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
     edited = _git(root, "diff", "--name-only", "--no-renames", base, "HEAD", "--", SRC) or ""
     added = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SAFETY) or ""
     files = [file for file in edited.splitlines() if file in before]
-    found = [one for file in files if (one := edits_of_code(root, base, file)).touched]
+    texts = contents(root, [f"{commit}:{file}" for file in files for commit in (base, head)])
+    edits = (edits_of_code(*one) for one in zip(files, texts[::2], texts[1::2], strict=True))
+    found = [one for one in edits if one.touched]
     new = numstat(added)
     corrected = [correction_of(one.file, case.corrections) for one in found]
     touched = [
@@ -41,13 +43,28 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
     return SafetyCost(case.base, head, [one.file for one in new], lines, touched, own + shared)
 
 
-def edits_of_code(root: Path, base: str, file: str) -> TouchedFile:
-    """The lines of code of a file that were added and removed since the base."""
-    before, after = (
-        code_of(_git(root, "show", f"{revision}:{file}") or "").splitlines()
-        for revision in (base, "HEAD")
-    )
-    edits = SequenceMatcher(None, before, after, autojunk=False).get_opcodes()
+def contents(root: Path, names: list[str]) -> list[str]:
+    """The texts of files of commits; a missing file has no text."""
+    words = ["git", "-C", str(root), "cat-file", "--batch"]
+    asked = "".join(f"{name}\n" for name in names).encode()
+    answer = subprocess.run(words, input=asked, capture_output=True, check=True).stdout
+    found, at = [], 0
+    for _ in names:
+        end = answer.index(b"\n", at)
+        head, at = answer[at:end], end + 1
+        if head.endswith(b" missing"):
+            found.append("")
+            continue
+        size = int(head.rpartition(b" ")[2])
+        found.append(answer[at : at + size].decode())
+        at += size + 1
+    return found
+
+
+def edits_of_code(file: str, before: str, after: str) -> TouchedFile:
+    """The lines of code of a file that were added and removed between two versions."""
+    old, new = code_of(before.strip()).splitlines(), code_of(after.strip()).splitlines()
+    edits = SequenceMatcher(None, old, new, autojunk=False).get_opcodes()
     changed = [edit for edit in edits if edit[0] != "equal"]
     added = sum(to_end - to_begin for _, _, _, to_begin, to_end in changed)
     removed = sum(end - begin for _, begin, end, _, _ in changed)
