@@ -423,6 +423,21 @@
     ),
   );
 
+  /* a column of numbers is aligned at its right end, with its head */
+  const NUMBER = /^[-+−]?\d[\d.\s]*(?:%|[mµn]?s|[kM]?B|bytes|m?V|m?A|rpm|m|°|cycles)?$/;
+  const MOSTLY = 0.8; // share of numbers in such a column
+  all(".main table:not(.umx, .dot)").forEach((table) => {
+    const heads = [...(table.tHead ? table.tHead.rows[0].cells : [])];
+    const rows = all("tbody tr", table).filter((row) => row.cells.length === heads.length);
+    heads.forEach((head, i) => {
+      const cells = rows.map((row) => row.cells[i]);
+      const filled = cells.filter((cell) => cell.textContent.trim());
+      const numbers = filled.filter((cell) => NUMBER.test(cell.textContent.trim()));
+      if (numbers.length < 2 || numbers.length < MOSTLY * filled.length) return;
+      [head, ...cells].forEach((cell) => cell.classList.add("num"));
+    });
+  });
+
   /* the current page is visible in the side navigation */
   const here = one(".side [aria-current]");
   if (here) side.scrollTop = here.offsetTop - side.clientHeight / 3;
