@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
@@ -35,7 +35,7 @@ from portal.search import entries
 from portal.sequences import sequences
 from portal.source_pages import folders, source_page
 from portal.tuning_page import tuning
-from portal.verification_views import facets_of_test, options
+from portal.verification_views import Facets, facets_of_test, options
 from traceability.exports.tool_files import available
 from traceability.model.made_changes import proven
 from traceability.model.not_shown import by_method, not_shown
@@ -205,6 +205,20 @@ def tests(portal: Portal) -> dict[str, Any]:
     return {"suites": suites(portal), "facets": facets, "options": options(facets.values())}
 
 
+def trees(portal: Portal) -> dict[str, Any]:
+    """The trees by the sections of the requirements, with the values of their filters."""
+    found: dict[str, list[Requirement]] = {}
+    facets: dict[str, Facets] = {}
+    for requirement in portal.model.requirements.values():
+        if requirement.tree:
+            found.setdefault(requirement.section, []).append(requirement)
+            nodes = portal.flat(requirement.tree)
+            modules = {node.module for _, node in nodes} & set(portal.model.modules)
+            seen = list(requirement.runs) or ["in no test"]
+            facets[requirement.id] = {"seen": seen, "module": sorted(modules)}
+    return {"sections": found, "facets": facets, "options": options(facets.values())}
+
+
 def suites(portal: Portal) -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for test in portal.model.tests.values():
@@ -237,6 +251,34 @@ def use_rows(portal: Portal) -> list[UseRow]:
     ]
 
 
+def uses(portal: Portal) -> dict[str, Any]:
+    """The uses as rows and as the cells of a matrix, whose modules are in the order of the
+    structure."""
+    rows = use_rows(portal)
+    named = {name for row in rows for name in (row.source, row.target)}
+    return {
+        "rows": rows,
+        "labels": short_names(
+            [name for name in portal.model.logic_modules if name in named], portal
+        ),
+        "cells": {(row.source, row.target): row for row in rows},
+        "wide": True,
+    }
+
+
+def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
+    """The name of each logic module; two of one name also have that of their folder."""
+    known = portal.model.logic_modules
+    count = Counter(known[one].name for one in identifiers)
+
+    def name(one: str) -> str:
+        parent = known[one].parent
+        own = known[one].name
+        return f"{known[parent].name}/{own}" if parent and count[own] > 1 else own
+
+    return {one: name(one) for one in identifiers}
+
+
 def groups(portal: Portal) -> dict[str, Any]:
     return {"groups": [m for m in portal.model.logic_modules.values() if m.modules]}
 
@@ -262,7 +304,6 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
             "machines",
             "proofs",
             "datatypes",
-            "trees",
             "beliefs",
             "checks",
             "drift",
@@ -277,7 +318,8 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
     "interfaces": groups,
     "inheritances": lambda portal: {"families": families(portal)},
     "products": products,
-    "uses": lambda portal: {"rows": use_rows(portal)},
+    "trees": trees,
+    "uses": uses,
     "concordance": concordance,
     "usual_design": usual_design,
     "execution": execution,

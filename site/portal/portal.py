@@ -47,6 +47,13 @@ from traceability.schema import (
 
 SITE = Path(__file__).resolve().parents[1]
 
+OPERATION_STATES, READING_MODES = "operation-states", "reading-modes"
+# Modules that use a connection in the drawing of the first page.
+CONNECTING = (
+    *("OrderMessage", "ReportMessage", "RcBuffer", "FirstTimer", "WheelSystem", "DirSystem"),
+    *("Wheel", "SteeringDevice", "VelSensor", "CntSensor", "DirSensor", "WheelController"),
+    *("DirController", "MainController", "Mode", "OperationState"),
+)
 WITHOUT_TERMS = ("source_file", "home")  # code, and the page that shows where to begin
 LATER = {"doc-warning", "link-doc", "link-site"}  # known after Sphinx and on the finished site
 # They need results of these sources.
@@ -205,6 +212,18 @@ class Portal:
             for element in self.model.architecture
             if element.modules
         }
+
+    def drawn_modules(self) -> list[str]:
+        """The modules in the drawing of the first page, and those of its connections."""
+        states = [
+            module
+            for name in (OPERATION_STATES, READING_MODES)
+            if name in self.model.machines
+            for module in self.model.machines[name].states.values()
+        ]
+        return [
+            name for name in dict.fromkeys([*states, *CONNECTING]) if name in self.model.modules
+        ]
 
     def executed(self, requirement: Requirement) -> str:
         """Kind of glyph for a tree: "none" as long as no test of it was recorded."""

@@ -129,7 +129,8 @@ def entries(portal: Portal) -> list[Entry]:
         for entry in group_.entries:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
     for question in portal.questions:
-        add("Answers", "", question.ask, question.answer, question.address)
+        address = question.address.removeprefix(ROOT)
+        found.append(("Answers", "", question.ask, plain(question.answer), address, question.also))
     for tour in portal.tours:
         address = f"{ROOT}tours/{tour.id}.html"
         add("Pages", "", f"Tour: {tour.title}", "tutorial, getting started", address)

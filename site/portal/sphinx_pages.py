@@ -14,6 +14,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util.docutils import docutils_namespace, patch_docutils
 
 from portal import search
+from portal.board_figure import board_figure
 from portal.frame_tables import frame_tables
 from portal.links import ROOT, depth_prefix
 from portal.module_page import MEMBERS, doxygen_file
@@ -33,6 +34,7 @@ SCENARIO = Path("sim/scenario/examples/stop.scenario")
 # the text.
 INCLUDED = (
     (PINS, "pin_map.csv", pin_map),
+    (PINS, "board.html", board_figure),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
     (COMMANDS, "commands.csv", command_table),
     (DEBIAN, "packages.csv", package_table),

@@ -124,6 +124,47 @@
     }
   });
 
+  /* the names of modules in drawings */
+  all("svg a[href]").forEach((link) => {
+    const name = (link.getAttribute("href").match(/(?:^|\/)modules\/(\w+)\.html$/) || [])[1];
+    if (name && data.modules[name]) link.dataset.m = name;
+  });
+
+  /* a drawing and the tables of its page: the box and the rows of a module are highlighted together, and the edge and
+     the rows of a transition */
+  const drawn = new Set(all(".main svg a[data-m]").map((link) => link.dataset.m));
+  let joint = [];
+  function join(node) {
+    joint.forEach((part) => part.classList.remove("joint"));
+    joint = partners(node);
+    joint.forEach((part) => part.classList.add("joint"));
+  }
+  function partners(node) {
+    const pin = node.closest("[data-pin]"),
+      part = node.closest("button[data-part]");
+    if (pin || part) {
+      const pins = pin ? [pin] : all(`[data-pin][data-part="${part.dataset.part}"]`);
+      const names = new Set(pins.map((own) => own.dataset.pin));
+      return [...pins, ...all(".prose tbody tr").filter((row) => names.has(row.cells[0].textContent.trim()))];
+    }
+    const listed = node.closest(".prose tbody tr");
+    if (listed && one("[data-pin]"))
+      return all("[data-pin]").filter((own) => own.dataset.pin === listed.cells[0].textContent.trim());
+    const edge = node.closest(".edge"),
+      row = node.closest("tr[data-edge]");
+    const step = (edge && one("path", edge).id) || (row && row.dataset.edge);
+    if (step) {
+      const line = document.getElementById(step);
+      return [...all(`tr[data-edge="${step}"]`), ...(line ? [line.parentNode] : [])];
+    }
+    const place = node.closest(".where li, .stack tbody tr");
+    const name = node.closest("[data-m]") || (place && one("a.mod[data-m]", place));
+    if (!name || !drawn.has(name.dataset.m)) return [];
+    return all(`.main [data-m="${name.dataset.m}"]`).map((link) =>
+      link.closest("svg") ? link : link.closest("tr:not([data-edge]), .where li") || link,
+    );
+  }
+
   /* card of a module, on hover and focus, and on the first tap */
   let card = null,
     owner = null,
@@ -164,17 +205,18 @@
         )
         .join("")}</div>`;
     link.setAttribute("aria-details", "card");
-    document.body.append(card); // outside of the element of the name, whose styles do not fit a
-                                // card
-    const at = link.getClientRects()[0],
+    /* outside of the element of the name, whose styles do not fit a card; but in its window */
+    (link.closest("dialog") || document.body).append(card);
+    const at = link.closest("svg") ? link.getBoundingClientRect() : link.getClientRects()[0],
       height = card.offsetHeight;
     const below = at.bottom + height + 12 < innerHeight || at.top < height + 12;
     card.style.left = Math.max(12, Math.min(at.left, innerWidth - card.offsetWidth - 12)) + "px";
     card.style.top = (below ? at.bottom + 5 : at.top - height - 5) + "px";
   }
   const within = (node) => (card && card.contains(node)) || (owner && owner.contains(node));
-  const named = (node) => node.closest && node.closest("a.mod[data-m]");
+  const named = (node) => node.closest && node.closest("a.mod[data-m], svg a[data-m]");
   document.addEventListener("pointerover", (event) => {
+    join(event.target);
     if (event.pointerType === "touch") return;
     const link = named(event.target);
     clearTimeout(timer);
@@ -183,6 +225,7 @@
   });
   document.addEventListener("focusin", (event) => {
     const link = named(event.target);
+    join(event.target);
     if (link && link.matches(":focus-visible") && !silent) show(link);
     else if (!within(event.target)) hide();
   });
@@ -244,11 +287,11 @@
     return `… ${text.slice(text.lastIndexOf(" ", Math.max(0, i - 20)) + 1, i + length)} …`;
   }
   function row(hit, number) {
-    const [, key, title, words, address, more] = PORTAL_SEARCH.entries[hit.id];
+    const [group, key, title, words, address, more] = PORTAL_SEARCH.entries[hit.id];
     const letter = /^[A-Z]$/.test(key)
       ? `<span class="key" aria-hidden="true">${key}</span>`
       : "<span></span>";
-    const text = lit(`${words} ${around(more, hit.terms)}`, hit.terms);
+    const text = lit(`${words} ${group === "Answers" ? "" : around(more, hit.terms)}`, hit.terms);
     return `<a role="option" tabindex="-1" id="hit${number}" class="${key}" href="${base + address}">${letter}<b>${lit(title, hit.terms)}</b><span class="d">${text}</span></a>`;
   }
   /* a hit: its group, its text, the words around the found ones, and its address */
@@ -257,7 +300,8 @@
     const [group, , title, words, address, more] = PORTAL_SEARCH.entries[hit.id];
     const module = data.modules[title];
     const roles = module ? module.roles.map((role) => `${role[0]} in ${role[1]}`) : [];
-    const texts = [words, around(more, hit.terms, 400), ...roles].filter(Boolean);
+    const found = group === "Answers" ? "" : around(more, hit.terms, 400);
+    const texts = [words, found, ...roles].filter(Boolean);
     return `<p class="tag">${group}</p><p class="t">${escape(title)}</p>${texts.map((text) => `<p>${lit(text, hit.terms)}</p>`).join("")}<p class="tag">${escape(address)}</p>`;
   }
   async function find(text, whole = "") {
@@ -378,6 +422,21 @@
       }),
     ),
   );
+
+  /* a column of numbers is aligned at its right end, with its head */
+  const NUMBER = /^[-+−]?\d[\d.\s]*(?:%|[mµn]?s|[kM]?B|bytes|m?V|m?A|rpm|m|°|cycles)?$/;
+  const MOSTLY = 0.8; // share of numbers in such a column
+  all(".main table:not(.umx, .dot)").forEach((table) => {
+    const heads = [...(table.tHead ? table.tHead.rows[0].cells : [])];
+    const rows = all("tbody tr", table).filter((row) => row.cells.length === heads.length);
+    heads.forEach((head, i) => {
+      const cells = rows.map((row) => row.cells[i]);
+      const filled = cells.filter((cell) => cell.textContent.trim());
+      const numbers = filled.filter((cell) => NUMBER.test(cell.textContent.trim()));
+      if (numbers.length < 2 || numbers.length < MOSTLY * filled.length) return;
+      [head, ...cells].forEach((cell) => cell.classList.add("num"));
+    });
+  });
 
   /* the current page is visible in the side navigation */
   const here = one(".side [aria-current]");

@@ -41,9 +41,10 @@
     "Likely changes": 0.5,
     Checks: 0.5,
     Paper: 0.4,
-    Tests: 0.35,
-    Source: 0.5,
+    Tests: 0.15,
+    Source: 0.3,
   };
+  const MAY = /^can (?=(i|you|we|it|this|the|a)\b)/i;
   const ENOUGH = 8; // hits with all words; with fewer hits, those without one word are also shown
   const NEAR = 0.45; // least score of a question with two words, as a share of the best score
   const FEW = 3; // least number of letters of a word that may contain a typing error
@@ -74,12 +75,14 @@
   function prepare() {
     if (index) return;
     index = new MiniSearch({
-      fields: ["title", "text", "words"],
+      fields: ["title", "text", "words", "also"],
       tokenize: indexed,
       processTerm: stem,
     });
     index.addAll(
-      entries.map(([, , title, text, , words], id) => ({ id, title, text, words: words || "" })),
+      entries.map(([group, , title, text, , words = ""], id) =>
+        group === ANSWERS ? { id, title: title.replace(MAY, ""), text, words: "", also: words } : { id, title, text, words, also: "" },
+      ),
     );
   }
 
@@ -128,7 +131,7 @@
     combineWith: "AND",
     prefix: false,
     fuzzy: false,
-    boost: { title: 5, text: 1, words: 0.3 },
+    boost: { title: 5, also: 4, text: 1, words: 0.3 },
   });
   const has = (terms, { own, others }) =>
     [own, ...others].some((words) => words.every((word) => terms.has(word)));
@@ -136,7 +139,7 @@
   /* The numbers of the entries that match a text, the best first. */
   function find(text) {
     prepare();
-    const all = pieces(text);
+    const all = pieces(text.replace(MAY, "")); // "can I": the CAN bus is not meant
     const large = all.filter((word) => !SMALL.has(word));
     const words = (large.length ? large : all).map(stem);
     if (!words.length) return [];
@@ -146,14 +149,14 @@
     const options = {
       tokenize: pieces,
       prefix: (term) => term.length > 1 || words.length === 1,
-      boost: { title: 6, text: 2, words: 1 },
+      boost: { title: 6, also: 5, text: 2, words: 1 },
       boostDocument: (id) => WEIGHTS[entries[id][0]] || 1,
     };
     /* Its title, or the name of the method without its class. The paper's names come later. */
     const named = ([group, , title]) =>
       group !== "Paper" && [title, title.split("::").pop()].some((name) => same(name) === whole);
     /* Finds a name that is written as one word with an error. */
-    const joined = { queries: [whole], prefix: false, boost: { title: 12 }, ...tolerance(whole) };
+    const joined = { queries: [whole], prefix: false, boost: { title: 12, also: 10 }, ...tolerance(whole) };
     const queries = [...wanted.map(asked), ...(words.length > 1 ? [joined] : [])];
     const found = index.search({ combineWith: "OR", queries }, options).map((hit) => {
       const terms = new Set(hit.queryTerms);
@@ -173,12 +176,14 @@
   /* Whether a question contains the words of a text with two or more words; if there are many words, one may be
    * missing. For two words alone the score must also be near to the best. */
   function asks({ id, wanted, score, isSentence }, near) {
-    const [group, , title] = entries[id];
-    const terms = pieces(title).map(stem);
+    const [group, , title, , , also = ""] = entries[id];
+    if (group !== ANSWERS) return false;
+    const terms = pieces(`${title} ${also}`).map(stem);
     const said = (word) => terms.some((term) => term.startsWith(word));
     const found = wanted.filter(({ own, others }) => [own, ...others].some((words) => words.every(said)));
     const words = wanted.flatMap(({ own }) => own);
-    return group === ANSWERS && (isSentence || words.length > 2 || score >= near) && words.length > 1 && found.length >= wanted.length - (wanted.length > 3);
+    const isNear = words.length > 1 ? isSentence || words.length > 2 || score >= near : isSentence && score >= near;
+    return isNear && found.length >= wanted.length - (wanted.length > 3);
   }
 
   /* The hits in groups: the group of the best hit first. */

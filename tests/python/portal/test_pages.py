@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
 from portal import diagrams, search
 from portal.highlight import highlighted_lines
-from portal.links import Links
+from portal.links import Links, slug
 from portal.measured_pages import driver_coverage
-from portal.pages import all_pages
+from portal.pages import all_pages, trees, uses
 from portal.paper_views import families, hidden_names
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
@@ -260,3 +261,36 @@ def test_the_values_to_tune_have_their_lines_and_what_they_were_chosen_for() -> 
         ("A::kLimit", []),
     ]
     assert list(found) == ["A"]
+
+
+def test_a_cell_of_the_matrix_of_uses_leads_to_the_row_with_its_reason(
+    portal: Portal, pages: dict[str, Shown]
+) -> None:
+    found = uses(portal)
+    assert list(found["labels"]) == ["main_control", MODES]
+    assert list(found["cells"]) == [("main_control", MODES)]
+    row = f"#use-{slug(f'main_control--{MODES}')}"
+    assert pages["uses"].links[row] == "1"  # the number of places in the code
+    assert pages["uses"].rows[-1][2] == "it reads"
+
+
+def test_the_index_of_the_trees_leads_to_each_tree(portal: Portal, pages: dict[str, Shown]) -> None:
+    declared = [one for one in portal.model.requirements.values() if one.tree]
+    assert declared
+    for requirement in declared:
+        assert pages["trees"].links[f"#tree-{requirement.id}"] == requirement.id
+    assert "Reading1 tree" in pages["trees"].headings  # the section, and the size of it
+
+
+def test_a_tree_has_the_modules_of_its_nodes_as_filter(portal: Portal) -> None:
+    facets = trees(portal)["facets"]
+    nodes = portal.flat(portal.model.requirements["FR-15"].tree)  # type: ignore[arg-type]
+    assert set(facets["FR-15"]["module"]) <= {node.module for _, node in nodes}
+    assert facets["FR-15"]["module"]
+
+
+def test_each_module_leads_to_its_neighbours(portal: Portal, pages: dict[str, Shown]) -> None:
+    names = [module.name for module in portal.designs]
+    for before, name in pairwise(names):
+        assert pages[f"modules/{name}"].links[portal.links.module(before) or ""] == before
+        assert pages[f"modules/{before}"].links[portal.links.module(name) or ""] == name

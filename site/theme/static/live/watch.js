@@ -1,8 +1,8 @@
-/* The robot on other pages. On that of a requirement it plays scenarios until the calls of its tree are recorded; on
-   that of a pattern application it counts the calls of its modules. */
+/* The robot on other pages. On that of a requirement it plays scenarios until the calls of its tree are recorded. On a
+   page with drawn modules it plays a drive, and marks the modules that are called in each control cycle. */
 (function () {
   "use strict";
-  const place = document.querySelector("[data-watch], [data-count]");
+  const place = document.querySelector("[data-watch], [data-play]");
   if (!place || location.protocol === "file:" || typeof Worker === "undefined") return;
   const id = place.dataset.watch;
   const button = place.querySelector("[data-go]");
@@ -21,6 +21,7 @@
 
   place.hidden = false;
   button.addEventListener("click", () => {
+    if (run && !ended) return timer ? stop() : go();
     button.disabled = true;
     say("Loading the virtual board.");
     if (worker) return look();
@@ -30,9 +31,9 @@
     worker.onmessage = ({ data }) => {
       if (data.kind === "loaded") look();
       else if (data.kind === "error") failed(data.text);
-      else if (data.kind === "plays") say(`Plays the scenario “${data.title}”.`);
+      else if (data.kind === "plays") (id ? say(`Plays the scenario “${data.title}”.`) : begin(data));
       else if (data.kind === "found") show(data);
-      else if (data.kind === "counted") showCounts(data);
+      else if (data.kind === "beat") showBeat(data);
     };
     worker.postMessage({ do: "load", folder });
     return undefined;
@@ -41,10 +42,11 @@
   function look() {
     const folder = new URL(place.dataset.folder, location.href).href;
     if (id) worker.postMessage({ do: "find", folder, id });
-    else worker.postMessage({ do: "count", folder, modules: place.dataset.count.split(" ") });
+    else worker.postMessage({ do: "play", folder, modules, scenario: scenario && scenario.value });
   }
 
   function failed(text) {
+    stop();
     say(`The robot cannot run here: ${text}.`);
     worker.terminate();
     worker = null;
@@ -58,24 +60,134 @@
       "Open in Run the robot",
     );
 
-  function showCounts(data) {
-    button.disabled = false;
-    button.textContent = "Again";
-    say(
-      `◉ ${data.seconds.toFixed(1)} s of the scenario “${data.title}” with the image of ${data.product}. `,
-      runLink({ p: data.product, s: data.scenario, t: "0" }),
-    );
-    const list = element("ul", { class: "lv-counts" });
-    Object.entries(data.counts).forEach(([name, number]) => {
-      const calls = number === 1 ? "1 call" : `${number.toLocaleString("en")} calls`;
-      list.append(element("li", {}, element("b", {}, name), `: ${number ? calls : "no call of its own code"}`));
-      document.querySelectorAll("svg.plant a").forEach((link) => {
-        if ((link.getAttribute("href") || "").endsWith(`/${name}.html`))
-          link.classList.toggle("lv-present", number > 0);
-      });
-    });
-    result.append(list);
+  /* ---- a drive with marked modules -------------------------------------------------------------------------- */
+
+  const modules = (place.dataset.play || "").split(" ");
+  const PACES = [
+    ["10", "in real time"],
+    ["50", "5 times faster"],
+    ["2", "5 times slower"],
+  ];
+  let run = null; // the scenario that plays
+  let timer = 0;
+  let ended = false;
+  let scenario = null,
+    pace = null,
+    now = null,
+    counts = null;
+
+  const control = (word, act) => {
+    const made = element("button", { class: "btn", type: "button" }, word);
+    made.addEventListener("click", act);
+    return made;
+  };
+  const choice = (label, options) => {
+    const made = element("select", { "aria-label": label, class: "lv-pick" });
+    options.forEach(([value, word]) => made.append(element("option", { value }, word)));
+    return made;
+  };
+  const beat = () => worker.postMessage({ do: "beat" });
+
+  function stop() {
+    clearInterval(timer);
+    timer = 0;
+    button.textContent = "Continue";
   }
+
+  function go() {
+    stop();
+    timer = setInterval(beat, 1000 / (still.matches ? 2 : Number(pace.value)));
+    button.textContent = "Pause";
+  }
+
+  function begin(data) {
+    run = data;
+    ended = false;
+    button.disabled = false;
+    if (!scenario) makeControls(data);
+    scenario.value = data.scenario;
+    result.replaceChildren(now, ...(place.hasAttribute("data-counts") ? [counts] : []));
+    go();
+  }
+
+  function makeControls({ scenarios }) {
+    scenario = choice("Scenario", scenarios.map(({ name, title }) => [name, title]));
+    pace = choice("Pace", PACES);
+    now = element("p", { class: "lv-at" });
+    counts = element("ul", { class: "lv-counts" });
+    scenario.addEventListener("change", look);
+    pace.addEventListener("change", () => timer && go());
+    const step = control("Step", () => {
+      stop();
+      beat();
+    });
+    button.after(step, pace, scenario);
+    place.querySelector("[data-says]").hidden = true;
+    result.removeAttribute("role"); // it changes ten times in a second
+    document.addEventListener("visibilitychange", () => document.hidden && timer && stop());
+  }
+
+  const drawings = [...document.querySelectorAll(".main svg")].filter((svg) => svg.querySelector("a[data-m]"));
+  const inDrawings = (selector) => drawings.flatMap((svg) => [...svg.querySelectorAll(selector)]);
+
+  /* The lines of a call in a class diagram: from the caller to the module that declares the operation, and from there
+   * to the module that has it. PlantUML names a line "Caller-Declarer", and an inheritance "Base_-Derived". */
+  function linesOf(from, to) {
+    const line = (name) => inDrawings(`path[id^="pattern-"][id$="-${name}"]`)[0];
+    for (const way of waysUp(to, 4)) {
+      const first = line(`${from}-${way[way.length - 1]}`);
+      if (first) return [first, ...way.slice(1).map((base, i) => line(`${base}_-${way[i]}`))];
+    }
+    return [];
+  }
+
+  /* The chains of drawn bases that begin with a module. */
+  function waysUp(name, most) {
+    const bases = inDrawings(`path[id^="pattern-"][id$="_-${name}"]`)
+      .map((path) => path.id.slice(0, -name.length - 2).split("-").pop())
+      .filter((base) => base && most > 0);
+    return [[name], ...bases.flatMap((base) => waysUp(base, most - 1).map((way) => [name, ...way]))];
+  }
+
+  function showBeat(data) {
+    const active = new Set(data.active);
+    const present = new Set(data.states.map((one) => one.module));
+    const own = data.states.filter((one) => modules.includes(one.module)).map((one) => one.state);
+    inDrawings("a[data-m]").forEach((link) => {
+      link.classList.toggle("lv-active", active.has(link.dataset.m));
+      link.classList.toggle("lv-present", present.has(link.dataset.m));
+    });
+    inDrawings("[data-with]").forEach((line) =>
+      line.classList.toggle("lv-call", line.dataset.with.split(" ").some((name) => active.has(name))),
+    );
+    inDrawings("path.lv-call[id]").forEach((path) => path.classList.remove("lv-call"));
+    data.calls.forEach((call) => linesOf(...call).forEach((path) => path.classList.add("lv-call")));
+    data.moves.forEach((move) => {
+      inDrawings(`g.edge path[id^="machine-${move.machine}-"]`).forEach((path) =>
+        path.parentNode.classList.toggle("lv-last", path.id === `machine-${move.machine}-${move.from}-_${move.to}`),
+      );
+    });
+    now.replaceChildren(
+      element("b", {}, `${(data.at / 1000).toFixed(1)} s`),
+      `, cycle ${data.cycle}, ${(data.speed / 1000).toFixed(2)} m/s`,
+      ...(own.length ? [", ", element("b", {}, own.join(", "))] : []),
+      ". ",
+      runLink({ p: run.product, s: run.scenario, t: String(Math.round(data.at)) }),
+    );
+    counts.replaceChildren(
+      ...Object.entries(data.counts).map(([name, number]) =>
+        element("li", active.has(name) ? { class: "lv-active" } : {}, element("b", {}, name), `: ${callsOf(number)}`),
+      ),
+    );
+    if (!data.goesOn) {
+      stop();
+      button.textContent = "Again";
+      ended = true;
+    }
+  }
+
+  const callsOf = (number) =>
+    number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call of its own code";
 
   function show(data) {
     button.disabled = false;

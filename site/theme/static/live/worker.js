@@ -266,37 +266,102 @@ async function find({ folder, id }) {
   post({ kind: "found" });
 }
 
-/* Plays a drive with the first image that contains most of the given modules, and counts the calls
- * of each. */
-async function count({ folder, modules }) {
-  pause();
-  const modulesOf = (one) => new Set(one.functions.map(([, method]) => facts.methods[method].split("::")[0]));
+/* The image that contains most of the given modules: among equals that of the paper's design, then the default. */
+function imageWith(modules) {
+  const modulesOf = (one) => new Set(one.functions.map(([, method]) => ownerOf(method)));
   const held = (one) => modules.filter((name) => modulesOf(one).has(name)).length;
   const rank = (one) => [PAPER, DEFAULT].indexOf(one.product) + 1 || 3;
   const sorted = facts.products.filter((one) => !one.flashed).sort((a, b) => held(b) - held(a) || rank(a) - rank(b));
-  await choose(folder, sorted[0].name);
-  const wanted = modulesOf(product).has("ProtectiveStop") ? "hall_dead" : "loss_of_the_pc";
-  const scenario = facts.scenarios.find((one) => one.name === wanted) || facts.scenarios[0];
+  return sorted[0].name;
+}
+
+const ownerOf = (method) => facts.methods[method].split("::")[0];
+
+/* The modules that a page shows while a scenario plays, and their calls until now. */
+let shown = { modules: new Set(), counts: {} };
+
+/* Prepares a drive for a page that shows modules; each order "beat" then runs one control cycle of it. */
+async function play({ folder, modules, scenario: wanted }) {
+  pause();
+  await choose(folder, imageWith(modules));
+  const usual = product.functions.some(([, method]) => ownerOf(method) === "ProtectiveStop") ? "hall_dead" : "loss_of_the_pc";
+  const named = (name) => facts.scenarios.find((one) => one.name === name);
+  const scenario = named(wanted) || named(usual) || facts.scenarios[0];
   robot = new Robot(scenario, []);
-  while (robot.cycle()) robot.clear();
+  shown = { modules: new Set(modules), counts: countsOf(modules) };
+  post({
+    kind: "plays",
+    title: scenario.title,
+    scenario: scenario.name,
+    product: product.name,
+    scenarios: facts.scenarios.map(({ name, title }) => ({ name, title })),
+  });
+}
+
+/* How often each module was called since the start. */
+function countsOf(modules) {
   const entries = simulator.entries();
-  const counts = Object.fromEntries(modules.map((name) => [name, 0]));
+  const counts = Object.fromEntries([...modules].map((name) => [name, 0]));
   product.functions.forEach(([, method], i) => {
-    const name = facts.methods[method].split("::")[0];
+    const name = ownerOf(method);
     if (name in counts) counts[name] += entries[i];
   });
+  return counts;
+}
+
+/* The calls from one shown module to another in the last cycle. */
+function callsBetween(modules) {
+  const found = new Set();
+  robot.rows.forEach((row) => {
+    if (row.parent < 0) return;
+    const [from, to] = [ownerOf(robot.rows[row.parent].method), ownerOf(row.method)];
+    if (from !== to && modules.has(from) && modules.has(to)) found.add(`${from} ${to}`);
+  });
+  return [...found].map((pair) => pair.split(" "));
+}
+
+/* The machines whose state the report contains. */
+const REPORTED = { "operation-states": "state", "reading-modes": "mode" };
+
+function nameOf(field, number) {
+  const found = report.fields.find((one) => one.n === field);
+  return (found && found.v && found.v[number]) || String(number);
+}
+
+/* The present state of each machine, and the module of this state. */
+function presentStates() {
+  const reported = robot.numbers.reports > 0;
+  return machines.map(({ id, state: inferred, declared }) => {
+    const field = REPORTED[id];
+    const state = reported && field ? nameOf(field, robot.values[field]) : inferred;
+    return { id, state, module: declared.states[state] || state };
+  });
+}
+
+function beat() {
+  if (!robot) return;
+  const { modules, counts: before } = shown;
+  robot.clear();
+  const goesOn = robot.cycle();
+  const counts = countsOf(modules);
+  shown.counts = counts;
   post({
-    kind: "counted",
+    kind: "beat",
+    goesOn,
+    at: robot.numbers.time_ms,
+    cycle: robot.numbers.pulses,
+    speed: robot.numbers.ground_speed,
     counts,
-    product: product.name,
-    scenario: scenario.name,
-    title: scenario.title,
-    seconds: robot.time() / 1000,
+    active: Object.keys(counts).filter((name) => counts[name] > before[name]),
+    calls: callsBetween(modules),
+    states: presentStates(),
+    moves: robot.moves,
   });
 }
 
 const ORDERS = {
-  count,
+  play,
+  beat,
   async load({ folder }) {
     const ms = await load(folder);
     post({ kind: "loaded", ms, facts });

@@ -1,0 +1,164 @@
+"""The drawing of the headers of the FRDM-K64F with the pins of the firmware, from the pin table."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from markupsafe import Markup, escape
+
+from portal.pin_map import HEADER, entries, roles
+
+PITCH = 35
+SIZE = 26  # of a pin
+LABEL = 205  # space for an upright label
+SHORT = 112  # the same for the name of a signal
+MARGIN = 8
+PLACE = re.compile(r"(J\d+)-(\d+)")
+# Pins that step 7 of the page uses, besides those of the firmware.
+SUPPLY = {"J3-8": "3.3 V", "J3-12": "ground", "J3-14": "ground"}
+# A part of the robot: the words of its signals, its name, and the class of its colour.
+PARTS = (
+    (r"emergency", "emergency stop", "stop"),
+    (r"front left", "front left wheel", "fl"),
+    (r"front right", "front right wheel", "fr"),
+    (r"rear left", "rear left wheel", "rl"),
+    (r"rear right", "rear right wheel", "rr"),
+    (r"steering|end stop", "steering", "steering"),
+    (r"remote control", "remote control", "rc"),
+)
+
+
+@dataclass(frozen=True)
+class Row:
+    """A header: its name, its pins from left to right, and the place of their labels."""
+
+    header: str
+    pins: tuple[int, ...]
+    left: int  # columns before it
+    top: int
+    above: bool  # labels above the pins
+
+
+def headers() -> list[Row]:
+    """The headers as the Arduino R3 layout orders them, seen from above; the even pins are the
+    outer ones."""
+    outer, inner = LABEL, LABEL + SIZE + 4
+    low_inner = inner + SIZE + LABEL + SHORT
+    low_outer = low_inner + SIZE + 4
+    middle = inner + SIZE + SHORT
+    return [
+        Row("J2", tuple(range(20, 0, -2)), 0, outer, above=True),
+        Row("J2", tuple(range(19, 0, -2)), 0, inner, above=False),
+        Row("J1", tuple(range(16, 0, -2)), 11, outer, above=True),
+        Row("J1", tuple(range(15, 0, -2)), 11, inner, above=False),
+        Row("J3", tuple(range(1, 17, 2)), 4, low_inner, above=True),
+        Row("J3", tuple(range(2, 17, 2)), 4, low_outer, above=False),
+        Row("J4", tuple(range(1, 13, 2)), 13, low_inner, above=True),
+        Row("J4", tuple(range(2, 13, 2)), 13, low_outer, above=False),
+        Row("J6", (1, 3, 5, 7), 0, middle, above=True),
+        Row("J6", (2, 4, 6, 8), 0, middle + SIZE + 4, above=False),
+    ]
+
+
+@dataclass(frozen=True)
+class Used:
+    """A pin that the firmware uses."""
+
+    pin: str
+    signal: str
+    effect: str
+
+    @property
+    def part(self) -> tuple[str, str]:
+        """The name and the class of the part of the robot at this pin."""
+        found = (
+            (name, kind)
+            for words, name, kind in PARTS
+            if re.search(words, f"{self.signal.replace('_', ' ')} {self.effect}".lower())
+        )
+        return next(found, ("", ""))
+
+    @property
+    def label(self) -> str:
+        named = self.signal.islower()  # the name of a peripheral does not name a part of the robot
+        return self.signal.replace("_", " ") if named else self.effect.rstrip(".")
+
+
+def used_pins(root: Path) -> dict[str, Used]:
+    """The pins of the firmware on the headers, by header and number."""
+    text = (root / HEADER).read_text(encoding="utf-8")
+    return {
+        place: Used(pin, signal, effect)
+        for pin, _, _, signal, place, effect in entries(text, roles(text))
+        if PLACE.fullmatch(place)
+    }
+
+
+def board_figure(root: Path) -> str:
+    """The drawing with its legend, as HTML for the page."""
+    used, rows = used_pins(root), headers()
+    drawn = {f"{row.header}-{pin}" for row in rows for pin in row.pins}
+    if lost := sorted(used.keys() - drawn):
+        raise ValueError(f"{HEADER}: these pins are on no header of the drawing: {lost}")
+    width = 20 * PITCH + 2 * MARGIN
+    height = max(row.top for row in rows) + SIZE + LABEL
+    parts = [part for row in rows for part in _row(row, used)]
+    title = "Headers of the FRDM-K64F with the pins of the firmware; the table lists the same pins"
+    return str(
+        Markup(
+            '<figure class="fig board"><div class="scroll" tabindex="0" role="region"'
+            ' aria-label="Headers of the board">'
+            '<svg width="{w}" height="{h}" viewBox="0 0 {w} {h}" style="--width: {w}px" '
+            'role="group" aria-label="{title}">{parts}</svg></div>\n'
+            "<figcaption>The headers seen from above, in the order of the Arduino R3 layout. "
+            "Sockets and distances are not drawn. Nobody has compared this drawing with a board: "
+            "read the numbers that are printed on yours.</figcaption>\n{legend}</figure>\n"
+        ).format(w=width, h=height, title=title, parts=Markup("").join(parts), legend=_legend(used))
+    )
+
+
+def _legend(used: dict[str, Used]) -> Markup:
+    """A button for each part of the robot; app.js marks its pins."""
+    parts = [part for part in dict.fromkeys(one.part for one in used.values()) if part[0]]
+    buttons = (
+        Markup('<button type="button" class="btn {}" data-part="{}">{}</button>').format(
+            f"pin-{kind}", kind, name
+        )
+        for name, kind in parts
+    )
+    return Markup('<p class="parts">{}</p>\n').format(Markup(" ").join(buttons))
+
+
+def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
+    left = MARGIN + row.left * PITCH
+    wide = len(row.pins) * PITCH
+    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # the name, once for two rows
+        yield Markup('<text x="{}" y="{}" class="b">{}</text>').format(
+            left + wide + 2, row.top + SIZE + 4, row.header
+        )
+    for column, number in enumerate(row.pins):
+        place = f"{row.header}-{number}"
+        yield _pin(place, number, left + column * PITCH, row, used.get(place))
+
+
+def _pin(place: str, number: int, x: int, row: Row, used: Used | None) -> Markup:
+    """The pin with its number and its label; a free pin has no label."""
+    middle = x + SIZE // 2
+    y = row.top - 6 if row.above else row.top + SIZE + 6
+    label = used.label if used else SUPPLY.get(place, "")
+    text = Markup(
+        '<text transform="translate({} {}) rotate(-90)" text-anchor="{}">{}</text>'
+    ).format(middle + 4, y, "start" if row.above else "end", label)
+    box = Markup(
+        '<rect x="{}.5" y="{}.5" width="{}" height="{}" rx="3"/>'
+        '<text x="{}" y="{}" class="m">{}</text>'
+    ).format(x, row.top, SIZE, SIZE, middle + 0.5, row.top + 18, number)
+    if used is None:
+        return Markup('<g class="pin free">{}{}</g>').format(box, text if label else "")
+    title = escape(f"{place}, {used.pin}, {used.signal}: {used.effect}")
+    return Markup(
+        '<g class="pin pin-{}" data-pin="{}" data-part="{}"><title>{}</title>{}{}</g>'
+    ).format(used.part[1], used.pin, used.part[1], title, box, text)

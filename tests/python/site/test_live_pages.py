@@ -1,0 +1,118 @@
+"""The robot on other pages: a drive with the real image, whose calls the page marks."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from itertools import pairwise
+from typing import Any
+
+import pytest
+
+from tests.python.site.browser import BROWSER
+from tests.python.site.content import SITE
+from tools.live_runs import result_of
+
+SCRIPTS = SITE / "_static" / "live"
+STATES = ["OperationState", "Working", "Waiting", "WaitingN", "Reconnecting", "MainController"]
+# The worker in Node: its scripts and files are read from the site.
+NODE = """
+const fs = require("fs"), vm = require("vm"), path = require("path");
+const [scripts, site, orders, cycles] = process.argv.slice(1);
+const sent = [];
+const read = (name) => fs.readFileSync(path.join(site, name));
+const context = vm.createContext({
+  postMessage: (message) => sent.push(message), performance, setTimeout, clearTimeout,
+  WebAssembly, TextEncoder, TextDecoder, console,
+  importScripts: (...names) => names.forEach((name) =>
+    vm.runInContext(fs.readFileSync(path.join(scripts, name), "utf8"), context)),
+  fetch: async (name) => ({
+    ok: true, arrayBuffer: async () => Uint8Array.from(read(name)).buffer,
+    json: async () => JSON.parse(read(name)),
+  }),
+});
+context.self = context;
+vm.runInContext(fs.readFileSync(path.join(scripts, "worker.js"), "utf8"), context);
+(async () => {
+  for (const order of JSON.parse(orders)) context.onmessage({ data: order });
+  for (let i = 0; i < Number(cycles); i += 1) context.onmessage({ data: { do: "beat" } });
+  context.onmessage({ data: { do: "end" } });
+  const ended = () => sent.some((message) => message.kind === "error");
+  while (!ended()) await new Promise((done) => setTimeout(done, 20));
+  process.stdout.write(JSON.stringify(sent.filter((message) => message.kind !== "loaded")));
+})();
+"""
+# In a page: start the drive, wait for ten cycles, pause, and collect the marked parts.
+PROBE = """<!doctype html><meta charset="utf-8">
+<iframe style="width:1200px;height:900px"></iframe>
+<script>
+const frame = document.querySelector("iframe");
+const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+frame.onload = async () => {
+  const doc = frame.contentDocument, one = (selector) => doc.querySelector(selector);
+  const button = one("[data-go]");
+  button.click();
+  const at = () => (one(".lv-at") || {}).textContent || "";
+  const cycle = () => Number(at().replace(/.*cycle (\\d+).*/, "$1"));
+  while (!(cycle() >= 10)) await wait(50);
+  button.click();
+  await wait(300);
+  const paused = cycle();
+  await wait(400);
+  const marked = (selector) => [...doc.querySelectorAll(selector)].map((link) => link.dataset.m);
+  const found = {
+    paused: cycle() === paused, button: button.textContent,
+    active: marked("svg a.lv-active"), present: marked("svg a.lv-present"),
+    lines: [...doc.querySelectorAll("path.lv-call")].map((path) => path.id),
+  };
+  await fetch("/", { method: "POST", body: JSON.stringify(found) });
+};
+frame.src = "patterns/operation-states.html";
+</script>"""
+
+pytestmark = pytest.mark.skipif(
+    not (SITE / "live" / "live.wasm").exists(), reason="the module of the page was not built"
+)
+
+
+def played(orders: list[dict[str, Any]], cycles: int) -> list[dict[str, Any]]:
+    words = ["node", "-e", NODE, str(SCRIPTS), str(SITE), json.dumps(orders), str(cycles)]
+    run = subprocess.run(words, capture_output=True, text=True, timeout=240, check=True)
+    return list(json.loads(run.stdout))
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
+    play = {"do": "play", "folder": "live/", "modules": STATES, "scenario": "loss_of_the_pc"}
+    sent = played([{"do": "load", "folder": "live/"}, play], 60)
+    begun = next(message for message in sent if message["kind"] == "plays")
+    assert begun["scenario"] == "loss_of_the_pc"
+    beats = [message for message in sent if message["kind"] == "beat"]
+    assert [beat["cycle"] for beat in beats] == sorted({beat["cycle"] for beat in beats})
+
+    states = [
+        one["module"] for beat in beats for one in beat["states"] if one["id"] == "operation-states"
+    ]
+    assert {"Working", "Waiting", "WaitingN", "Reconnecting"} <= set(states)
+    # A module is marked in the cycles in which the number of its calls rises, and in no other.
+    for before, beat in pairwise(beats):
+        risen = {name for name in STATES if beat["counts"][name] > before["counts"][name]}
+        assert set(beat["active"]) == risen
+        assert all({caller, called} <= set(STATES) for caller, called in beat["calls"])
+    assert any(["MainController", "OperationState"] in beat["calls"] for beat in beats)
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine")
+def test_the_diagram_marks_the_called_modules_and_stops_when_paused() -> None:
+    probe = SITE / "probe_live.html"
+    probe.write_text(PROBE, encoding="utf-8")
+    try:
+        found = result_of(BROWSER, SITE, probe.name)
+    finally:
+        probe.unlink()
+    assert (found["paused"], found["button"]) == (True, "Continue")
+    assert "MainController" in found["active"]
+    assert len(set(found["present"])) == 1
+    assert "pattern-operation-states-MainController-OperationState" in found["lines"]
