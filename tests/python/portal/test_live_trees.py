@@ -55,7 +55,7 @@ class Recorded(Traces):
 
 
 def random_calls(chance: random.Random) -> list[int]:
-    """Random calls; sometimes a call is left that was never recorded as entered."""
+    """Random calls; sometimes the record has the exit of a call without its entry."""
     found: list[int] = []
     open_calls: list[int] = []
     for _ in range(chance.randrange(4, 60)):
