@@ -27,7 +27,7 @@ class Chain:
     says: str
     recording: str
     steps: Sequence[str]
-    last: bool  # begins at the last matching place, not at the first one
+    last: bool  # begins at the last matching place, not at the first
     place: Place
 
 

@@ -92,7 +92,8 @@ RELATIONS = [
 
 
 def role_family(role: str) -> str:
-    """One of five families, each with a colour of its own, that cover the roles of all patterns."""
+    """One of five families of roles, each with its own colour; they cover the roles of all
+    patterns."""
     if role in FAMILIES:
         return FAMILIES[role]
     return "concrete" if role.startswith("Concrete") else "abstraction"
@@ -235,7 +236,7 @@ def uses(module: Module) -> set[str]:
 
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
-    """Transitions that no test made are dashed, when there are results."""
+    """When there are results, a transition that occurred in no test is dashed."""
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")

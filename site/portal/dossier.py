@@ -1,4 +1,4 @@
-"""The dossier: a sheet of each requirement that fits paper, and all sheets with a cover."""
+"""The dossier: a sheet to print for each requirement, and all sheets with a cover."""
 
 from __future__ import annotations
 

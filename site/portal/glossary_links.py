@@ -66,7 +66,7 @@ class GlossaryLinks:
 
 
 def is_text(html: str, at: int, apart: list[tuple[int, int]]) -> bool:
-    """Whether a place is outside of tags and of elements that are not changed."""
+    """Whether a place is outside of tags, and of elements in which links are not allowed."""
     _, end = apart[bisect_right(apart, (at, len(html))) - 1]
     return at >= end and html.rfind("<", 0, at) <= html.rfind(">", 0, at)
 

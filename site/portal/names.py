@@ -232,7 +232,7 @@ def gist(brief: str) -> str:
 
 
 def changed_words(text: str) -> Markup:
-    """The words that a comparison marks, as removed and added text."""
+    """The words of a comparison, with removed and added text marked."""
     marked = re.sub(r"\[-(.+?)-\]", r"<del>\1</del>", str(escape(text)))
     return Markup(re.sub(r"\{\+(.+?)\+\}", r"<ins>\1</ins>", marked))
 

@@ -187,7 +187,7 @@ class Portal:
 
     @property
     def early(self) -> int:
-        """How many checks are decided before the pages are written."""
+        """The number of checks that are decided before the pages are written."""
         return sum(not self.is_later(check) for check in self.checks)
 
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
@@ -214,7 +214,7 @@ class Portal:
         return "bad" if measured else "none"
 
     def kept(self, requirement: Requirement) -> int:
-        """How much of the evidence of a requirement is within its bound."""
+        """The number of metrics that are evidence of a requirement and within their bounds."""
         measured = self.report.measured
         return sum(one.holds(measured[one.figure]) for one in requirement.evidence)
 
@@ -305,7 +305,8 @@ class Portal:
         return [self.model.tests[name] for name in module.tests if name in self.model.tests]
 
     def own_tests(self, module: Module) -> list[Test]:
-        """The tests to read first: those of its own file, then of the requirements it satisfies."""
+        """The tests to read first: the tests of its own file, then the tests of the requirements
+        that it satisfies."""
         file = f"tests/{module.logic}/{module.name}Test.cpp"
         wanted = {identifier for method in module.methods for identifier in method.satisfies}
         tests = self.tests_of(module)
@@ -337,14 +338,14 @@ class Portal:
         return f"{', '.join(found) or 'none in this run'}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:
-        """How many runs passed, with results that fit the sources; ``None`` when there are none."""
+        """The number of runs that passed; ``None`` when there are no results of these sources."""
         runs = [run for test in tests for run in test.results.values()]
         if self.model.results_stale or not any(run.result for run in runs):
             return None
         return sum(run.result == "passed" for run in runs)
 
     def share_of(self, requirement: Requirement, binding: str) -> str:
-        """How many of the tests that verify a requirement passed on a target."""
+        """The passed and all tests on a target that verify a requirement, as in "2/3"."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         runs = [test.results[binding] for test in tests if binding in test.results]
         if not runs:

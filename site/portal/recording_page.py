@@ -112,7 +112,7 @@ def _plot(title: str, unit: str, ordered: Any, measured: Any) -> LoopPlot:
 
 
 def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
-    """Each report with its time since the first one [s], which continues when the robot is
+    """Each report with its time since the first report [s]; the time continues when the robot is
     reset."""
     start, offset, last = None, 0.0, 0.0
     for one in reports:

@@ -18,7 +18,7 @@ PACKAGE = re.compile(r"^([\w.+-]+) +# (.+)$", re.MULTILINE)
 
 
 def command_table(root: Path) -> str:
-    """Each command of ./wr, as its help has it."""
+    """Each command of ./wr, with the text of its help."""
     usage = (root / COMMANDS).read_text(encoding="utf-8").partition("\nTEXT\n")[0]
     rows = ((f"``./wr {name}``", does) for name, does in COMMAND.findall(usage))
     return comma_separated(("command", "effect"), rows)
