@@ -228,7 +228,8 @@ def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
 
 
 def apply(log: TextIO, tree: Path, patch: Path) -> None:
-    # The copy is not a git repository, and must not be treated as part of the surrounding one.
+    # The copy is not a git repository, and must not be treated as part of the surrounding
+    # repository.
     environment = {**os.environ, "GIT_CEILING_DIRECTORIES": str(tree.parent)}
     words = ["git", "-C", str(tree), "apply", "--whitespace=nowarn", str(patch)]
     log.write(f"$ {' '.join(words)}\n")

@@ -1,5 +1,5 @@
-"""Only one command at a time may build, test or make pages, because another one would change its
-files."""
+"""Only one command at a time may build, test or make pages, because a second command would change
+its files."""
 
 from __future__ import annotations
 

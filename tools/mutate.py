@@ -97,7 +97,7 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
 
 
 class _Run:
-    """The steps, with the results that each one passes to the next."""
+    """The steps; each step passes its results to the next."""
 
     def __init__(self, root: Path, seed: int, longest: float, out: TextIO) -> None:
         self.root = root

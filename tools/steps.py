@@ -89,7 +89,8 @@ def tail(path: Path, lines: int = TAIL_LINES) -> str:
 
 
 def attempt(action: Callable[[TextIO], Result], log: TextIO) -> Result:
-    """Runs the action; an error in the tools themselves fails the step, its place is in the log."""
+    """Runs the action. An error in the tools themselves fails the step, and the log contains its
+    place."""
     try:
         return action(log)
     except FailureError:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from traceability.reading.results import plain_name
 
-SLOWER = 10  # factor of the time without a mutant from which a test counts as hanging
+SLOWER = 10  # a test counts as hanging after this factor times its time without a mutant
 LEAST_SECONDS = 2.0
 HANGS = 2  # tests that may hang: the tests after them stay undecided
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)

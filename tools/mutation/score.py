@@ -144,7 +144,8 @@ def try_all(
     plan: Plan,
     goes_on: Callable[[list[Tried]], bool],
 ) -> list[Tried]:
-    """Tries mutants in this order until the caller, which is called after each, ends it."""
+    """Tries mutants in this order, and calls the caller after each, until the caller ends the
+    search."""
     tried: list[Tried] = []
 
     def work() -> None:

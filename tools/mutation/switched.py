@@ -27,7 +27,7 @@ def write_switched(root: Path, wanted: set[str], log: TextIO) -> list[Mutant]:
     """Writes the copy with the mutants of the requested methods. Returns the mutants, whose numbers
     begin at 1.
 
-    A mutant that does not compile is omitted, for instance in a sum that must be constant.
+    A mutant that does not compile is omitted, for example in a sum that must be a constant.
     """
     texts: dict[str, str] = {}
     mutants: list[Mutant] = []
@@ -80,7 +80,7 @@ def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
     for order, point in enumerate(points):
         number, *_ = [next(numbers) for _ in point.mutants]
         length = point.end - point.start
-        # At the same place an end comes before a beginning.
+        # When a replaced part ends where another begins, the end comes first.
         before = (point.start, 1, order)
         after = (point.end, 0, -order)
         if length == 0:
