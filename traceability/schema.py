@@ -389,7 +389,7 @@ class Baseline:
 
 @dataclass(frozen=True)
 class Review:
-    """The judgement of a person on one requirement; ``state`` is the hash of all texts."""
+    """The review of one requirement by a person; ``state`` is the hash of all texts."""
 
     requirement: str
     reviewer: str
@@ -417,7 +417,8 @@ class Review:
 
 @dataclass(frozen=True)
 class Suspicion:
-    """A text on which a link depends differs from the baseline. Kind: see ``KINDS`` of reviews."""
+    """A text on which a link depends, and which differs from the baseline. Kind: see ``KINDS`` of
+    reviews."""
 
     kind: str
     name: str
@@ -658,7 +659,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Mutation:
-    """The faults that were tried, of all possible faults."""
+    """The faults that were tried, and the number of all possible faults."""
 
     seed: int
     minutes: float
@@ -1094,7 +1095,8 @@ class ArchitectureGroup:
 
 @dataclass(frozen=True)
 class Connection:
-    """A line of the high-level diagram: "call", "interrupt", "command", "pipe" or "physical"."""
+    """A connection of the high-level diagram: "call", "interrupt", "command", "pipe" or
+    "physical"."""
 
     kind: str
     source: str

@@ -162,7 +162,7 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
-    """The method itself; for a function, the methods that call it with the pipe."""
+    """The method itself; for a function outside classes, the methods that call it with the pipe."""
     if user.owner.split("::")[0] in model.modules:
         return [user.id]
     return sorted(

@@ -58,7 +58,7 @@ class Impacts:
         }
 
     def _next(self, name: str) -> dict[str, str]:
-        """The modules that a change of one may affect directly, and why."""
+        """The modules that a change of a module may affect directly, with the reason."""
         module = self.model.modules[name]
         found: dict[str, str] = {}
         for heir in module.heirs:
@@ -206,5 +206,5 @@ class Impacts:
 
 
 def note(found: dict[str, Reached], name: str, distance: int, why: str) -> None:
-    """The first reason is used, because it is the nearest."""
+    """The first reason is kept, because it has the shortest distance."""
     found.setdefault(name, Reached(name, distance, why))

@@ -65,7 +65,7 @@ def _designed(model: Model) -> list[str]:
 
 
 def _naming(model: Model, present: list[str]) -> list[str]:
-    """The other modules that name a present one; there the new one must also be named."""
+    """The other modules that name a present part; they must also name the new part."""
     kin = {base for name in present if name in model.modules for base in model.modules[name].bases}
     found = {
         user

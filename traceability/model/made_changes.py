@@ -73,7 +73,7 @@ def _named_tests(model: Model, kit: Kit) -> Iterator[KitTest]:
 
 
 def proven(change: MadeChange | None) -> bool:
-    """Whether all tests passed in this build, and one of them on each target."""
+    """Whether all tests passed in this build, at least one of them on each target."""
     if change is None:
         return False
     passed = {test.target for test in change.tests if test.result == "passed"}

@@ -2,8 +2,7 @@
 
 Frames and calls are read from the reports of the compiler. An indirect call reaches the methods of
 the objects that the builders passed, according to the model. A chain of decorators passes once
-through each Concrete Decorator of
-its application; no other call repeats.
+through each Concrete Decorator of its application; no other method repeats in a chain.
 """
 
 from __future__ import annotations

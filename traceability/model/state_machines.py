@@ -141,7 +141,8 @@ class _Changes:
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
     ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
-        """Target, place, path, whether it is conditional, and conditions of each change."""
+        """The changes, each with target, place, path, whether it is conditional, and its
+        conditions."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [[p for one in arg for p in given.get(one, [one])] for arg in call.args]
@@ -208,7 +209,7 @@ class Seen:
 class Watcher:
     """Follows the state of a Context through the recorded calls of a test.
 
-    Only calls below a method of the Context count: because they are calls of the present state. The
+    Only calls below a method of the Context count, because they are calls of the present state. The
     state after a change is known when the next call fits only one state.
     """
 

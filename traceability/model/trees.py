@@ -100,7 +100,7 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """The methods of these that exist on a target: methods of the K64 do not exist on the host."""
+    """Those of the methods that exist on a target: methods of the K64 do not exist on the host."""
     return {
         method
         for method in accepted(node, facts)
@@ -163,7 +163,8 @@ def _often(calls: list[list[CallFact]]) -> str:
 
 
 def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: Facts) -> str:
-    """The previous node, when a body makes all its calls after all calls of this node.
+    """The previous node, if the body makes all calls of this node after all calls of the previous
+    node.
 
     A loop over objects of different classes may call a method of each in turn.
     """

@@ -108,7 +108,7 @@ class Owners:
 
 
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:
-    """Methods of the drivers do not run on this machine; their lines have a page of their own."""
+    """Methods of the drivers do not run on this machine; a separate page shows their lines."""
     owners = Owners(model, facts)
     executed: dict[frozenset[str], Covered] = {}
     for body in facts.syntax.bodies:

@@ -86,7 +86,8 @@ class Comment:
         return {tag.argument: tag.text for tag in self.of(name)}
 
     def parts(self, name: str) -> Iterator[Comment]:
-        """For each of these tags, a comment with the tag and the tags up to the next one."""
+        """For each of these tags, a comment with the tag and the tags before the next of these
+        tags."""
         starts = [number for number, tag in enumerate(self.tags) if tag.name == name]
         for start, end in pairwise([*starts, len(self.tags)]):
             yield Comment(self.tags[start].place, self.tags[start:end])

@@ -19,7 +19,8 @@ INTEGER = 1  # kind of an evaluated expression
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """The names that a text can use: with the class, or with the file for one of a namespace."""
+    """The names that a text can use: with the class, or with the file for a constant of a
+    namespace."""
     owner = class_name(cursor.semantic_parent)
     if owner:
         return [f"{owner}::{cursor.spelling}"]
@@ -103,7 +104,7 @@ def unit_of_type(value: Cursor) -> str:
 
 
 def unit_beside(cursor: Cursor) -> str:
-    """The unit in the comment above a constant, or in the one at the end of its line."""
+    """The unit in the comment above a constant, or in the comment at the end of its line."""
     if found := unit_in(cursor.raw_comment):
         return found
     unit, file, line = cursor.translation_unit, cursor.location.file, cursor.extent.end.line
