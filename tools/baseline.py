@@ -180,7 +180,9 @@ def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
 def source_figures(paths: list[Path]) -> dict[str, float]:
     """Complexity and lines, as lizard counts them."""
     files = [lizard.analyze_file(str(path)) for path in paths]
-    complexity = [one.cyclomatic_complexity for file in files for one in file.function_list]
+    complexity = [
+        function.cyclomatic_complexity for file in files for function in file.function_list
+    ]
     return {
         "files": len(files),
         "lines": sum(file.nloc for file in files),

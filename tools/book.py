@@ -198,7 +198,7 @@ def chapter(page: str, text: str) -> str:
         if kind == "href":
             target = inside(page, value)
             return f'href="{target}"' if target else ""
-        names = " ".join(f"{name_of(page)}--{one}" for one in value.split())
+        names = " ".join(f"{name_of(page)}--{part}" for part in value.split())
         return f'{kind}="{names}"'
 
     return PLACE.sub(place, text)

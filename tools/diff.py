@@ -108,5 +108,5 @@ def lines_of(found: list[Difference]) -> list[str]:
         members = list(group)
         width = max(len(one.subject) for one in members)
         lines += ["", f"{section}: {len(members)}"]
-        lines += [f"  {one.subject:<{width}}  {one.text}" for one in members]
+        lines += [f"  {difference.subject:<{width}}  {difference.text}" for difference in members]
     return lines[1:]

@@ -205,7 +205,7 @@ def check_changed(
 
 def settings(root: Path, path: Path) -> list[Path]:
     """The settings of clang-tidy for a file."""
-    folders = [one for one in path.parents if one.is_relative_to(root)]
+    folders = [parent for parent in path.parents if parent.is_relative_to(root)]
     return [one for folder in folders if (one := folder / ".clang-tidy").exists()]
 
 

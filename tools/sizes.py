@@ -185,7 +185,9 @@ def write_products(root: Path) -> dict[str, Size]:
         records[product] = {
             "flash": whole.flash,
             "ram": whole.ram,
-            "stack": next((one.size for one in sections(elf) if "stack" in one.name), 0),
+            "stack": next(
+                (section.size for section in sections(elf) if "stack" in section.name), 0
+            ),
             "forbidden": sorted(forbidden(elf)),
             "modules": modules_in(root / recorded_image_of(product, ".elf"), known),
         }

@@ -351,7 +351,9 @@ class Test:
 
     @property
     def passed(self) -> bool:
-        return bool(self.results) and all(one.result == "passed" for one in self.results.values())
+        return bool(self.results) and all(
+            result.result == "passed" for result in self.results.values()
+        )
 
 
 @dataclass(frozen=True)
@@ -799,7 +801,7 @@ class Proofs:
     @property
     def recorded(self) -> list[ProofResult]:
         """Results of an earlier run with the same models, which this build did not repeat."""
-        return [one for one in (self.results or {}).values() if one.recorded_on]
+        return [result for result in (self.results or {}).values() if result.recorded_on]
 
 
 @dataclass(frozen=True)

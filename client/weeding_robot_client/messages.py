@@ -297,7 +297,9 @@ class Report:
         return cls(
             **{name: values[name] for name in names},
             wheels=(front_left, front_right, rear_left, rear_right),
-            counters={one.name: values[one.name] for one in cls.layout.fields if one.counts},
+            counters={
+                field.name: values[field.name] for field in cls.layout.fields if field.counts
+            },
             values=values,
         )
 

@@ -166,4 +166,4 @@ def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:
     quantity = LAYOUTS[kind].of(f"{BY_QUANTITY}{field_.wheel}")
     shown = frame.values[quantity.name]
     entries = quantity.values.entries if quantity.values else ()
-    return next((one.unit for one in entries if one.shown == shown), "")
+    return next((entry.unit for entry in entries if entry.shown == shown), "")

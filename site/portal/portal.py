@@ -183,7 +183,7 @@ class Portal:
 
     @property
     def clauses(self) -> int:
-        return sum(one.holds for clauses in self.report.clauses.values() for one in clauses)
+        return sum(clause.holds for clauses in self.report.clauses.values() for clause in clauses)
 
     @property
     def early(self) -> int:
@@ -213,10 +213,10 @@ class Portal:
         measured = requirement.tree is not None and requirement.tree.ran is not None
         return "bad" if measured else "none"
 
-    def kept(self, requirement: Requirement) -> int:
+    def met_evidence(self, requirement: Requirement) -> int:
         """The number of metrics that are evidence of a requirement and within their bounds."""
         measured = self.report.measured
-        return sum(one.holds(measured[one.figure]) for one in requirement.evidence)
+        return sum(evidence.holds(measured[evidence.figure]) for evidence in requirement.evidence)
 
     def showing(self, step: Transition) -> list[str]:
         """The tests that made a transition: those that verify a requirement of it come first."""
@@ -321,7 +321,14 @@ class Portal:
         if source.kind == "goal":
             return Markup("safety goal {}").format(self.names.safety(source.name))
         if source.kind == "paper":
-            place = next((one for one in self.model.paper_places if one.id == source.name), None)
+            place = next(
+                (
+                    paper_place
+                    for paper_place in self.model.paper_places
+                    if paper_place.id == source.name
+                ),
+                None,
+            )
             address = f"@/concordance.html#{paper_anchor(source.name)}" if place else None
             title = f": {place.title}" if place else ""
             return Markup("paper, {}{}").format(names.anchor(address, source.name), title)
@@ -360,7 +367,7 @@ class Portal:
         return sum(run.result == "passed" for run in runs) if known else None, len(runs)
 
     def executed_count(self, binding: str) -> int:
-        return sum(binding in one.runs for one in self.model.requirements.values())
+        return sum(binding in requirement.runs for requirement in self.model.requirements.values())
 
     def runs(self, tests: Iterable[Test]) -> int:
         """A test counts once on each target that it is built for."""
@@ -396,7 +403,7 @@ class Portal:
             element
             for element in self.model.paper
             if element.where
-            and any(one.split(":", 1)[1].split("::")[0] == name for one in element.here)
+            and any(target.split(":", 1)[1].split("::")[0] == name for target in element.here)
         ]
 
     def is_later(self, check: str) -> bool:
@@ -415,7 +422,9 @@ class Portal:
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
         """Returns the result of a fault; ``None`` when it was not seeded in the present state."""
-        return next((one for one in self.model.outcomes or [] if one.name == fault.name), None)
+        return next(
+            (outcome for outcome in self.model.outcomes or [] if outcome.name == fault.name), None
+        )
 
     def verdict_on(self, fault: Fault) -> Markup:
         outcome = self.outcome_of(fault)

@@ -30,7 +30,9 @@ def measured_values(
     measured."""
     counts = Counter(finding.check for finding in findings)
     found: dict[str, float | None] = {}
-    for name in {one.figure for item in model.requirements.values() for one in item.evidence}:
+    for name in {
+        evidence.figure for item in model.requirements.values() for evidence in item.evidence
+    }:
         if name.startswith(CHECKS):
             known = fnmatch.filter(checks, name.removeprefix(CHECKS))
             found[name] = float(sum(counts[one] for one in known)) if known else None

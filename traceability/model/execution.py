@@ -37,7 +37,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
     priorities = line_priorities(facts)
     contexts: dict[str, ExecutionContext] = {}
     for name, context in facts.declared.contexts.items():
-        lines = sorted({n for one in context.handlers for n in code.lines.get(one, [])})
+        lines = sorted({n for handler in context.handlers for n in code.lines.get(handler, [])})
         names = {priorities[line] for line in lines if line in priorities}
         known = {facts.syntax.constants[one] for one in names}
         narrowed = {DISPATCH: context.body} if context.body else {}

@@ -56,7 +56,7 @@ def _change(
 
 def _bound(application: PatternApplication, roles: list[str]) -> list[str]:
     """The modules of the design that play one of the roles."""
-    found = [one.module for one in application.roles if one.role in roles]
+    found = [binding.module for binding in application.roles if binding.role in roles]
     return list(dict.fromkeys(found))
 
 

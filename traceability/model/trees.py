@@ -11,7 +11,7 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.model.trace_summary import Edges, fold, starts
 from traceability.reading.ast_facts import BodyFact, CallFact
-from traceability.reading.result_cache import code_of, kept
+from traceability.reading.result_cache import cached_result, code_of
 from traceability.reading.source_facts import Facts
 from traceability.reading.traces import Row, Traces, embed, excerpt, nodes_of
 from traceability.reading.translation_units import is_board
@@ -50,7 +50,9 @@ def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache:
         [search.asked() for search in searches],
         *code_of("model/trees", "reading/traces", "model/trace_summary"),
     ]
-    found = kept(cache / "trees.pickle", parts, lambda: [search.find() for search in searches])
+    found = cached_result(
+        cache / "trees.pickle", parts, lambda: [search.find() for search in searches]
+    )
     furthest: dict[str, dict[str, int]] = {name: {} for name in trees}  # -> target -> nodes
     held: dict[str, dict[str, TreeRun]] = {name: {} for name in trees}
     for search, (run, nodes) in zip(searches, found, strict=True):

@@ -22,7 +22,7 @@ def with_verification(model: Model, facts: Facts, coverage: dict[str, Coverage])
         covered: dict[str, list[MethodCoverage]] = {}
         for binding, measured in coverage.items():
             recordings = passing_recordings(model, [requirement.id], binding)
-            if any(one in measured.recordings for one in recordings):
+            if any(recording in measured.recordings for recording in recordings):
                 covered[binding] = _covered_methods(
                     requirement, facts, measured, measured.of(recordings)
                 )

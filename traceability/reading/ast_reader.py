@@ -694,7 +694,7 @@ def _is_volatile(cursor: Cursor) -> bool:
 
 
 def _types_in(union: Cursor) -> list[Any]:
-    return [one.type for one in union.get_children() if one.kind == CursorKind.FIELD_DECL]
+    return [child.type for child in union.get_children() if child.kind == CursorKind.FIELD_DECL]
 
 
 def _parts(cursor: Cursor) -> Iterator[Cursor]:

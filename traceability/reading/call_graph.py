@@ -156,8 +156,8 @@ def _pushed(line: str) -> int:
     """The bytes by which an instruction lowers the stack pointer. The instructions of a function
     are added."""
     if push := PUSH.search(line):
-        names = [one.strip() for one in push["names"].split(",")]
-        return 4 * sum(_width(one) for one in names)
+        names = [part.strip() for part in push["names"].split(",")]
+        return 4 * sum(_width(name) for name in names)
     below = BELOW.search(line) or STORE.search(line)
     return int(below["bytes"]) if below else 0
 

@@ -180,7 +180,7 @@ def read_comments(file: str, text: str) -> Iterator[Comment]:
         if slashes:
             start, behind, block = line, bool(slashes[1]), [slashes[2]]
         elif starred := STARRED.fullmatch(written):
-            yield _comment(file, line, [STAR.sub("", one) for one in starred[1].split("\n")])
+            yield _comment(file, line, [STAR.sub("", part) for part in starred[1].split("\n")])
     if block:
         yield _comment(file, start, block)
 

@@ -111,7 +111,7 @@ def unit_beside(cursor: Cursor) -> str:
     start = SourceLocation.from_position(unit, file, line, 1)
     end = SourceLocation.from_position(unit, file, line + 1, 1)
     tokens = unit.get_tokens(extent=SourceRange.from_locations(start, end))
-    texts = [one.spelling for one in tokens if one.kind == TokenKind.COMMENT]
+    texts = [token.spelling for token in tokens if token.kind == TokenKind.COMMENT]
     return unit_in(texts[0] if texts else None)
 
 

@@ -296,7 +296,7 @@ def method_in_template(call: Cursor) -> Cursor | None:
     declared = base.type.get_declaration() if base is not None else None
     if declared is None or declared.kind != CursorKind.CLASS_TEMPLATE:
         return None
-    return next((one for one in declared.get_children() if [one.spelling] == name), None)
+    return next((child for child in declared.get_children() if [child.spelling] == name), None)
 
 
 def assigns(cursor: Cursor, left: Cursor) -> bool:
