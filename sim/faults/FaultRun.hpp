@@ -43,7 +43,7 @@ class FaultRun {
   /// @brief Injects random faults.
   /// @param count their number
   /// @param random chooses them
-  /// @param take gets each result, by rising time of the injection
+  /// @param take gets each result, in the order of the injections
   void injectAll(int count, Random& random, const std::function<void(const Result&)>& take);
 
   /// @brief Injects one fault.

@@ -100,7 +100,7 @@ std::optional<Scenario::Limit> readLimit(Words& words) {
   }
   const double amount = words.number("a time or a way");
   if (amount <= 0) {
-    throw Scenario::Error("an expectation needs a time or a way greater than 0");
+    throw Scenario::Error("an expectation needs a time or a distance greater than 0");
   }
   const bool isWay = words.takeIf("mm");
   if (!isWay) {
