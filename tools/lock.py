@@ -37,7 +37,7 @@ def only_one(root: Path, command: str) -> Iterator[None]:
             file.seek(0)
             raise BusyError(
                 f"{file.read().strip() or 'another command'} is at work in this folder. "
-                "Wait until it has ended, or end it with Ctrl-C"
+                "Wait until that command has ended, or end it with Ctrl-C"
             ) from error
         file.truncate(0)
         file.write(f"./wr {command} (process {os.getpid()}, since {time.strftime('%H:%M')})\n")

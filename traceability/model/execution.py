@@ -103,7 +103,7 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 def line_priorities(facts: Facts) -> dict[int, str]:
     """Interrupt line -> constant of its priority, from the calls that enable the lines."""
     found = _enabling(facts)
-    for lines in handler_lines(facts).values():  # lines counted from a constant have its priority
+    for lines in handler_lines(facts).values():  # a counted line has the priority of its constant
         for line in lines:
             below = [known for known in found if known <= line]
             if line not in found and below:

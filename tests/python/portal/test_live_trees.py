@@ -16,7 +16,7 @@ from traceability.reading.traces import EXIT, Row, Traces, embed
 from traceability.schema import TreeNode
 
 SCRIPT = Path(__file__).parents[3] / "site/theme/static/live/trees.js"
-METHODS, HARDWARE = 6, 6  # methods 0 to 5; the hardware calls 6
+METHODS, HARDWARE = 6, 6  # methods 0 to 5; only the hardware calls 6
 NODE = """
 const trees = require(process.argv[1]);
 const cases = JSON.parse(require("fs").readFileSync(0, "utf8"));
