@@ -25,7 +25,7 @@ struct Result {
 
 /// @brief A random drive of an image on the virtual board, and copies of it with one fault each.
 ///
-/// Each copy is a process of its own: the part of the drive before the fault is run once.
+/// Each copy is a separate process: the part of the drive before the fault is run once.
 class FaultRun {
  public:
   static constexpr int kFirst = 1500;  ///< ms of the drive before the first fault

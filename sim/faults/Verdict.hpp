@@ -34,7 +34,7 @@ enum class Outcome : std::uint8_t {
   Late,      ///< a reset or a report, but the outputs were wrong for too long, or after the reset
   Silent,    ///< wrong outputs, and neither a reset nor a report
   Hung,      ///< neither reports nor answers nor a reset
-  Stopped    ///< the virtual board cannot go on: a real board does something unknown
+  Stopped    ///< the virtual board cannot continue: a real board does something unknown
 };
 
 /// @brief Name of a class in the record.

@@ -165,7 +165,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "interrupt-storm",
         (
             Change("K64Port.cpp", "    flags.write(port::ISFR.bit(number_));\n", ""),
-            Change("K64Port.cpp", "    ++edges_;\n", ""),  # else the bound of edges ends it
+            Change("K64Port.cpp", "    ++edges_;\n", ""),  # else the bound ends the storm
         ),
     ),
     "vector of the Hall sensors missing": (

@@ -54,7 +54,7 @@ scenario::ScenarioPlayer::Outcome played(const std::string& text, std::ostream* 
 TEST(ScenarioTest, StepsAreInTheOrderOfTime) {
   const scenario::Scenario scenario = scenarioOf(
       "# a comment\n\n"
-      "from 100 to 300 every 100 keepalive # again and again\n"
+      "from 100 to 300 every 100 keepalive # repeatedly\n"
       "at 200 hello\nat 0 connect\nat 400 end\n");
   std::vector<std::pair<int, int>> found;
   for (const scenario::Scenario::Step& step : scenario.steps()) {
