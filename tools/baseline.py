@@ -180,7 +180,9 @@ def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
 def source_figures(paths: list[Path]) -> dict[str, float]:
     """Complexity and lines, as lizard counts them."""
     files = [lizard.analyze_file(str(path)) for path in paths]
-    complexity = [one.cyclomatic_complexity for file in files for one in file.function_list]
+    complexity = [
+        function.cyclomatic_complexity for file in files for function in file.function_list
+    ]
     return {
         "files": len(files),
         "lines": sum(file.nloc for file in files),
@@ -228,7 +230,8 @@ def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
 
 
 def apply(log: TextIO, tree: Path, patch: Path) -> None:
-    # The copy is not a git repository, and must not be treated as part of the surrounding one.
+    # The copy is not a git repository, and must not be treated as part of the surrounding
+    # repository.
     environment = {**os.environ, "GIT_CEILING_DIRECTORIES": str(tree.parent)}
     words = ["git", "-C", str(tree), "apply", "--whitespace=nowarn", str(patch)]
     log.write(f"$ {' '.join(words)}\n")

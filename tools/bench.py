@@ -162,7 +162,7 @@ def drive(port: Path, wanted: Iterator[Wish]) -> list[Report]:
 
 
 def costs(reports: list[Report]) -> BenchRun:
-    """The numbers that a board reports of itself. The first cycles belong to earlier orders."""
+    """The numbers that a board reports about itself. The first cycles belong to earlier orders."""
     told = [report for report in reports if report.order_read][2:]
     if not told:
         raise FailureError("no report of a cycle that read an order")

@@ -125,7 +125,7 @@ def with_date(pdf: bytes, when: int) -> bytes:
 
 
 def with_own_numbers(pdf: bytes) -> bytes:
-    """Numbers the parts of the pages from 0: the first number of the browser differs at times."""
+    """Numbers the parts of the pages from 0, because the first number of the browser varies."""
     number = {name: at for at, name in enumerate(sorted(set(NODE.findall(pdf))))}
     return NODE.sub(lambda match: b"(node%08d)" % number[match[1]], pdf)
 
@@ -198,7 +198,7 @@ def chapter(page: str, text: str) -> str:
         if kind == "href":
             target = inside(page, value)
             return f'href="{target}"' if target else ""
-        names = " ".join(f"{name_of(page)}--{one}" for one in value.split())
+        names = " ".join(f"{name_of(page)}--{part}" for part in value.split())
         return f'{kind}="{names}"'
 
     return PLACE.sub(place, text)

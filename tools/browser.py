@@ -13,7 +13,7 @@ def find_browser() -> str | None:
 
 
 def works(browser: str | None) -> bool:
-    """Whether the browser starts: the command of an empty package only prints a message."""
+    """Whether the browser starts: some packages contain only a command that prints a message."""
     if browser is None:
         return False
     try:

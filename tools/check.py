@@ -26,8 +26,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--drift",
         nargs="*",
         metavar="CHECK",
-        help="first seed each fault of tests/drift in a copy, and see whether the checks find it; "
-        "with names of checks: seed only the faults of these, and check nothing else",
+        help="first seed each fault of tests/drift in a copy, and test whether the checks find it; "
+        "with names of checks: seed only the faults of these checks, and do nothing else",
     )
     parser.add_argument(
         "--publish",

@@ -73,7 +73,7 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
 
 
 def gtest_counts(results: Path) -> Counts:
-    """Counts of a result file of GoogleTest; a disabled or skipped test did not run."""
+    """Counts of a result file of GoogleTest; disabled and skipped tests count as not run."""
     passed = failed = skipped = 0
     for suite in json.loads(results.read_text())["testsuites"]:
         for test in suite["testsuite"]:
@@ -125,13 +125,14 @@ def program_of(root: Path, run_name: str) -> Path:
 
 
 def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
-    """Runs the tests of a build, or those on the virtual K64: a part of them on each processor."""
+    """Runs the tests of a build, or the tests on the virtual K64; each processor runs a part of
+    them."""
     on_board = run_name == BOARD
     results = results_of(root, run_name)
     results.parent.mkdir(parents=True, exist_ok=True)
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
-    for counters in binaries.rglob("*.gcda"):  # gcc would add those of this run
+    for counters in binaries.rglob("*.gcda"):  # gcc would add new counts to them
         counters.unlink()
     program = program_of(root, run_name)
     seed = {"WR_SEED": os.environ.get("WR_SEED") or str(secrets.randbits(31))}
@@ -170,7 +171,7 @@ def run_shards(
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
-    """The tests of the image under test that do not need only the paper's design."""
+    """The tests of the image under test, except tests that need the design of the paper alone."""
     return [
         f"{suite['name']}.{test['name']}"
         for suite in suites

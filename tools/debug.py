@@ -33,7 +33,7 @@ WAIT = 20  # s, until a board waits at its port
 
 @dataclass(frozen=True)
 class Target:
-    """The debugger, and the waiting board, which a program of this machine does not need."""
+    """The debugger, and the board that waits for it; a program of this machine needs no board."""
 
     gdb: list[str]
     server: list[str] = field(default_factory=list)
@@ -181,8 +181,7 @@ def python_target(root: Path, name: str) -> Target:
 
 
 def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:
-    """Looks at the list of the listening ports: because the board would treat a connection as
-    GDB."""
+    """Reads the list of listening ports, because the board would treat a connection as GDB."""
     wanted = f":{port:04X} 00000000:0000 0A"
     end = time.monotonic() + WAIT
     while time.monotonic() < end and server.poll() is None:

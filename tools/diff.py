@@ -66,7 +66,7 @@ def commit_of(root: Path, name: str) -> str:
 
 
 def load(root: Path, name: str) -> Revision:
-    """The recorded revision, else the revision of its sources, which is then recorded."""
+    """The recorded revision; if there is none, reads the sources and records the revision."""
     commit = commit_of(root, name)
     found = read_revision(root, commit)
     if found is None:
@@ -108,5 +108,5 @@ def lines_of(found: list[Difference]) -> list[str]:
         members = list(group)
         width = max(len(one.subject) for one in members)
         lines += ["", f"{section}: {len(members)}"]
-        lines += [f"  {one.subject:<{width}}  {one.text}" for one in members]
+        lines += [f"  {difference.subject:<{width}}  {difference.text}" for difference in members]
     return lines[1:]

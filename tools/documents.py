@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from traceability.model.report import Report
 
 FINDINGS = Path("build/model/findings.json")
-TIMES = RESULTS / "times.json"  # how long commands took, for the metrics
+TIMES = RESULTS / "times.json"  # duration of commands, for the metrics
 METRICS = Path("build/metrics.json")
 PARTS = ("model", "checks", "site", "links")
 
@@ -76,7 +76,7 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 
 def main(root: Path) -> int:
-    """The process: exit code 0 when all four steps were done, whatever they found."""
+    """The process: exit code 0 when all four steps were completed, even with findings."""
     steps = Steps(root, len(PARTS))
     with no_collection():
         findings, complete = make(root, steps)

@@ -43,7 +43,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "flash",
         description="Builds the image for the K64, checks that it would not lock the chip, and "
         "writes it into a FRDM-K64F: with pyOCD, else with OpenOCD, else by a copy to the drive "
-        "that the board shows. Exit code 3: there is no way to a board.",
+        "that the board shows. Exit code 3: no board was found.",
     )
     parser.add_argument(
         "--with",
@@ -100,7 +100,7 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
 
 
 def checked(image: Path) -> str:
-    """Prints the size of an image that does not lock the chip; fails for any other."""
+    """Prints the size of an image that does not lock the chip; fails for an image that does."""
     try:
         content = image.read_bytes()
     except OSError as error:
@@ -188,7 +188,7 @@ def copy(image: Path, folder: Path | None) -> Way:
 
 
 def choose(found: dict[str, Way], name: str | None) -> tuple[str, Way]:
-    """The chosen way, or the first one that finds a board."""
+    """The chosen way, or the first way that finds a board."""
     probe = name is not None or has_probe()
     for other, way in found.items():
         if name in (None, other) and not way.missing and (probe or other == "drive"):
@@ -198,7 +198,7 @@ def choose(found: dict[str, Way], name: str | None) -> tuple[str, Way]:
         raise MissingError(f"{name}: {found[name].missing}\n{ADVICE}")
     said.append(f"debug probe on USB: {'one is connected' if probe else 'none'}")
     looked = "\n  ".join(said)
-    raise MissingError(f"there is no way to a board. Looked for\n  {looked}\n{ADVICE}")
+    raise MissingError(f"no board was found. Looked for\n  {looked}\n{ADVICE}")
 
 
 def has_probe() -> bool:

@@ -135,7 +135,8 @@ def build_with_clang(root: Path, log: TextIO) -> None:
 
 
 def check_headers(root: Path, log: TextIO) -> None:
-    """Compiles each header alone: for this machine with clang, that of a driver for the K64."""
+    """Compiles each header alone: with clang for this machine, or for the K64 if it belongs to a
+    driver."""
     for preset in ("host", "k64"):
         build(root, preset, log, "all_verify_interface_header_sets")
 
@@ -170,10 +171,10 @@ def check_changed(
     command: Callable[[Path], list[str]],
     log: TextIO,
 ) -> str:
-    """Runs the command on each file that has not passed it with its present content.
+    """Runs the command on each file whose present content has not passed it yet.
 
-    The content of a file is its own, that of the files of the project that it includes, the
-    settings of clang-tidy, and the command.
+    The content of a file includes the files of the project that it includes, the settings of
+    clang-tidy, and the command.
     """
     store = root / "build" / "lint" / f"{name}.json"
     passed = json.loads(store.read_text()) if store.exists() else {}
@@ -205,7 +206,7 @@ def check_changed(
 
 def settings(root: Path, path: Path) -> list[Path]:
     """The settings of clang-tidy for a file."""
-    folders = [one for one in path.parents if one.is_relative_to(root)]
+    folders = [parent for parent in path.parents if parent.is_relative_to(root)]
     return [one for folder in folders if (one := folder / ".clang-tidy").exists()]
 
 

@@ -1,4 +1,4 @@
-"""Only one command at a time may build, test or make pages, because another one would change its
+"""Only one command at a time may build, test or make pages, because a second command would change its
 files.
 
 A command that was ended by force leaves programs behind, such as a build. The next command ends
@@ -43,7 +43,7 @@ def only_one(root: Path, command: str) -> Iterator[None]:
             file.seek(0)
             raise BusyError(
                 f"{file.read().strip() or 'another command'} is at work in this folder. "
-                "Wait until it has ended, or end it with Ctrl-C"
+                "Wait until that command has ended, or end it with Ctrl-C"
             ) from error
         file.truncate(0)
         file.write(f"./wr {command} (process {os.getpid()}, since {time.strftime('%H:%M')})\n")

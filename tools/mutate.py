@@ -97,7 +97,7 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
 
 
 class _Run:
-    """The steps, with the results that each one passes to the next."""
+    """The steps; each step passes its results to the next."""
 
     def __init__(self, root: Path, seed: int, longest: float, out: TextIO) -> None:
         self.root = root
@@ -121,7 +121,7 @@ class _Run:
         traces = read_traces(self.root, self.root / "build" / "model")[HOST]
         self.plan = make_plan(self.model, facts, traces)
         self.mutants = write_switched(self.root, set(self.plan.methods), log)
-        return f"{len(self.mutants)} in {len({one.method for one in self.mutants})} methods"
+        return f"{len(self.mutants)} in {len({mutant.method for mutant in self.mutants})} methods"
 
     def build(self, log: TextIO) -> None:
         from tools.mutation.switched import build_switched
@@ -170,7 +170,7 @@ class _Run:
         return f"{self.killed()} of {len(self.tried)} found, of {len(self.mutants)} in all"
 
     def killed(self) -> int:
-        return sum(bool(one.killed_by) for one in self.tried)
+        return sum(bool(tried_mutant.killed_by) for tried_mutant in self.tried)
 
     def show(self, seconds: float) -> None:
         clock = f"{int(seconds // 60)}:{int(seconds % 60):02}"

@@ -14,7 +14,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "plot",
         description="Draws a recording: velocity, voltage and current of each wheel with their "
         "set-points, the steering, and the changes of the states. The result is one HTML file, "
-        "which needs no other one. Recordings are the CSV and MCAP files of ./wr drive and "
+        "which needs no other file. Recordings are the CSV and MCAP files of ./wr drive and "
         "./wr monitor, and the tables of ./wr sim --reports.",
     )
     parser.add_argument("recording", type=Path, metavar="RECORDING", help="a CSV or MCAP file")

@@ -59,7 +59,7 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
         log.flush()
 
     recorded = recorded_proofs(root, declared)
-    left = [one for one in declared.proofs.values() if one.name not in recorded]
+    left = [proof for proof in declared.proofs.values() if proof.name not in recorded]
     results = recorded | prove(root, declared, left, said)
     path = root / PROOFS
     path.parent.mkdir(parents=True, exist_ok=True)

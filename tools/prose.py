@@ -72,15 +72,14 @@ def right_phrases(text: str) -> list[str]:
 
 
 def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
-    """Whole words; a blank is any white space, # any number, and case is ignored."""
+    """Matches whole words; a blank is any white space, # is any number, and case is ignored."""
     longest = sorted((" ".join(phrase.split()) for phrase in phrases), key=len, reverse=True)
     words = "|".join(map(re.escape, longest)).replace(r"\ ", r"\s+").replace(r"\#", r"\d+")
     return re.compile(rf"(?<![\w.-])(?:{words or '(?!)'})(?![\w-])", re.IGNORECASE)
 
 
 def prose_of(path: Path) -> str:
-    """The text of a file in which everything except prose is replaced by blanks; lines do not
-    change."""
+    """The text of a file in which blanks replace everything except prose; lines do not change."""
     text = path.read_text(encoding="utf-8")
     if path.suffix not in PROSE:
         text = _remarks(path, text)

@@ -46,7 +46,7 @@ def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
         if options.properties:
             wanted = [declared.proofs[name] for name in options.properties]
             results = prove(root, declared, wanted, print)
-            return 0 if all(one.verdict == "proven" for one in results.values()) else 1
+            return 0 if all(result.verdict == "proven" for result in results.values()) else 1
         if options.again:
             results = prove(root, declared, declared.proofs.values(), print)
             print(f"recorded in {record_proofs(root, declared, results).relative_to(root)}")

@@ -26,7 +26,7 @@ def workers(folder: str) -> list[str | Path]:
 
 
 def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
-    """Runs the tests; failed tests are an outcome, a run without results is an error."""
+    """Runs the tests. Failed tests are an outcome; a run without results is an error."""
     results = root / RESULTS / f"pytest_{folder}.xml"
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]

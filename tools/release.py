@@ -66,8 +66,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "release",
         description="Makes the files of a release in build/release, from a commit without "
         "changes: images with their hashes, a list of the parts (CycloneDX), the portal for "
-        "reading without a network, the exports, and the notes. All times in the archives are "
-        "that of the commit.",
+        "reading without a network, the exports, and the notes. All times in the "
+        "archives are the time of the commit.",
     )
     parser.add_argument(
         "--verify",
@@ -102,7 +102,7 @@ def identity(root: Path) -> Release:
     """The commit and its time; an error when a file differs from it."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if not commit:
-        raise FailureError("this folder is not a clone of git: a release is made of a commit")
+        raise FailureError("this folder is not a git clone: a release needs a commit")
     changed = git(root, "status", "--porcelain").splitlines()
     if changed:
         raise FailureError(f"{len(changed)} files differ from the commit: commit them first")

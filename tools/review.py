@@ -132,13 +132,13 @@ def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> st
         if accepted(answer):
             return answer
         print(advice)
-    raise FailureError("nothing was recorded: a question has no answer")
+    raise FailureError("nothing was recorded, because a question has no answer")
 
 
 def shown(
     root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
 ) -> Iterator[str]:
-    """The texts that a reviewer reads, with their changes; only the path of a support file."""
+    """The texts that a reviewer reads, with their changes; of a support file only the path."""
     for text in texts:
         yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"
         if text.kind != "support":

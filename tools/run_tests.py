@@ -49,7 +49,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--long",
         action="store_true",
-        help="also seed each fault of tests/drift in a copy, and see whether the checks find it",
+        help="also seed each fault of tests/drift in a copy, and test whether the checks find it",
     )
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
 

@@ -181,7 +181,7 @@ class Copy:
         return {path: path.stat().st_mtime_ns for path in self._cached()}
 
     def _restore(self, kept: dict[str, bytes | None]) -> None:
-        """The files before the faults, with their parsed content: so no file is read twice."""
+        """The files before the faults, with their parsed content, so that no file is read twice."""
         for file, content in kept.items():
             if content is None:
                 (self.tree / file).unlink(missing_ok=True)

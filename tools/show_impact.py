@@ -69,13 +69,13 @@ def changed_files(root: Path, commits: str) -> list[str]:
 
 def lines_of(found: Impact) -> list[str]:
     lines = [f"A change of the {found.kind} {found.subject}"]
-    farthest = max((one.distance for one in found.modules), default=-1)
+    farthest = max((module.distance for module in found.modules), default=-1)
     for distance in range(farthest + 1):
         names = found.at(distance)
         titles = ["begins with", "may affect directly", f"may affect over {distance} uses"]
         title = titles[min(distance, 2)]
         lines += ["", f"{title}: {counted(len(names), 'module')}"]
-        lines += reasons(names) if distance < 2 else wrapped([one.id for one in names])
+        lines += reasons(names) if distance < 2 else wrapped([name.id for name in names])
     for noun, reached in (
         ("requirement", found.requirements),
         ("safety goal", found.goals),

@@ -104,7 +104,7 @@ def homes(elf: Path) -> dict[str, str]:
 
 
 def objects(elf: Path, known: Mapping[str, str]) -> Iterator[tuple[int, str, int]]:
-    """Address, module and size of each object. A table of methods belongs to its class."""
+    """Address, module and size of each object. A virtual method table belongs to its class."""
     for address, size, name, _ in OBJECT.findall(output("arm-none-eabi-nm", "--print-size", elf)):
         plain = name.partition(".lto_priv")[0]
         table = CLASS_TABLE.match(plain)
@@ -118,7 +118,8 @@ def add(part: Size, section: Section, size: int) -> None:
 
 
 def owner(section: Section) -> str:
-    """The part to which a whole section belongs; empty when it belongs to several parts."""
+    """The part to which a whole section belongs; empty when the section belongs to several
+    parts."""
     if not section.in_flash:
         return ""
     return {0: VECTORS, FIELD: CONFIGURATION}.get(section.address, "")
@@ -139,7 +140,7 @@ def sections(elf: Path) -> list[Section]:
 
 
 def place_in_binary(elf: Path, address: int) -> int:
-    """The position in the binary of the byte that is at a run-time address."""
+    """The position in the binary of the byte with a run-time address."""
     for section in sections(elf):
         if section.in_flash and section.holds(address):
             return section.load + address - section.address
@@ -184,7 +185,9 @@ def write_products(root: Path) -> dict[str, Size]:
         records[product] = {
             "flash": whole.flash,
             "ram": whole.ram,
-            "stack": next((one.size for one in sections(elf) if "stack" in one.name), 0),
+            "stack": next(
+                (section.size for section in sections(elf) if "stack" in section.name), 0
+            ),
             "forbidden": sorted(forbidden(elf)),
             "modules": modules_in(root / recorded_image_of(product, ".elf"), known),
         }

@@ -121,7 +121,8 @@ def log_file(path: Path) -> Iterator[TextIO]:
 
 
 def attempt(action: Callable[[TextIO], Result], log: TextIO) -> Result:
-    """Runs the action; an error in the tools themselves fails the step, its place is in the log."""
+    """Runs the action. An error in the tools themselves fails the step, and the log contains its
+    place."""
     try:
         return action(log)
     except FailureError:

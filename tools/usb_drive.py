@@ -30,7 +30,7 @@ def mounted() -> list[Path]:
 
 
 def unescaped(name: str) -> str:
-    """Blanks in the name of a mount point are octal numbers."""
+    """Blanks in the name of a mount point are written as octal numbers."""
     return re.sub(r"\\([0-7]{3})", lambda match: chr(int(match[1], 8)), name)
 
 

@@ -351,7 +351,9 @@ class Test:
 
     @property
     def passed(self) -> bool:
-        return bool(self.results) and all(one.result == "passed" for one in self.results.values())
+        return bool(self.results) and all(
+            result.result == "passed" for result in self.results.values()
+        )
 
 
 @dataclass(frozen=True)
@@ -389,7 +391,7 @@ class Baseline:
 
 @dataclass(frozen=True)
 class Review:
-    """The judgement of a person on one requirement; ``state`` is the hash of all texts."""
+    """The review of one requirement by a person; ``state`` is the hash of all texts."""
 
     requirement: str
     reviewer: str
@@ -417,7 +419,8 @@ class Review:
 
 @dataclass(frozen=True)
 class Suspicion:
-    """A text on which a link depends differs from the baseline. Kind: see ``KINDS`` of reviews."""
+    """A text on which a link depends, and which differs from the baseline. Kind: see ``KINDS`` of
+    reviews."""
 
     kind: str
     name: str
@@ -658,7 +661,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Mutation:
-    """The faults that were tried, of all possible faults."""
+    """The faults that were tried, and the number of all possible faults."""
 
     seed: int
     minutes: float
@@ -798,7 +801,7 @@ class Proofs:
     @property
     def recorded(self) -> list[ProofResult]:
         """Results of an earlier run with the same models, which this build did not repeat."""
-        return [one for one in (self.results or {}).values() if one.recorded_on]
+        return [result for result in (self.results or {}).values() if result.recorded_on]
 
 
 @dataclass(frozen=True)
@@ -1094,7 +1097,8 @@ class ArchitectureGroup:
 
 @dataclass(frozen=True)
 class Connection:
-    """A line of the high-level diagram: "call", "interrupt", "command", "pipe" or "physical"."""
+    """A connection of the high-level diagram: "call", "interrupt", "command", "pipe" or
+    "physical"."""
 
     kind: str
     source: str

@@ -13,7 +13,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief Each of the six states has a number of its own.
+/// @brief Each of the six states has a different number.
 TEST(Resuming, HasANumberOfItsOwn) {
   FakeOutput lamp;
   const SixStates states(lamp);

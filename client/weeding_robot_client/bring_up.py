@@ -65,7 +65,7 @@ GOOD_RESETS = ("power on", "reset pin", "debugger", "software", "unknown cause")
 
 
 _UNSEEN = (
-    "the Hall sensors count, but this wheel was not seen to turn",
+    "the Hall sensors count, but you did not see this wheel turn",
     "Check that motor and Hall cable belong to the same wheel.",
 )
 # Finding and next action. Key: whether the Hall count rises, and whether the wheel turned forwards.
@@ -633,7 +633,7 @@ class Motion:
 
 
 def perform(bring_up: BringUp, record: Record) -> None:
-    """Executes the steps. At the end, also after an error, the robot has a stop order or neutral
+    """Executes the steps. At the end, even after an error, the robot has a stop order or neutral
     orders."""
     steps = bring_up.steps()
     outcomes = [Outcome(step.name, step.expected) for step in steps]
@@ -699,8 +699,7 @@ def choose_link(link: Path | None) -> Path | None:
 
 
 def folder(text: str) -> Path:
-    """Creates and returns the folder with this name, so that the record can be written at the
-    end."""
+    """Creates and returns the folder with this name, so that a record can be written at the end."""
     path = Path(text)
     try:
         path.mkdir(parents=True, exist_ok=True)

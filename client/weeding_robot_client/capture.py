@@ -93,7 +93,7 @@ def write_dissector(path: Path) -> None:
 
 
 def _frame(layout: Layout) -> dict[str, Any]:
-    fields = [_field(layout, one) for one in layout.fields]
+    fields = [_field(layout, field) for field in layout.fields]
     return {"name": layout.name, "type": layout.kind, "size": layout.size, "fields": fields}
 
 

@@ -81,7 +81,7 @@ def _script(options: argparse.Namespace) -> Script | None:
 def by_script(link: Link, script: Script, recording: Recording) -> int:
     """Arms the robot and drives according to the script. Returns the exit code.
 
-    If it ends before the end of the script, the robot is ordered to stop.
+    If the program ends before the end of the script, it orders the robot to stop.
     """
 
     def observe(report: Report) -> None:
@@ -150,7 +150,7 @@ def ended_by_signals() -> Iterator[list[int]]:
 
 
 def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None) -> int:
-    """Drives with the keys. Unless the key q ends it, the robot is ordered to stop."""
+    """Drives with the keys. Unless the key q ends the program, it orders the robot to stop."""
     orders = Orders(link, recording.add)
     print(keyboard.HELP)
     quits = False

@@ -1,5 +1,5 @@
-"""Keys of a terminal, and the motion that they demand, which lasts only while its key is
-repeated."""
+"""Keys of a terminal, and the motion that they order. A motion lasts only while the terminal
+repeats its key."""
 
 from __future__ import annotations
 

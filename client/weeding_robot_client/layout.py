@@ -108,7 +108,7 @@ class Field:
 
     @property
     def counts(self) -> bool:
-        """Whether it counts events of the link or of the cycle, not of a wheel."""
+        """Whether the field counts events of the link or of the cycle, not of a wheel."""
         return self.counter and self.wheel is None
 
     @property

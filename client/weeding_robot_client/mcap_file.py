@@ -23,7 +23,7 @@ NANOSECONDS = 1_000_000  # of a ms
 
 def schema_of(layout: Layout) -> dict[str, Any]:
     """The JSON Schema of the values of a frame."""
-    missing = {name for one in layout.fields for name in one.valid}
+    missing = {name for field in layout.fields for name in field.valid}
     properties: dict[str, Any] = {}
     for one in layout.fields:
         if one.bits:

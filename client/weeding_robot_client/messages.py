@@ -59,7 +59,7 @@ class WheelSetPoint:
 
 @dataclass(frozen=True)
 class ReportedSetPoint:
-    """Set-point in a report: any number, in any quantity, also an unknown quantity."""
+    """Set-point in a report: any number, in any quantity, even an unknown quantity."""
 
     value: float
     unit: str
@@ -212,7 +212,8 @@ class Welcome:
 
     @property
     def schema_note(self) -> str | None:
-        """How the frames differ within one version; None when they are equal."""
+        """The difference of the layouts within one version of the protocol; None when they are
+        equal."""
         if self.incompatible or self.schema_hash in (SCHEMA_HASH, None):
             return None
         return (
@@ -296,7 +297,9 @@ class Report:
         return cls(
             **{name: values[name] for name in names},
             wheels=(front_left, front_right, rear_left, rear_right),
-            counters={one.name: values[one.name] for one in cls.layout.fields if one.counts},
+            counters={
+                field.name: values[field.name] for field in cls.layout.fields if field.counts
+            },
             values=values,
         )
 

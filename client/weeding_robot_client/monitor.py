@@ -12,11 +12,10 @@ from weeding_robot_client.options import add_link, open_capture, open_link, open
 from weeding_robot_client.reasons import conditions, faults
 
 DESCRIPTION = """\
-Connects to the robot and shows its reports: a table that is renewed in a terminal, one line for
-each report elsewhere. It shows why the robot does not move, the source of a stop, and the
-round trip from an order to its report. A value that is missing or stale is shown as '-'. Ctrl-C
-ends it.
-Only one program can use the line at a time; ./wr drive shows the reports too.
+Connects to the robot and shows its reports: in a terminal a table that is updated, otherwise one
+line for each report. It shows why the robot does not move, the source of a stop, and the round trip
+from an order to its report. A value that is missing or stale is shown as '-'. Ctrl-C ends it. Only
+one program can use the line at a time; ./wr drive shows the reports too.
 
 Exit codes: 0 done, 1 the line cannot be opened, 2 wrong usage."""
 EPILOG = ""

@@ -1,4 +1,4 @@
-"""Sends orders at the pace of the protocol, and contains the procedures from them: arm, stop,
+"""Sends an order in each cycle, and contains the procedures that consist of orders: arm, stop,
 end."""
 
 from __future__ import annotations

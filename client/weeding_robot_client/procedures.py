@@ -13,8 +13,8 @@ from weeding_robot_client.script import Wish
 
 ARM = """\
 Sends neutral orders (all wheels at 0) until the robot reports that it is armed, and shows why it is
-not yet. A stop that the PC ordered before is released. The robot needs neutral orders for 0.5 s.
-A program that drives must then send orders: without orders the robot is soon not armed any more.
+not armed yet. A stop that the PC ordered before is released. The robot needs neutral orders for 0.5
+s. A program that drives must then send orders: without orders the robot is soon not armed any more.
 
 Exit codes: 0 armed, 1 not armed or no connection, 2 wrong usage."""
 ACKNOWLEDGE = """\

@@ -25,7 +25,7 @@ def messages() -> dict[str, str]:
 
 def message(frame: Layout) -> str:
     """Enumerations are numbers with constants; a value that may be missing is a float64."""
-    missing = {name for one in frame.fields for name in one.valid}
+    missing = {name for field in frame.fields for name in field.valid}
     lines = [f"# {frame.name}: {frame.use}. Made from design/frames.toml."]
     shown: set[str] = set()
     for one in frame.fields:

@@ -24,8 +24,8 @@ class InterruptWatch final {
   /// @brief Checks the interrupts. Each tick calls it.
   /// @param now time of the tick
   /// @param edgeWaits whether a Hall edge is not acknowledged yet; its interrupt has the higher priority
-  /// @errors A tick more than 20 ms after the one before, and an edge that waits at 5 successive ticks,
-  /// end the program with the assertion InterruptLate.
+  /// @errors A tick more than 20 ms after the previous tick, and an edge that waits at 5 successive
+  /// ticks, end the program with the assertion InterruptLate.
   /// @satisfies FR-308
   /// @isr{yes}
   void tick(Instant now, bool edgeWaits);

@@ -8,8 +8,8 @@ namespace wr {
 
 namespace {
 
-// With one step per tick, a sum over a program of 64 KiB takes 147 ms; to find a change can take
-// two sums.
+// With one step per tick, a sum over a program of 64 KiB takes 147 ms; the check can need two sums
+// to find a change.
 constexpr std::size_t kWordsOfStep = 28;
 
 std::uint32_t sumOf(std::span<const ProgramCheck::Words> words) {

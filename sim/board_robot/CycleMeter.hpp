@@ -33,7 +33,7 @@ class CycleMeter {
 
   /// @brief Costs of one control cycle.
   struct Cycle {
-    Cost toReport;  ///< from the clock pulse to the report handed over
+    Cost toReport;  ///< from the clock pulse until the report is handed over
     Cost whole;     ///< without the cycles in which the processor sleeps
     std::uint64_t pulseLatency =
         0;                         ///< cycles from the clock pulse to the first step of its handler
@@ -55,7 +55,7 @@ class CycleMeter {
 
   /// @brief Replaces the observer of the line, and that of the board's writes.
   /// @param robot the image in its robot; it lives as long as the meter
-  /// @param from time at which to begin; the first control cycle is that of the next clock pulse
+  /// @param from time of the beginning; the next clock pulse begins the first control cycle
   /// @param profiled whether to count how often each instruction is executed
   CycleMeter(BoardSession& robot, std::chrono::nanoseconds from, bool profiled);
   CycleMeter(const CycleMeter&) = delete;

@@ -30,7 +30,7 @@ class Clock {
 
   [[nodiscard]] std::uint64_t hz() const { return hz_; }
 
-  /// @brief Edges up to a time that is not before the last change.
+  /// @brief Edges up to a time, which must not be before the last change.
   [[nodiscard]] std::uint64_t count(Time time) const {
     return count_ +
            scale(static_cast<std::uint64_t>((time - from_).count()), edges_, 0, picoseconds_);
@@ -49,7 +49,7 @@ class Clock {
     return passed >= most ? kNever : from_ + Time(static_cast<std::int64_t>(passed));
   }
 
-  /// @brief The first count whose time is not before a time.
+  /// @brief The first count whose time is at or after the given time.
   [[nodiscard]] std::uint64_t reach(Time time) const {
     if (time <= from_) {
       return count_;

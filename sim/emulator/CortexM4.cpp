@@ -382,7 +382,7 @@ void CortexM4::instructionFault(Trap trap) {
   switch (trap) {
     case Trap::NoCoprocessor:
       usage(SystemControl::kNoCoprocessor, at, "unhandled-fault",
-            "instruction of a coprocessor that is not there");
+            "instruction of a coprocessor that does not exist");
       return;
     case Trap::FpuOff:
       usage(SystemControl::kNoCoprocessor, at, "fpu-off",

@@ -17,7 +17,7 @@ namespace wr::emulator {
 /// @brief A Cortex-M4F: the core that executes the instructions, with its exceptions, interrupt
 /// controller and system control.
 ///
-/// Time is counted in cycles, according to Timing. Each run of a program is equal.
+/// Time is counted in cycles, according to Timing. All runs of a program are equal.
 ///
 /// Not modelled: bit-banding, the memory protection unit, lazy stacking of the floating-point
 /// registers (they are stacked at entry), LDM and STM that an interrupt divides.
@@ -67,7 +67,7 @@ class CortexM4 {
   /// @param write receives the value that the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Writes memory from outside, also where the program may not.
+  /// @brief Writes memory from outside, even where the program may not write.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
   /// @brief Reads a word of memory from outside.

@@ -53,7 +53,7 @@ class DebugPort {
 
   /// @brief Reads memory and registers of peripherals. A register that changes when it is read is
   /// not read.
-  /// @return number of bytes up to the first one that cannot be read
+  /// @return number of bytes before the first byte that cannot be read
   [[nodiscard]] std::size_t readMemory(std::uint32_t address, std::span<std::uint8_t> bytes) const;
 
   /// @brief Writes flash, RAM and registers of peripherals, but not those of the processor.

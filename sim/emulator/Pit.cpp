@@ -51,7 +51,7 @@ void Pit::update(std::size_t index) {
                  channel.flag && (channel.control & kInterrupt) != 0);
 }
 
-// A channel can be chained to the previous one: the last channel ends the recursion.
+// A channel can be chained to the previous channel; the recursion ends at the last channel.
 // NOLINTNEXTLINE(misc-no-recursion)
 void Pit::expire(std::size_t index) {
   Channel& channel = channels_[index];

@@ -46,7 +46,7 @@ class StimulusQueue {
 
   std::function<void(const Level&)> drive_;
   std::deque<Level> levels_;
-  std::deque<Call> calls_;  // a call may add calls; existing ones do not move
+  std::deque<Call> calls_;  // a call may add calls; the existing calls do not move
   Time next_ = kNever;
 };
 

@@ -45,7 +45,7 @@ class Uart final : public Peripheral {
   void advance() override;
 
   /// @brief Receives a byte from outside.
-  /// @param notBefore earliest time of its beginning; it waits for earlier bytes
+  /// @param notBefore earliest time at which the byte begins; the byte waits for earlier bytes
   /// @param stopBit whether the stop bit is correct
   void arrive(Time notBefore, std::uint8_t byte, bool stopBit = true);
 

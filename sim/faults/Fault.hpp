@@ -42,9 +42,9 @@ struct Places {
 /// @brief A fault.
 struct Fault {
   Kind kind = Kind::Ram;
-  std::uint32_t place = 0;  ///< address, register, line, or which fault of the kind
-  std::uint32_t bit = 0;    ///< bit of the place; or which wheel
-  int value = 0;            ///< how much, where the fault has a value
+  std::uint32_t place = 0;  ///< address, register, line, or number of the fault within its kind
+  std::uint32_t bit = 0;    ///< bit of the place, or number of the wheel
+  int value = 0;            ///< value of the fault, if it has one
 };
 
 /// @brief Returns whether the fault needs an instant at which the processor does not sleep.
@@ -52,7 +52,8 @@ struct Fault {
   return kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Returns whether memory can be as without the fault, some time after it.
+/// @brief Returns whether memory can have the content of a run without the fault, some time after
+/// the fault.
 [[nodiscard]] inline bool passes(Kind kind) {
   return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
 }

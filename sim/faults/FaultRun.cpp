@@ -166,7 +166,8 @@ class FaultRun::Robot {
     return all;
   }
 
-  /// A number of all that the firmware can go on from: memory, registers, and the plant.
+  /// A hash of all that determines the next steps of the firmware: memory, registers, and the
+  /// plant.
   [[nodiscard]] std::uint64_t state(const Places& places) {
     Hash hash;
     const emulator::VirtualBoard& board = session.board;

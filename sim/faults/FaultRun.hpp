@@ -25,7 +25,7 @@ struct Result {
 
 /// @brief A random drive of an image on the virtual board, and copies of it with one fault each.
 ///
-/// Each copy is a process of its own: the part of the drive before the fault is run once.
+/// Each copy is a separate process: the part of the drive before the fault is run once.
 class FaultRun {
  public:
   static constexpr int kFirst = 1500;  ///< ms of the drive before the first fault
@@ -43,7 +43,7 @@ class FaultRun {
   /// @brief Injects random faults.
   /// @param count their number
   /// @param random chooses them
-  /// @param take gets each result, by rising time of the injection
+  /// @param take gets each result, in the order of the injections
   void injectAll(int count, Random& random, const std::function<void(const Result&)>& take);
 
   /// @brief Injects one fault.

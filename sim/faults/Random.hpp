@@ -11,7 +11,7 @@ class Random {
   /// @param seed chooses the sequence
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  /// @brief Returns a number from 0 on.
+  /// @brief Returns a random number that is 0 or more.
   /// @param end the numbers are less than this, which is more than 0
   [[nodiscard]] std::uint32_t below(std::uint32_t end) {
     state_ += 0x9E3779B97F4A7C15U;
@@ -20,7 +20,7 @@ class Random {
     return static_cast<std::uint32_t>((mixed ^ mixed >> 31U) % end);
   }
 
-  /// @brief Returns a number of a range.
+  /// @brief Returns a random number in a range.
   /// @param first least number
   /// @param last greatest number
   [[nodiscard]] int between(int first, int last) {

@@ -29,12 +29,12 @@ struct Observation {
 
 /// @brief Class of a fault.
 enum class Outcome : std::uint8_t {
-  Harmless,  ///< the outputs are those of the run without fault
+  Harmless,  ///< the outputs are equal to those of the run without the fault
   Detected,  ///< a reset or a report in time, and no wrong output afterwards
   Late,      ///< a reset or a report, but the outputs were wrong for too long, or after the reset
   Silent,    ///< wrong outputs, and neither a reset nor a report
   Hung,      ///< neither reports nor answers nor a reset
-  Stopped    ///< the virtual board cannot go on: a real board does something unknown
+  Stopped    ///< the virtual board cannot continue: a real board does something unknown
 };
 
 /// @brief Name of a class in the record.
@@ -52,14 +52,14 @@ struct Verdict {
 inline constexpr float kWrongDrive = 0.05F;
 /// @brief Angles that differ by more degrees are wrong: twice the greatest permanent error.
 inline constexpr float kWrongAngle = 1.0F;
-/// @brief A wrong output that lasts no longer [ms] moves no wheel noticeably: the mechanical time
-/// constant of a wheel is longer.
+/// @brief A wrong output of at most this duration [ms] does not move a wheel noticeably: the
+/// mechanical time constant of a wheel is longer.
 inline constexpr int kShort = 20;
 /// @brief Outputs may be wrong for this time [ms] before the safe state: the longest time of the
 /// watchdog and one control cycle.
 inline constexpr int kSafeWithin = 300;
 
-/// @brief Compares the run with a fault with the same run without.
+/// @brief Compares a run with a fault with the same run without the fault.
 /// @param faulty the run with the fault
 /// @param reference outputs of the run without, from the same instant on; at least as many
 /// @return its class

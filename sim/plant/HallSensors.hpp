@@ -6,8 +6,8 @@
 
 namespace wr::plant {
 
-/// @brief The two Hall sensors of one motor. While it turns forwards their levels (b, a) are in
-/// turn 00, 01, 11, 10; there are 60 edges in a turn of the shaft.
+/// @brief The two Hall sensors of one motor. While the motor turns forwards, their levels (b, a)
+/// have the sequence 00, 01, 11, 10; there are 60 edges in a turn of the shaft.
 class HallSensors {
  public:
   static constexpr double kEdgesPerTurn = 60.0;

@@ -30,7 +30,7 @@ enum class EnablePosition : std::uint8_t {
 /// @brief Output of a receiver when its transmitter is off.
 enum class FailSafe : std::uint8_t {
   None,    ///< nothing
-  Hold,    ///< the last pulses, again and again
+  Hold,    ///< the last pulses, repeatedly
   Neutral  ///< pulses of 1.5 ms on each channel
 };
 

@@ -240,8 +240,8 @@ void Robot::sample() {
 }
 
 // An open input keeps the charge of the converter's capacitor, from the previous input.
-// One converter converts the currents of the wheels 0 and 1, the other one those of 2 and 3 and the
-// angle.
+// One converter converts the currents of the wheels 0 and 1, the other converter the currents of
+// the wheels 2 and 3 and the angle.
 double Robot::voltsBefore(std::size_t wheel) const {
   return wheel == 2 ? steeringVolts() : currentVolts_.at(wheel == 0 ? 1 : wheel - 1);
 }

@@ -98,7 +98,7 @@ class Robot {
   /// @param value the value, in the unit of the parameter
   void setParameter(Parameter parameter, double value);
 
-  /// @brief Switches the noise and the misplacement of the sensors on or off. It is on at first.
+  /// @brief Switches the noise and the displacement of the sensors on or off. It is on at first.
   /// @param on true for on
   void setNoise(bool on);
 

@@ -18,11 +18,11 @@ struct DigitalSignal {
   bool level;
 };
 
-/// @brief Reads a voltage. Throws CLI::ValidationError when the text is none.
+/// @brief Reads a voltage. Throws CLI::ValidationError when the text is not valid.
 /// @param text e.g. "ADC0_SE12=1.65": the single-ended input 12 of converter 0 at 1.65 V
 [[nodiscard]] AnalogSignal analogSignalOf(const std::string& text);
 
-/// @brief Reads a level. Throws CLI::ValidationError when the text is none.
+/// @brief Reads a level. Throws CLI::ValidationError when the text is not valid.
 /// @param text e.g. "PTC6=0"
 [[nodiscard]] DigitalSignal digitalSignalOf(const std::string& text);
 

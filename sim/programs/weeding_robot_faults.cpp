@@ -22,7 +22,7 @@ void print(const faults::Result& result) {
       result.fault.bit, result.fault.value, result.pc,
       std::string(nameOf(result.verdict.outcome)).c_str(), result.verdict.safeAfter,
       result.verdict.wrongFor, result.stop.c_str());
-  std::fflush(stdout);  // a copy of this process must not print it again
+  std::fflush(stdout);  // a copy of this process must not print this text again
 }
 
 Exit run(const CampaignOptions& settings) {

@@ -100,7 +100,7 @@ std::optional<Scenario::Limit> readLimit(Words& words) {
   }
   const double amount = words.number("a time or a way");
   if (amount <= 0) {
-    throw Scenario::Error("an expectation needs a time or a way greater than 0");
+    throw Scenario::Error("an expectation needs a time or a distance greater than 0");
   }
   const bool isWay = words.takeIf("mm");
   if (!isWay) {
@@ -170,7 +170,7 @@ Scenario::Action readAction(const std::string& word, Words& words) {
 // A line of an hour, every 100 ms, has fewer times.
 constexpr int kMostTimes = 100'000;
 
-// When a line acts: once, or again and again.
+// The times at which a line acts: one time, or repeated times.
 struct Times {
   Time first;
   Time last;

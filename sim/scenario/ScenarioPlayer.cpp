@@ -180,7 +180,7 @@ void ScenarioPlayer::act(const Scenario::Hello& /*action*/) {
 
 void ScenarioPlayer::act(const Scenario::Confirm& /*action*/) {
   if (!welcome_) {
-    fail("no Welcome has come that could be confirmed");
+    fail("there is no Welcome to confirm");
     return;
   }
   robot_.send(pc_.confirm(welcomeOf(*welcome_)->session));
@@ -204,7 +204,7 @@ void ScenarioPlayer::act(const Scenario::Raw& action) {
 
 void ScenarioPlayer::act(const Scenario::Replay& /*action*/) {
   if (order_.empty()) {
-    fail("no order was sent that could be replayed");
+    fail("there is no earlier order to replay");
     return;
   }
   robot_.send(order_);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kWheels = 4;
 
-// Returns the number of a word, if it is a number. The notation of a number may be given by a base.
+// Returns the number of a word, if it is a number. A number may begin with its base.
 template <class Number, class... Form>
 std::optional<Number> parse(std::string_view word, Form... form) {
   Number number{};

@@ -148,7 +148,7 @@ WorldAction readPlant(Words& words) {
   const ParameterWord parameter = take(words, "a parameter of the robot", kParameters);
   const double value = words.number("the value of the parameter");
   if (value <= 0) {
-    throw ScenarioError("a parameter of the robot is greater than 0");
+    throw ScenarioError("a parameter of the robot must be greater than 0");
   }
   return world::SetParameter{.parameter = parameter.parameter, .value = value / parameter.unit};
 }

@@ -91,7 +91,7 @@ def readable() -> Iterator[str]:
 
 
 def words() -> Iterator[str]:
-    """Returns the words for numbers of these fields."""
+    """Returns the words of scenarios for the numbers of these fields."""
     for layout in FRAMES.frames.values():
         for one in layout.fields if layout.sender == "MCU" else ():
             for entry in one.values.entries if one.values else ():

@@ -47,6 +47,6 @@ def questions_of(root: Path) -> list[Question]:
 
 
 def by_topic(questions: list[Question]) -> dict[str, list[Question]]:
-    topics = list(dict.fromkeys(one.topic for one in questions))
+    topics = list(dict.fromkeys(question.topic for question in questions))
     ordered = sorted(questions, key=lambda one: topics.index(one.topic))
     return {topic: list(found) for topic, found in groupby(ordered, lambda one: one.topic)}

@@ -90,10 +90,10 @@ def _choose_requirements(rows: list[Row]) -> None:
         if row.links is None:
             continue
         near = {
-            one
+            requirement
             for other in (*rows[max(0, number - 1) : number], *rows[number + 1 : number + 2])
             if other.links
-            for one in other.links.requirements
+            for requirement in other.links.requirements
         }
         wanted = sorted(row.links.requirements, key=lambda one: one not in near)
         row.requirements = tuple(wanted[:SHOWN])

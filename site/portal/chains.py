@@ -27,7 +27,7 @@ class Chain:
     says: str
     recording: str
     steps: Sequence[str]
-    last: bool  # begins at the last matching place, not at the first one
+    last: bool  # begins at the last matching place, not at the first
     place: Place
 
 
@@ -166,4 +166,4 @@ def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:
     quantity = LAYOUTS[kind].of(f"{BY_QUANTITY}{field_.wheel}")
     shown = frame.values[quantity.name]
     entries = quantity.values.entries if quantity.values else ()
-    return next((one.unit for one in entries if one.shown == shown), "")
+    return next((entry.unit for entry in entries if entry.shown == shown), "")

@@ -228,7 +228,7 @@ def data_of(portal: Portal, found: Cycle) -> dict[str, Any]:
     links = [links_of(portal, name, trees) for name in names]
     return {
         "length": found.end - found.begin,
-        "methods": [[one.name, one.page, one.source, one.requirements] for one in links],
+        "methods": [[link.name, link.page, link.source, link.requirements] for link in links],
         "activations": [
             [
                 name_of(portal, one),

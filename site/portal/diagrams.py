@@ -92,7 +92,8 @@ RELATIONS = [
 
 
 def role_family(role: str) -> str:
-    """One of five families, each with a colour of its own, that cover the roles of all patterns."""
+    """One of five families of roles, each with its own colour; they cover the roles of all
+    patterns."""
     if role in FAMILIES:
         return FAMILIES[role]
     return "concrete" if role.startswith("Concrete") else "abstraction"
@@ -235,7 +236,7 @@ def uses(module: Module) -> set[str]:
 
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
-    """Transitions that no test made are dashed, when there are results."""
+    """When there are results, a transition that occurred in no test is dashed."""
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")
@@ -305,7 +306,9 @@ def high_level_diagram(model: Model, links: Links) -> Diagram:
         lines.append(f'rectangle "{group.name}" as group{number} {fill} {{')
         lines += [f"  {part(model, name, links)}" for name in group.modules]
         lines.append("}")
-    ends = [name for one in model.connections for name in (one.source, one.target)]
+    ends = [
+        name for connection in model.connections for name in (connection.source, connection.target)
+    ]
     lines += [part(model, name, links) for name in dict.fromkeys(ends) if name not in grouped]
     for one in model.connections:
         label = f" : {one.connector}" if one.connector not in ("", "Pipe") else ""
@@ -326,7 +329,7 @@ def part(model: Model, name: str, links: Links) -> str:
         style = f"{MARKERS['plain']};line:{MARKERS['line'][1:]};line.dotted"
         return f'rectangle "{name}" as {node(name)} {style}'
     words = f"//{name}//" if module.abstract else f"**{name}**"
-    kinds = (one.kind for one in model.architecture if name in one.modules)
+    kinds = (element.kind for element in model.architecture if name in element.modules)
     colour = next((COLOUR_OF[kind] for kind in kinds if kind in COLOUR_OF), None)
     fill, line = (f"{colour}-fill", colour) if colour else ("plain", "line")
     style = f"{MARKERS[fill]};line:{MARKERS[line][1:]}"

@@ -1,4 +1,4 @@
-"""The dossier: a sheet of each requirement that fits paper, and all sheets with a cover."""
+"""The dossier: a sheet to print for each requirement, and all sheets with a cover."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ def sheet_of(portal: Portal, requirement: Requirement) -> Sheet:
             if name in portal.model.tests
         ],
         [
-            f"{NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}"
-            for one in requirement.suspicions
+            f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
+            for suspicion in requirement.suspicions
         ],
     )
 
@@ -54,7 +54,7 @@ def dossier_page(portal: Portal, requirement: Requirement) -> Page:
 
 def dossier(portal: Portal) -> dict[str, Any]:
     """All sheets, in the order of the sections of requirements, behind a cover."""
-    sheets = [sheet_of(portal, one) for one in portal.model.requirements.values()]
+    sheets = [sheet_of(portal, requirement) for requirement in portal.model.requirements.values()]
     states = Counter(sheet.verdict.state for sheet in sheets)
     return {
         "sheets": sheets,

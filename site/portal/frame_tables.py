@@ -44,13 +44,13 @@ def expanded(source: str, root: Path) -> str:
 def types_table(frames: FrameTable) -> str:
     rows = [
         (
-            f"{one.kind:#04x}",
-            one.name,
-            "PC to MCU" if one.sender == "PC" else "MCU to PC",
-            f"{one.size} bytes" if one.size != 1 else "1 byte",
-            one.use,
+            f"{layout.kind:#04x}",
+            layout.name,
+            "PC to MCU" if layout.sender == "PC" else "MCU to PC",
+            f"{layout.size} bytes" if layout.size != 1 else "1 byte",
+            layout.use,
         )
-        for one in frames.frames.values()
+        for layout in frames.frames.values()
     ]
     return list_table((12, 18, 18, 12, 40), ("type", "name", "from, to", "payload", "use"), rows)
 

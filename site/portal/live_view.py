@@ -68,7 +68,7 @@ def run(portal: Portal) -> dict[str, Any]:
     """The values of the template of the page."""
     found = images(portal.root)
     module = portal.root / MODULE
-    ran = [one for one in portal.model.closed_loop if one.runs]
+    ran = [scenario for scenario in portal.model.closed_loop if scenario.runs]
     shown = [one for one in ran if one.name == RECORDED] or ran[:1]
     return {
         "images": found,
@@ -104,7 +104,7 @@ def write_live(portal: Portal, site: Path) -> None:
 def facts(portal: Portal, found: list[Image]) -> dict[str, Any]:
     """The content of ``live.json``."""
     model = portal.model
-    methods = [m.id for one in portal.designs for m in one.methods]
+    methods = [m.id for module in portal.designs for m in module.methods]
     numbers = {name: number for number, name in enumerate(dict.fromkeys(methods))}
     entered = entered_by_hardware(model)
     for name in sorted(entered):
@@ -122,29 +122,29 @@ def facts(portal: Portal, found: list[Image]) -> dict[str, Any]:
         ],
         "trees": [
             {
-                "id": one.id,
-                "text": str(one.text),
-                "products": list(one.products),
-                "tree": tree(one.tree, overriders(model), portal, numbers),
+                "id": requirement.id,
+                "text": str(requirement.text),
+                "products": list(requirement.products),
+                "tree": tree(requirement.tree, overriders(model), portal, numbers),
             }
-            for one in model.requirements.values()
-            if one.tree is not None
+            for requirement in model.requirements.values()
+            if requirement.tree is not None
         ],
         "machines": [
             {
-                "id": one.id,
-                "title": one.title,
-                "initial": one.initial,
-                "states": dict(one.states),
-                "events": dict(one.events),
+                "id": machine.id,
+                "title": machine.title,
+                "initial": machine.initial,
+                "states": dict(machine.states),
+                "events": dict(machine.events),
                 "transitions": [
                     [step.source, step.target, step.event, step.guard, list(step.requirements)]
-                    for step in one.transitions
+                    for step in machine.transitions
                 ],
             }
-            for one in model.machines.values()
+            for machine in model.machines.values()
         ],
-        "frames": [frame(one) for one in table.frames.values()],
+        "frames": [frame(layout) for layout in table.frames.values()],
         "scenarios": scenarios(portal.root, model),
     }
 
@@ -155,7 +155,7 @@ def address(link: str | None) -> str:
 
 def entered_by_hardware(model: Model) -> set[str]:
     """The functions that no code calls: the vectors of the image refer to them."""
-    methods = [m for one in model.modules.values() for m in one.methods]
+    methods = [m for module in model.modules.values() for m in module.methods]
     called = {call.target for method in methods for call in method.calls}
     called |= {call.target for function in model.functions.values() for call in function.calls}
     return set(model.functions) - called
@@ -230,7 +230,10 @@ def field(one: Field) -> dict[str, Any]:
 
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
     """The scenarios that the page plays: the examples, and the single faults."""
-    titles = {one.name: (one.title.rstrip("."), "") for one in model.safety.scenarios.values()}
+    titles = {
+        scenario.name: (scenario.title.rstrip("."), "")
+        for scenario in model.safety.scenarios.values()
+    }
     titles |= {one.name: (one.title, one.says) for one in model.closed_loop}
     found = []
     for folder, product in ((EXAMPLES, PAPER), (SAFETY, DEFAULT)):

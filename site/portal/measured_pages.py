@@ -59,8 +59,8 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
     scenarios = portal.model.closed_loop
 
     def within(binding: str) -> tuple[int | None, int]:
-        """How many values are within their limits, if any was measured, and the number of
-        values."""
+        """The number of values within their limits, None if no value was measured; and the number
+        of all values."""
         every = [figure for scenario in scenarios for figure in scenario.figures]
         ran = [figure for figure in every if binding in figure.values]
         return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)

@@ -117,8 +117,8 @@ class Names:
         known = self.model.modules
         parts = re.split(r"(\w+)", code.replace("< ", "<").replace(" >", ">"))
         return Markup("").join(
-            anchor(self.links.module(one), one, "type") if one in known and one != own else one
-            for one in parts
+            anchor(self.links.module(part), part, "type") if part in known and part != own else part
+            for part in parts
         )
 
     def function(self, name: str) -> Markup:
@@ -215,10 +215,10 @@ class Names:
 def marked(words: str) -> str:
     """The light markup of a text as HTML: `names`, paragraphs and lists."""
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(words)))
-    paragraphs = [_paragraph(one) for one in text.split("\n\n") if one]
+    paragraphs = [_paragraph(part) for part in text.split("\n\n") if part]
     if len(paragraphs) < 2:
         return "".join(paragraphs)
-    return "".join(f"<p>{one}</p>" for one in paragraphs)
+    return "".join(f"<p>{paragraph}</p>" for paragraph in paragraphs)
 
 
 def _paragraph(text: str) -> str:
@@ -232,7 +232,7 @@ def gist(brief: str) -> str:
 
 
 def changed_words(text: str) -> Markup:
-    """The words that a comparison marks, as removed and added text."""
+    """The words of a comparison, with removed and added text marked."""
     marked = re.sub(r"\[-(.+?)-\]", r"<del>\1</del>", str(escape(text)))
     return Markup(re.sub(r"\{\+(.+?)\+\}", r"<ins>\1</ins>", marked))
 

@@ -55,7 +55,7 @@ class Group:
 
 
 def hand_written(folder: Path) -> list[Entry]:
-    """The pages below ``docs/``, the ones to begin with first."""
+    """The pages below ``docs/``; those for beginners come first."""
     names = {path: str(path.relative_to(folder).with_suffix("")) for path in folder.rglob("*.rst")}
     pages = [
         Entry(f"docs/{name}", first_title(path), f"docs/{name}.html")

@@ -19,7 +19,11 @@ def package_diagrams(root: Path) -> list[Diagram]:
         return []
     tools = tomllib.loads((root / CONTRACTS).read_text(encoding="utf-8"))["tool"]
     contracts = tools["importlinter"]["contracts"]
-    inside = {one["containers"][0]: one["layers"] for one in contracts if "containers" in one}
+    inside = {
+        contract["containers"][0]: contract["layers"]
+        for contract in contracts
+        if "containers" in contract
+    }
     (layers,) = (one["layers"] for one in contracts if one["id"] == PACKAGES)
     lines = preamble()
     for layer in layers:

@@ -173,7 +173,7 @@ def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
     if kind == "arrow":
         return f"{ROOT}architecture.html#high-level", name
     if kind == "element":
-        found = next((one for one in model.architecture if one.id == name), None)
+        found = next((element for element in model.architecture if element.id == name), None)
         return (f"{ROOT}architecture.html#{name}", found.name) if found else (None, name)
     page, _, part = (f"docs/{name}" if kind == "docs" else name).partition("#")
     address = f"{page}.html"

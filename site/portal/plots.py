@@ -1,4 +1,5 @@
-"""Curves over time as HTML: lines in SVG that fit any width, words around them at the size of text.
+"""Curves over time as HTML: lines in SVG that fit any width, with labels in the text size of the
+page.
 
 Colours and strokes are those of the theme, by the classes of the lines.
 """

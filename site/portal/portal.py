@@ -190,11 +190,11 @@ class Portal:
 
     @property
     def clauses(self) -> int:
-        return sum(one.holds for clauses in self.report.clauses.values() for one in clauses)
+        return sum(clause.holds for clauses in self.report.clauses.values() for clause in clauses)
 
     @property
     def early(self) -> int:
-        """How many checks are decided before the pages are written."""
+        """The number of checks that are decided before the pages are written."""
         return sum(not self.is_later(check) for check in self.checks)
 
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
@@ -232,10 +232,10 @@ class Portal:
         measured = requirement.tree is not None and requirement.tree.ran is not None
         return "bad" if measured else "none"
 
-    def kept(self, requirement: Requirement) -> int:
-        """How much of the evidence of a requirement is within its bound."""
+    def met_evidence(self, requirement: Requirement) -> int:
+        """The number of metrics that are evidence of a requirement and within their bounds."""
         measured = self.report.measured
-        return sum(one.holds(measured[one.figure]) for one in requirement.evidence)
+        return sum(evidence.holds(measured[evidence.figure]) for evidence in requirement.evidence)
 
     def showing(self, step: Transition) -> list[str]:
         """The tests that made a transition: those that verify a requirement of it come first."""
@@ -324,7 +324,8 @@ class Portal:
         return [self.model.tests[name] for name in module.tests if name in self.model.tests]
 
     def own_tests(self, module: Module) -> list[Test]:
-        """The tests to read first: those of its own file, then of the requirements it satisfies."""
+        """The tests to read first: the tests of its own file, then the tests of the requirements
+        that it satisfies."""
         file = f"tests/{module.logic}/{module.name}Test.cpp"
         wanted = {identifier for method in module.methods for identifier in method.satisfies}
         tests = self.tests_of(module)
@@ -339,7 +340,14 @@ class Portal:
         if source.kind == "goal":
             return Markup("safety goal {}").format(self.names.safety(source.name))
         if source.kind == "paper":
-            place = next((one for one in self.model.paper_places if one.id == source.name), None)
+            place = next(
+                (
+                    paper_place
+                    for paper_place in self.model.paper_places
+                    if paper_place.id == source.name
+                ),
+                None,
+            )
             address = f"@/concordance.html#{paper_anchor(source.name)}" if place else None
             title = f": {place.title}" if place else ""
             return Markup("paper, {}{}").format(names.anchor(address, source.name), title)
@@ -356,14 +364,14 @@ class Portal:
         return f"{', '.join(found) or 'none in this run'}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:
-        """How many runs passed, with results that fit the sources; ``None`` when there are none."""
+        """The number of runs that passed; ``None`` when there are no results of these sources."""
         runs = [run for test in tests for run in test.results.values()]
         if self.model.results_stale or not any(run.result for run in runs):
             return None
         return sum(run.result == "passed" for run in runs)
 
     def share_of(self, requirement: Requirement, binding: str) -> str:
-        """How many of the tests that verify a requirement passed on a target."""
+        """The passed and all tests on a target that verify a requirement, as in "2/3"."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         runs = [test.results[binding] for test in tests if binding in test.results]
         if not runs:
@@ -378,7 +386,7 @@ class Portal:
         return sum(run.result == "passed" for run in runs) if known else None, len(runs)
 
     def executed_count(self, binding: str) -> int:
-        return sum(binding in one.runs for one in self.model.requirements.values())
+        return sum(binding in requirement.runs for requirement in self.model.requirements.values())
 
     def runs(self, tests: Iterable[Test]) -> int:
         """A test counts once on each target that it is built for."""
@@ -414,7 +422,7 @@ class Portal:
             element
             for element in self.model.paper
             if element.where
-            and any(one.split(":", 1)[1].split("::")[0] == name for one in element.here)
+            and any(target.split(":", 1)[1].split("::")[0] == name for target in element.here)
         ]
 
     def is_later(self, check: str) -> bool:
@@ -433,7 +441,9 @@ class Portal:
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
         """Returns the result of a fault; ``None`` when it was not seeded in the present state."""
-        return next((one for one in self.model.outcomes or [] if one.name == fault.name), None)
+        return next(
+            (outcome for outcome in self.model.outcomes or [] if outcome.name == fault.name), None
+        )
 
     def verdict_on(self, fault: Fault) -> Markup:
         outcome = self.outcome_of(fault)

@@ -50,7 +50,7 @@ def windows_of(portal: Portal) -> Mapping[str, Window]:
 def context_of(portal: Portal, activation: Activation) -> ExecutionContext | None:
     """The context of the design whose interrupt line was entered."""
     contexts = portal.model.contexts.values()
-    return next((one for one in contexts if activation.line in one.lines), None)
+    return next((context for context in contexts if activation.line in context.lines), None)
 
 
 def name_of(portal: Portal, activation: Activation) -> str:

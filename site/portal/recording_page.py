@@ -61,16 +61,16 @@ def read_recording(path: Path) -> list[Values]:
 
 def raw_columns(report: Layout) -> set[str]:
     """The columns of a scenario's table: numbers as on the line, and a column for each bit."""
-    bits = {bit.name for one in report.fields for bit in one.bits}
+    bits = {bit.name for field in report.fields for bit in field.bits}
     return bits | {one.name for one in report.fields if not one.bits}
 
 
 def numbers(report: Layout, row: Mapping[str, str]) -> dict[str, int]:
     return {
-        one.name: one.number(**{bit.name: row[bit.name] == "1" for bit in one.bits})
-        if one.bits
-        else int(row[one.name])
-        for one in report.fields
+        field.name: field.number(**{bit.name: row[bit.name] == "1" for bit in field.bits})
+        if field.bits
+        else int(row[field.name])
+        for field in report.fields
     }
 
 
@@ -112,7 +112,7 @@ def _plot(title: str, unit: str, ordered: Any, measured: Any) -> LoopPlot:
 
 
 def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
-    """Each report with its time since the first one [s], which continues when the robot is
+    """Each report with its time since the first report [s]; the time continues when the robot is
     reset."""
     start, offset, last = None, 0.0, 0.0
     for one in reports:

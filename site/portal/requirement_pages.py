@@ -28,8 +28,15 @@ def requirements(portal: Portal) -> dict[str, Any]:
         "bars": verification_views.chart(sections(portal)),
         "lines_of": verification_views.lines_of,
         "host": HOST,
-        "dots": {one.id: dots(portal, one) for one in portal.model.requirements.values()},
-        "tops": [one for one in portal.model.logic_modules.values() if one.parent is None],
+        "dots": {
+            requirement.id: dots(portal, requirement)
+            for requirement in portal.model.requirements.values()
+        },
+        "tops": [
+            logic_module
+            for logic_module in portal.model.logic_modules.values()
+            if logic_module.parent is None
+        ],
         "marks": marks,
         "wide": True,
     }
@@ -47,8 +54,11 @@ def marks(portal: Portal, requirement: Requirement) -> list[tuple[str, bool]]:
     possible = all(node.reachable for _, node in nodes)
     targets = portal.model.results_hashes
     ran = [
-        (f"executed on the {one}", one in requirement.runs and not portal.model.stale_on(one))
-        for one in targets
+        (
+            f"executed on the {target}",
+            target in requirement.runs and not portal.model.stale_on(target),
+        )
+        for target in targets
     ]
     return [("declared", True), ("possible", possible), *ran] if nodes else []
 
@@ -77,8 +87,8 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
         mutants=portal.model.mutants_of(requirement.id),
         machines=machines_of(portal, requirement.id),
         changes=[
-            f"{NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}"
-            for one in requirement.suspicions
+            f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
+            for suspicion in requirement.suspicions
         ],
         questions=QUESTIONS,
         line_kind=line_kind,

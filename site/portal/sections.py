@@ -29,7 +29,7 @@ class Section:
 
 
 def sections_of(doc: Entry, source: str) -> Iterator[Section]:
-    """Each section of a page; the text above the first one has the title of the page."""
+    """Each section of a page; the text above the first section has the title of the page."""
     lines = [*source.splitlines(), ""]
     heads = [
         number

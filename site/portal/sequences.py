@@ -292,9 +292,9 @@ def drawn_sequences(portal: Portal) -> list[Drawn]:
     windows = windows_of(portal)
     trees = requirements_by_method(portal)
     return [
-        _drawn(portal, one, recordings, windows, trees)
-        for one in declared_sequences(portal.root)
-        if all(name in recordings for name in one.recordings)
+        _drawn(portal, sequence, recordings, windows, trees)
+        for sequence in declared_sequences(portal.root)
+        if all(name in recordings for name in sequence.recordings)
     ]
 
 
@@ -306,7 +306,7 @@ def _drawn(
     trees: Mapping[str, list[str]],
 ) -> Drawn:
     wanted = {
-        method: [one for one in ids if one in sequence.requirements]
+        method: [identifier for identifier in ids if identifier in sequence.requirements]
         for method, ids in trees.items()
     }
     methods = frozenset(method for method, ids in wanted.items() if ids)

@@ -82,7 +82,7 @@ def mark(app: Sphinx, _doctree: nodes.document) -> None:
 def link_terms(
     app: Sphinx, name: str, _template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
-    """Links the terms on a hand-written page; the generated ones have their links."""
+    """Links the terms on a hand-written page; generated pages already have these links."""
     if doctree is not None and name.startswith("docs/") and name != GLOSSARY.id:
         glossary = GlossaryLinks(Path(app.srcdir))
         context["body"] = glossary.link(context["body"], depth_prefix(name))

@@ -1,4 +1,5 @@
-"""Sphinx writes all pages: the hand-written ones, and those whose bodies the templates make."""
+"""Sphinx writes all pages: the hand-written pages, and the pages whose bodies come from
+templates."""
 
 from __future__ import annotations
 
@@ -111,7 +112,7 @@ def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
 class GeneratedPages:
     """The pages that templates make: Sphinx puts each body into the layout, and writes it.
 
-    A page of a module is also one of Sphinx's own: it gets the members that Breathe shows. ``made``
+    Sphinx also reads the page of a module, and adds the members that Breathe generates. ``made``
     returns the pages when their bodies are in the folder ``bodies``.
     """
 

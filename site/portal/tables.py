@@ -18,7 +18,7 @@ PACKAGE = re.compile(r"^([\w.+-]+) +# (.+)$", re.MULTILINE)
 
 
 def command_table(root: Path) -> str:
-    """Each command of ./wr, as its help has it."""
+    """Each command of ./wr, with the text of its help."""
     usage = (root / COMMANDS).read_text(encoding="utf-8").partition("\nTEXT\n")[0]
     rows = ((f"``./wr {name}``", does) for name, does in COMMAND.findall(usage))
     return comma_separated(("command", "effect"), rows)
@@ -32,7 +32,10 @@ def package_table(root: Path) -> str:
 
 def product_table(root: Path) -> str:
     """Each product with its composition, as a table of a hand-written page."""
-    rows = ((f"``{one.name}``", f":source:`{one.composition}`", one.text) for one in listed(root))
+    rows = (
+        (f"``{product.name}``", f":source:`{product.composition}`", product.text)
+        for product in listed(root)
+    )
     return list_table((30, 34, 36), ("product", "its composition", "its parts"), rows)
 
 

@@ -38,7 +38,9 @@ def robot_values(model: Model) -> list[tuple[Method, Constant]]:
     """The methods of the module of the robot's values that return one number."""
     module = model.modules.get(ROBOT)
     methods = module.methods if module else []
-    return [(one, model.constants[one.id]) for one in methods if one.id in model.constants]
+    return [
+        (method, model.constants[method.id]) for method in methods if method.id in model.constants
+    ]
 
 
 def control_values(model: Model) -> dict[str, list[Value]]:

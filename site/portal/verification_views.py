@@ -92,7 +92,8 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
 
 
 def facets_of_test(test: Test) -> Facets:
-    """The values of a test; one without a requirement has no value of that filter."""
+    """The values of a test for the filters; a test without a requirement has no value for the
+    filter of requirements."""
     folders = test.place.file.split("/")[1:-1]
     return {
         "result": sorted({run.result or "not run" for run in test.results.values()}),

@@ -76,7 +76,7 @@ class MainControllerBuilder {
     Pipe<Velocity>& velocity;  ///< velocity from the pulses
     Pipe<Angle>& direction;    ///< direction from the pulses
     const Timebase* edgeTime =
-        nullptr;  ///< returns the time of an edge; if it is null, the timebase of all devices does
+        nullptr;  ///< returns the time of an edge; null: the timebase of all devices returns it
   };
 
   /// @brief Devices that the platform provides for the main controller. Each device lives as long as the builder.
@@ -98,7 +98,7 @@ class MainControllerBuilder {
   MainControllerBuilder(const MainControllerBuilder&) = delete;
   MainControllerBuilder& operator=(const MainControllerBuilder&) = delete;
 
-  /// @brief Builds the reader of the PC's orders, and the link to the PC with its states; which
+  /// @brief Builds the reader of the PC's orders, and the link to the PC with its states. The link
   /// begins disconnected.
   /// @errors A link that is built twice ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78

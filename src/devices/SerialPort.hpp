@@ -24,7 +24,8 @@ class SerialPort {
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
 
   /// @brief Returns the time at which the zero byte that ended the last read was received.
-  /// @return time of its stop bit. A zero byte after another one may have the time of that byte.
+  /// @return time of its stop bit. A zero byte directly after another zero byte may have the time
+  /// of that byte.
   /// @pre The last read ended with a zero byte.
   /// @isr{no}
   /// @satisfies FR-20

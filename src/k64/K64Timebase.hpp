@@ -17,7 +17,7 @@ namespace wr {
 class K64Timebase final : public Timebase {
  public:
   /// @brief One time for all signals that an interrupt serves. Its handler records the time at its
-  /// entry, so that its work for one signal does not delay the time of the next one.
+  /// entry, so that its work for one signal does not delay the time of the next signal.
   class EntryTime final : public Timebase {
    public:
     /// @brief Binds the time to its clock.

@@ -51,7 +51,7 @@ class ControlData {
   /// @isr{no}
   void saveModeId(ModeId source);
 
-  /// @brief Sets the set-points, and sets their source to the last recorded one.
+  /// @brief Sets the set-points, and sets their source to the last recorded source.
   /// @param setPoints targets of the control systems
   /// @satisfies FR-19
   /// @satisfies FR-305

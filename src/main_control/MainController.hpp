@@ -62,8 +62,8 @@ class MainController {
   void start();
 
   /// @brief Records the time of a clock pulse and lets the thread run a cycle.
-  /// @errors Before start() the pulse has no effect. A pulse that comes before the last cycle has
-  /// ended is counted as an overrun; at most one more cycle is run.
+  /// @errors Before start() the pulse has no effect. A pulse that comes before the previous cycle
+  /// has ended counts as an overrun; then at most one more cycle runs.
   /// @satisfies FR-1
   /// @satisfies FR-4
   /// @isr{yes}

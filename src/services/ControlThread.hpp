@@ -27,7 +27,8 @@ class ControlThread {
   void start(Command& body);
 
   /// @brief Requests one activation of the body. When the previous activation has not ended, an
-  /// overrun is counted; the new activation follows it, unless another one is already pending.
+  /// overrun is counted; the new activation follows it, unless another activation is already
+  /// pending.
   /// @return false when the thread has no body: nothing happens
   /// @isr{yes}
   /// @satisfies FR-4

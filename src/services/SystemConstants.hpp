@@ -86,7 +86,7 @@ class SystemConstants {
   [[nodiscard]] constexpr Tension supply() const { return Tension(24000); }
 
   /// @brief Returns the voltage that a turning wheel motor induces. Assumption: 0.50 V s/rad.
-  /// @return voltage at 1000 times 0.1 rpm [mV]
+  /// @return voltage at 100.0 rpm [mV]
   /// @satisfies FR-82
   /// @satisfies FR-85
   /// @isr{yes}

@@ -39,7 +39,7 @@ struct DirStatus {
 /// @datatype
 struct TurnFeedback {
   StepRate rate{};         ///< speed of the motor [steps/s], positive to the left
-  std::int32_t steps = 0;  ///< steps to the left less steps to the right, since start
+  std::int32_t steps = 0;  ///< steps to the left minus steps to the right, since start
   bool ready = false;      ///< the motor is on and has settled
   bool leftEnd = false;    ///< the left end stop is reached
   bool rightEnd = false;   ///< the right end stop is reached

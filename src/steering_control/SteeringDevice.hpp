@@ -93,7 +93,7 @@ class SteeringDevice final {
   [[nodiscard]] bool rightEnd() const;
 
   /// @brief Returns the number of steps of the motor.
-  /// @return steps to the left less steps to the right, since start
+  /// @return steps to the left minus steps to the right, since start
   /// @isr{yes}
   /// @satisfies FR-111
   [[nodiscard]] std::int32_t steps() const;

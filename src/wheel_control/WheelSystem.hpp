@@ -20,7 +20,7 @@ namespace wr {
 /// @secret How orders of the main controller are converted to orders of a wheel, and that each
 /// wheel has a thread.
 /// The thread has a higher priority than the main thread, which therefore never runs while the
-/// wheel's thread is active: each thread finds the work of the other one complete.
+/// wheel's thread is active: each thread finds the work of the other thread complete.
 ///
 /// @role{control-system-orders, Concrete Class}
 /// @role{wheel-orders, Context}

@@ -1,4 +1,5 @@
-"""Random texts for the readers: a sound text with some edits. The seed is that of the test run."""
+"""Random texts for the readers: a sound text with some edits. The seed is the seed of the test
+run."""
 
 from __future__ import annotations
 

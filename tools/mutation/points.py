@@ -101,7 +101,7 @@ def find_points(
     finder = _Finder(root, {str(root / file): file for file in files}, wanted)
     finder.units(tree.cursor)
     return {
-        file: sorted(points, key=lambda one: (one.start, -one.end))
+        file: sorted(points, key=lambda point: (point.start, -point.end))
         for file, points in finder.points.items()
     }
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from traceability.reading.results import plain_name
 
-SLOWER = 10  # factor of the time without a mutant from which a test counts as hanging
+SLOWER = 10  # a test counts as hanging after this factor times its time without a mutant
 LEAST_SECONDS = 2.0
 HANGS = 2  # tests that may hang: the tests after them stay undecided
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)
@@ -68,11 +68,11 @@ def _run(
         text, code = run.stdout, run.returncode
     except subprocess.TimeoutExpired as error:
         text, code, hung = error.stdout or b"", -1, True
-    running = note(text, outcome)
+    running = record_results(text, outcome)
     return (running if code not in (0, 1) else None), hung
 
 
-def note(text: bytes, outcome: Outcome) -> str | None:
+def record_results(text: bytes, outcome: Outcome) -> str | None:
     """Adds the results that the program printed. Returns the test that had begun and not ended."""
     running: str | None = None
     for word, suite, name in LINE.findall(text.partition(b"Global test environment tear-down")[0]):

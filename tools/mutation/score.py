@@ -144,7 +144,8 @@ def try_all(
     plan: Plan,
     goes_on: Callable[[list[Tried]], bool],
 ) -> list[Tried]:
-    """Tries mutants in this order until the caller, which is called after each, ends it."""
+    """Tries mutants in this order, and calls the caller after each, until the caller ends the
+    search."""
     tried: list[Tried] = []
 
     def work() -> None:
@@ -171,7 +172,11 @@ def record(
         "total": total,
         "minutes": round(minutes, 1),
         "tried": [
-            {**asdict(one.mutant), "killed_by": one.killed_by, "own": one.own}
-            for one in sorted(tried, key=lambda one: (one.mutant.file, one.mutant.line))
+            {
+                **asdict(tried_mutant.mutant),
+                "killed_by": tried_mutant.killed_by,
+                "own": tried_mutant.own,
+            }
+            for tried_mutant in sorted(tried, key=lambda one: (one.mutant.file, one.mutant.line))
         ],
     }

@@ -27,7 +27,7 @@ def write_switched(root: Path, wanted: set[str], log: TextIO) -> list[Mutant]:
     """Writes the copy with the mutants of the requested methods. Returns the mutants, whose numbers
     begin at 1.
 
-    A mutant that does not compile is omitted, for instance in a sum that must be constant.
+    A mutant that does not compile is omitted, for example in a sum that must be a constant.
     """
     texts: dict[str, str] = {}
     mutants: list[Mutant] = []
@@ -42,7 +42,7 @@ def write_switched(root: Path, wanted: set[str], log: TextIO) -> list[Mutant]:
         texts |= changed
         mutants += held
     copy_sources(root, root / SOURCE, texts)
-    (root / LIST).write_text(json.dumps([asdict(one) for one in mutants]), encoding="utf-8")
+    (root / LIST).write_text(json.dumps([asdict(mutant) for mutant in mutants]), encoding="utf-8")
     return mutants
 
 
@@ -51,7 +51,7 @@ def compiling(
 ) -> tuple[dict[str, str], list[Mutant]]:
     """The changed texts of a unit with the points that compile, and their mutants."""
     for _ in range(ATTEMPTS):
-        held = [mutant for points in found.values() for one in points for mutant in one.mutants]
+        held = [mutant for points in found.values() for point in points for mutant in point.mutants]
         numbers = iter(range(first, first + len(held)))
         texts = {file: switched(root / file, points, numbers) for file, points in found.items()}
         bad = errors(root, unit, texts)
@@ -80,7 +80,7 @@ def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
     for order, point in enumerate(points):
         number, *_ = [next(numbers) for _ in point.mutants]
         length = point.end - point.start
-        # At the same place an end comes before a beginning.
+        # When a replaced part ends where another begins, the end comes first.
         before = (point.start, 1, order)
         after = (point.end, 0, -order)
         if length == 0:

@@ -13,7 +13,8 @@ NAME = "tests.xml"
 
 
 def junit_text(model: Model, _report: Report) -> str:
-    """A suite for each target; a property ``requirement`` for each requirement of a test."""
+    """One suite for each target; a test has a property ``requirement`` for each of its
+    requirements."""
     top = ET.Element("testsuites", name="weeding_robot")
     for target in model.results_hashes:
         suite = ET.SubElement(top, "testsuite", name=target)

@@ -50,7 +50,7 @@ class Revision:
 def revision_of(
     model: Model, commit: str, report: Report | None, metrics: Mapping[str, Any]
 ) -> Revision:
-    """The revision of a model; without a report, it has the facts of the sources alone."""
+    """The revision of a model; without a report, it has only the facts of the sources."""
     counts: dict[str, int] = {}
     for finding in report.findings if report else []:
         counts[finding.check] = counts.get(finding.check, 0) + 1

@@ -51,7 +51,10 @@ def row(model: Model, report: Report, requirement: Requirement) -> dict[str, Any
         "partly": requirement.partly,
         "goals": requirement.goals,
         "reasons": verdict.reasons,
-        "suspect": [f"{one.kind} {one.name} {one.text}" for one in requirement.suspicions],
+        "suspect": [
+            f"{suspicion.kind} {suspicion.name} {suspicion.text}"
+            for suspicion in requirement.suspicions
+        ],
         "reviews": [
             {"reviewer": one.reviewer, "date": one.date, "holds": one.holds, "remark": one.remark}
             for one in requirement.reviews
@@ -62,17 +65,17 @@ def row(model: Model, report: Report, requirement: Requirement) -> dict[str, Any
             for name in requirement.verified_by
         },
         "tree": [
-            {"node": one.label, "reachable": one.reachable, "executed": one.executed}
-            for one in nodes
+            {"node": node.label, "reachable": node.reachable, "executed": node.executed}
+            for node in nodes
         ],
         "coverage": {
             binding: [asdict(method) for method in methods]
             for binding, methods in requirement.coverage.items()
         },
         "evidence": [
-            asdict(one) | {"value": value, "holds": one.holds(value)}
-            for one in requirement.evidence
-            for value in [report.measured[one.figure]]
+            asdict(evidence) | {"value": value, "holds": evidence.holds(value)}
+            for evidence in requirement.evidence
+            for value in [report.measured[evidence.figure]]
         ],
     }
 

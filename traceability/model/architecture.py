@@ -13,7 +13,10 @@ BODIES = "field ControlThread::body_"
 
 
 def connections_of(model: Model, facts: Facts) -> list[Connection]:
-    return [replace(one, way=way_of(model, facts, one)) for one in facts.declared.connections]
+    return [
+        replace(connection, way=way_of(model, facts, connection))
+        for connection in facts.declared.connections
+    ]
 
 
 def way_of(model: Model, facts: Facts, connection: Connection) -> list[str]:
@@ -32,8 +35,8 @@ def is_outside(connection: Connection) -> bool:
 def pipe_between(model: Model, connection: Connection) -> list[str]:
     """The methods that write and read a pipe of the two modules."""
     for pipe in model.pipes:
-        writers = [one for one in pipe.writers if one.startswith(f"{connection.source}::")]
-        readers = [one for one in pipe.readers if one.startswith(f"{connection.target}::")]
+        writers = [writer for writer in pipe.writers if writer.startswith(f"{connection.source}::")]
+        readers = [reader for reader in pipe.readers if reader.startswith(f"{connection.target}::")]
         if writers and readers:
             return [writers[0], readers[0]]
     return []

@@ -162,7 +162,7 @@ def _assemble(
 
 
 def _last(root: Path, sources: str) -> dict[str, LastRecord]:
-    """Returns the last record of the commands that are not part of each build."""
+    """Returns the last records of the commands that do not run in each build."""
     records = {"mutation": last_mutation(root, sources), "drift": last_seeded(root)}
     return {name: record for name, record in records.items() if record}
 
@@ -313,7 +313,7 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 
 
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
-    """The body of this overload when it is in the class, else the first one."""
+    """The body of this overload if the class contains it, else the first body."""
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
             return body

@@ -45,11 +45,14 @@ def with_dictionary(model: Model, facts: Facts) -> Model:
 def parts_of(name: str, facts: Facts) -> list[FieldFact]:
     """The public members of a class, or the values of an enumeration."""
     fact = facts.classes.get(name)
-    return [one for one in fact.fields if one.access == "public"] + fact.values if fact else []
+    return (
+        [field for field in fact.fields if field.access == "public"] + fact.values if fact else []
+    )
 
 
 def unit_text(kind: str, model: Model) -> str:
-    """Returns the text of the value type that a type uses; the text contains the unit."""
+    """Returns the description of the value type that a type uses; the description contains the
+    unit."""
     named = [model.modules[word] for word in re.findall(r"\w+", kind) if word in model.modules]
     return named[-1].brief if named else ""
 

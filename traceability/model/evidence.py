@@ -26,10 +26,13 @@ def read_evidence(text: str, place: Place) -> Evidence:
 def measured_values(
     model: Model, figures: Mapping[str, Any], findings: Iterable[Finding], checks: Collection[str]
 ) -> dict[str, float | None]:
-    """Returns metric of an evidence -> its value in this run; ``None`` if it was not measured."""
+    """Returns the metric of each evidence -> its value in this run; ``None`` if it was not
+    measured."""
     counts = Counter(finding.check for finding in findings)
     found: dict[str, float | None] = {}
-    for name in {one.figure for item in model.requirements.values() for one in item.evidence}:
+    for name in {
+        evidence.figure for item in model.requirements.values() for evidence in item.evidence
+    }:
         if name.startswith(CHECKS):
             known = fnmatch.filter(checks, name.removeprefix(CHECKS))
             found[name] = float(sum(counts[one] for one in known)) if known else None

@@ -37,7 +37,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
     priorities = line_priorities(facts)
     contexts: dict[str, ExecutionContext] = {}
     for name, context in facts.declared.contexts.items():
-        lines = sorted({n for one in context.handlers for n in code.lines.get(one, [])})
+        lines = sorted({n for handler in context.handlers for n in code.lines.get(handler, [])})
         names = {priorities[line] for line in lines if line in priorities}
         known = {facts.syntax.constants[one] for one in names}
         narrowed = {DISPATCH: context.body} if context.body else {}
@@ -103,7 +103,7 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 def line_priorities(facts: Facts) -> dict[int, str]:
     """Interrupt line -> constant of its priority, from the calls that enable the lines."""
     found = _enabling(facts)
-    for lines in handler_lines(facts).values():  # lines counted from a constant have its priority
+    for lines in handler_lines(facts).values():  # a counted line has the priority of its constant
         for line in lines:
             below = [known for known in found if known <= line]
             if line not in found and below:
@@ -162,7 +162,7 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
-    """The method itself; for a function, the methods that call it with the pipe."""
+    """The method itself; for a function outside classes, the methods that call it with the pipe."""
     if user.owner.split("::")[0] in model.modules:
         return [user.id]
     return sorted(

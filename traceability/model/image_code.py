@@ -27,10 +27,10 @@ class Program:
 def read_program(elf: Path) -> Program:
     codes = read_code(elf)
     addresses = [
-        one.address
+        instruction.address
         for code in codes.values()
         for block in code.blocks.values()
-        for one in block.instructions
+        for instruction in block.instructions
     ]
     shared = {
         name: home

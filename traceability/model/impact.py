@@ -37,7 +37,7 @@ class Impact:
     goals: list[Reached] = field(default_factory=list)  # safety goals
 
     def at(self, distance: int) -> list[Reached]:
-        return [one for one in self.modules if one.distance == distance]
+        return [module for module in self.modules if module.distance == distance]
 
 
 class UnknownSubjectError(Exception):
@@ -58,7 +58,7 @@ class Impacts:
         }
 
     def _next(self, name: str) -> dict[str, str]:
-        """The modules that a change of one may affect directly, and why."""
+        """The modules that a change of a module may affect directly, with the reason."""
         module = self.model.modules[name]
         found: dict[str, str] = {}
         for heir in module.heirs:
@@ -103,7 +103,8 @@ class Impacts:
 
     def _of_requirement(self, requirement: Requirement) -> Impact:
         start = {
-            one.partition("::")[0]: f"satisfies it in {one}" for one in requirement.satisfied_by
+            method.partition("::")[0]: f"satisfies it in {method}"
+            for method in requirement.satisfied_by
         }
         for node in nodes_of(requirement.tree) if requirement.tree else []:
             if node.module in self.model.modules:
@@ -127,14 +128,14 @@ class Impacts:
         for requirement in model.requirements.values():
             tree = requirement.tree
             if requirement.place.file == path:
-                note(requirements, requirement.id, 0, f"is written in {path}")
+                record_reached(requirements, requirement.id, 0, f"is written in {path}")
             elif tree is not None and tree.place.file == path:
-                note(requirements, requirement.id, 0, "its tree is declared there")
+                record_reached(requirements, requirement.id, 0, "its tree is declared there")
         for test in model.tests.values():
             if test.place.file == path:
                 impact.tests.append(Reached(test.id, 0, f"is written in {path}"))
                 for name in test.verifies:
-                    note(requirements, name, 0, f"{test.id} verifies it")
+                    record_reached(requirements, name, 0, f"{test.id} verifies it")
         impact.requirements = list(requirements.values())
         return self._from(impact, start)
 
@@ -146,7 +147,7 @@ class Impacts:
             found: dict[str, Reached] = {}
             reached = [one for part in parts for one in getattr(part, name)]
             for one in sorted(reached, key=lambda one: one.distance):
-                note(found, one.id, one.distance, one.because)
+                record_reached(found, one.id, one.distance, one.because)
             setattr(joined, name, list(found.values()))
         return joined
 
@@ -158,7 +159,7 @@ class Impacts:
                 if name not in known:
                     known.add(name)
                     impact.modules.append(Reached(name, one.distance + 1, why))
-        near = [one for one in impact.modules if one.distance <= 1]
+        near = [module for module in impact.modules if module.distance <= 1]
         impact.requirements = self._requirements(impact, near)
         impact.patterns = self._patterns(near)
         impact.goals = self._goals(impact)
@@ -166,13 +167,13 @@ class Impacts:
         return impact
 
     def _requirements(self, impact: Impact, near: list[Reached]) -> list[Reached]:
-        found = {one.id: one for one in impact.requirements}
+        found = {requirement.id: requirement for requirement in impact.requirements}
         for one in near:
             for name in self.model.modules[one.id].requirements:
-                note(found, name, one.distance, f"{one.id} satisfies it")
+                record_reached(found, name, one.distance, f"{one.id} satisfies it")
             for name, modules in self.trees.items():
                 if one.id in modules:
-                    note(found, name, one.distance, f"its tree contains {one.id}")
+                    record_reached(found, name, one.distance, f"its tree contains {one.id}")
         return list(found.values())
 
     def _goals(self, impact: Impact) -> list[Reached]:
@@ -181,7 +182,7 @@ class Impacts:
         for one in impact.requirements:
             known = self.model.requirements.get(one.id)
             for name in known.goals if known else []:
-                note(found, name, one.distance, f"{one.id} serves it")
+                record_reached(found, name, one.distance, f"{one.id} serves it")
         return sorted(found.values(), key=lambda one: one.distance)
 
     def _patterns(self, near: list[Reached]) -> list[Reached]:
@@ -189,22 +190,22 @@ class Impacts:
         for one in near:
             for binding in self.model.modules[one.id].roles:
                 why = f"{one.id} is its {binding.role}"
-                note(found, binding.application, one.distance, why)
+                record_reached(found, binding.application, one.distance, why)
         return list(found.values())
 
     def _tests(self, impact: Impact) -> list[Reached]:
         """The tests of the requirements, and those that execute a changed module."""
-        found = {one.id: one for one in impact.tests}
+        found = {test.id: test for test in impact.tests}
         for requirement in impact.requirements:
             known = self.model.requirements.get(requirement.id)
             for name in known.verified_by if known else []:
-                note(found, name, requirement.distance, f"verifies {requirement.id}")
+                record_reached(found, name, requirement.distance, f"verifies {requirement.id}")
         for one in impact.at(0) if impact.kind != "requirement" else []:
             for name in self.model.modules[one.id].tests:
-                note(found, name, 1, f"executes {one.id}")
+                record_reached(found, name, 1, f"executes {one.id}")
         return sorted(found.values(), key=lambda one: one.distance)
 
 
-def note(found: dict[str, Reached], name: str, distance: int, why: str) -> None:
-    """The first reason is used, because it is the nearest."""
+def record_reached(found: dict[str, Reached], name: str, distance: int, why: str) -> None:
+    """The first reason is kept, because it has the shortest distance."""
     found.setdefault(name, Reached(name, distance, why))

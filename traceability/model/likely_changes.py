@@ -56,7 +56,7 @@ def _change(
 
 def _bound(application: PatternApplication, roles: list[str]) -> list[str]:
     """The modules of the design that play one of the roles."""
-    found = [one.module for one in application.roles if one.role in roles]
+    found = [binding.module for binding in application.roles if binding.role in roles]
     return list(dict.fromkeys(found))
 
 
@@ -65,7 +65,7 @@ def _designed(model: Model) -> list[str]:
 
 
 def _naming(model: Model, present: list[str]) -> list[str]:
-    """The other modules that name a present one; there the new one must also be named."""
+    """The other modules that name a present part; they must also name the new part."""
     kin = {base for name in present if name in model.modules for base in model.modules[name].bases}
     found = {
         user

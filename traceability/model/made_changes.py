@@ -54,8 +54,8 @@ def _files_of(model: Model, kit: Kit, classes: list[str]) -> list[str]:
     """The headers of the classes of an extension, and their sources."""
     headers = [model.modules[name].place.file for name in classes if name in model.modules]
     sources = [name.replace(".hpp", ".cpp") for name in headers]
-    composition = [one for one in model.files if one.startswith(f"{kit.extension}/k64/main")]
-    return [*headers, *(one for one in sources if one in model.files), *composition[:1]]
+    composition = [file for file in model.files if file.startswith(f"{kit.extension}/k64/main")]
+    return [*headers, *(source for source in sources if source in model.files), *composition[:1]]
 
 
 def _own_tests(kit: Kit, record: KitRecord | None) -> Iterator[KitTest]:
@@ -73,7 +73,7 @@ def _named_tests(model: Model, kit: Kit) -> Iterator[KitTest]:
 
 
 def proven(change: MadeChange | None) -> bool:
-    """Whether all tests passed in this build, and one of them on each target."""
+    """Whether all tests passed in this build, at least one of them on each target."""
     if change is None:
         return False
     passed = {test.target for test in change.tests if test.result == "passed"}

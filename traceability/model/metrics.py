@@ -99,7 +99,7 @@ def forbidden(model: Model) -> dict[str, Any]:
         return {}
     found = {name: intruders(one.modules, HAS[name]) for name, one in products.items()}
     return {
-        "firmware.forbidden_parts": sum(len(one.forbidden) for one in products.values()),
+        "firmware.forbidden_parts": sum(len(product.forbidden) for product in products.values()),
         "firmware.needless_modules": sum(len(one) for one in found.values()),
     }
 
@@ -137,7 +137,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         ),
         "changes.total": len(model.changes),
         "changes.existing_lines_touched": sum(
-            one.made.outside_lines for one in model.changes.values() if one.made
+            change.made.outside_lines for change in model.changes.values() if change.made
         ),
         "patterns.by_pattern": dict(Counter(item.pattern for item in applications)),
         "requirements.total": len(requirements),

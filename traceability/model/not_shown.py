@@ -50,8 +50,8 @@ def by_method(model: Model, report: Report) -> str:
     states = report.requirements
     counts = {
         method: sum(
-            one.method == method and states[one.id].state == "verified"
-            for one in model.requirements.values()
+            requirement.method == method and states[requirement.id].state == "verified"
+            for requirement in model.requirements.values()
         )
         for method in METHODS
     }
@@ -74,7 +74,7 @@ def _stale(model: Model) -> Iterator[tuple[str, str]]:
 
 
 def _reviews(requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
-    missing = sum(not one.reviewed for one in requirements)
+    missing = sum(not requirement.reviewed for requirement in requirements)
     if missing:
         number = "None" if missing == len(requirements) else f"Only {len(requirements) - missing}"
         yield (
@@ -86,7 +86,7 @@ def _reviews(requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
 
 def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     requirements = model.requirements.values()
-    partly = [one.id for one in requirements if one.partly]
+    partly = [requirement.id for requirement in requirements if requirement.partly]
     if partly:
         yield f"Partly verified, each page gives the reason: {', '.join(partly)}.", "requirements"
     goals = [name for name, verdict in report.goals.items() if verdict.state != "verified"]
@@ -102,8 +102,10 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
 
 def _targets(model: Model, requirements: list[Requirement]) -> Iterator[tuple[str, str]]:
     passed = {
-        one.id: {t for name in one.verified_by for t in model.tests[name].gave("passed")}
-        for one in requirements
+        requirement.id: {
+            t for name in requirement.verified_by for t in model.tests[name].gave("passed")
+        }
+        for requirement in requirements
     }
     only_host = sum(targets == {HOST} for targets in passed.values())
     if only_host:

@@ -47,7 +47,8 @@ def whole(
 ) -> str:
     """Returns the model that Spin reads: the machines, the composition, and one property.
 
-    Observing variables that the property does not need are not part of the state space.
+    Variables that only observe, and that the property does not need, are not part of the state
+    space.
     """
     claim = f"ltl {proof.name} {{ {' '.join(proof.formula.split())} }}\n" if proof else ""
     text = without(composition, proof.formula) if proof else composition
@@ -62,7 +63,7 @@ def observed(composition: str) -> dict[str, set[str]]:
 
 
 def without(composition: str, formula: str) -> str:
-    """Hides the observing variables that a formula does not need."""
+    """Hides the variables that only observe and that a formula does not need."""
     head, mark, rest = composition.partition(OBSERVED)
     block, end, rest = rest.partition(OBSERVED_END)
     needed = set(WORD.findall(formula))

@@ -146,7 +146,7 @@ class LinkTexts:
         case = self.model.safety
         if name in case.goals:
             goal = case.goals[name]
-            hazards = (case.hazards[one] for one in goal.hazards)
+            hazards = (case.hazards[hazard] for hazard in goal.hazards)
             rows = (f"{h.id} {h.title} {h.situation} {h.harm} {h.answer}" for h in hazards)
             text = "\n".join((goal.title, goal.text, goal.because, *goal.exceptions, *rows))
             yield LinkText("goal", name, goal.place, text)

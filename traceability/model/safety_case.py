@@ -100,7 +100,8 @@ def scenario_state(model: Model, scenario: FaultScenario) -> str:
 
 
 def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str | None:
-    """The result of the instance that plays a scenario; of the whole test where there is none."""
+    """The result of the test instance that plays a scenario; without such an instance, the result
+    of the whole test."""
     end = f".{test.name}_{scenario.name}"
     own = [result for name, result in run.instances.items() if name.endswith(end)]
     return next(iter(own), run.result)

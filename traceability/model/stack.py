@@ -2,8 +2,7 @@
 
 Frames and calls are read from the reports of the compiler. An indirect call reaches the methods of
 the objects that the builders passed, according to the model. A chain of decorators passes once
-through each Concrete Decorator of
-its application; no other call repeats.
+through each Concrete Decorator of its application; no other method repeats in a chain.
 """
 
 from __future__ import annotations
@@ -200,7 +199,7 @@ class Prover:
             if call.virtual:
                 narrowed = self.body and body == RUN_OF_THREAD and call.target == DISPATCH
                 targets += [self.body] if narrowed else self.facts.references.targets(call)
-        symbols = [symbol for one in targets for symbol in self.symbols.get(one, [])]
+        symbols = [symbol for target in targets for symbol in self.symbols.get(target, [])]
         if not symbols and not any(known == place for _, known in self.unresolved):
             self.unresolved.append((short_name(function.name), place))
         return symbols

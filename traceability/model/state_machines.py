@@ -13,7 +13,7 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import ANY_CLASS, CallFact
-from traceability.reading.result_cache import code_of, kept
+from traceability.reading.result_cache import cached_result, code_of
 from traceability.reading.source_facts import Facts
 from traceability.reading.traces import Traces
 from traceability.schema import HOST, Place, StateMachine, Transition
@@ -127,7 +127,9 @@ class _Changes:
         self.family = {base, *facts.heirs.get(base, [])}
         methods = set(code.holders.values())
         # In a template the operation has no class.
-        self.changers = methods | {f"{ANY_CLASS}::{one.rpartition('::')[2]}" for one in methods}
+        self.changers = methods | {
+            f"{ANY_CLASS}::{method.rpartition('::')[2]}" for method in methods
+        }
 
     def of(self, state: str, operation: str) -> list[Change]:
         method = self.code.runs[state].get(operation)
@@ -141,7 +143,8 @@ class _Changes:
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
     ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
-        """Target, place, path, whether it is conditional, and conditions of each change."""
+        """The changes, each with target, place, path, whether it is conditional, and its
+        conditions."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [[p for one in arg for p in given.get(one, [one])] for arg in call.args]
@@ -188,7 +191,7 @@ class _Changes:
             changer = into.split(" ")[0] in self.code.holders.values()
             to_state = owner in self.family or changer
             if word == "param" and flow.file.startswith("src/") and not to_state:
-                found |= {members[one] for one in flow.sources if one in members}
+                found |= {members[source] for source in flow.sources if source in members}
         return found
 
 
@@ -208,7 +211,7 @@ class Seen:
 class Watcher:
     """Follows the state of a Context through the recorded calls of a test.
 
-    Only calls below a method of the Context count: because they are calls of the present state. The
+    Only calls below a method of the Context count, because they are calls of the present state. The
     state after a change is known when the next call fits only one state.
     """
 
@@ -266,7 +269,7 @@ class _Run:
 
     def enter(self, method: str) -> None:
         holders = self.watcher.code.holders
-        below = any(one.rpartition("::")[0] in holders for one in self.stack)
+        below = any(call.rpartition("::")[0] in holders for call in self.stack)
         self.stack.append(method)
         if method in self.watcher.constructors:
             self._forget()
@@ -328,9 +331,10 @@ def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list
     operation = machine.events.get(step.event, "")
     changes = [c for c in code.of(step.source, operation) if c.target == step.target]
     rows = [
-        one
-        for one in machine.transitions
-        if (one.source, one.event, one.target) == (step.source, step.event, step.target)
+        transition
+        for transition in machine.transitions
+        if (transition.source, transition.event, transition.target)
+        == (step.source, step.event, step.target)
     ]
     if len(rows) == len(changes):
         return [changes[next(i for i, row in enumerate(rows) if row is step)]]
@@ -357,7 +361,7 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
         watcher.known(),
         *code_of("model/state_machines", "reading/traces"),
     ]
-    return kept(cache, parts, watch)
+    return cached_result(cache, parts, watch)
 
 
 def _passing(model: Model, seen: dict[str, list[Seen]]) -> list[tuple[str, Seen]]:

@@ -20,7 +20,7 @@ def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
 
 
 def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
-    """Returns the calls within some rows, without those of an interrupt in between."""
+    """Returns the calls within some rows, without the calls of interrupts in between."""
     paths: dict[tuple[str, ...], Folded] = {}
     end = 0
     for first in firsts:

@@ -11,7 +11,7 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.model.trace_summary import Edges, fold, starts
 from traceability.reading.ast_facts import BodyFact, CallFact
-from traceability.reading.result_cache import code_of, kept
+from traceability.reading.result_cache import cached_result, code_of
 from traceability.reading.source_facts import Facts
 from traceability.reading.traces import Row, Traces, embed, excerpt, nodes_of
 from traceability.reading.translation_units import is_board
@@ -50,7 +50,9 @@ def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache:
         [search.asked() for search in searches],
         *code_of("model/trees", "reading/traces", "model/trace_summary"),
     ]
-    found = kept(cache / "trees.pickle", parts, lambda: [search.find() for search in searches])
+    found = cached_result(
+        cache / "trees.pickle", parts, lambda: [search.find() for search in searches]
+    )
     furthest: dict[str, dict[str, int]] = {name: {} for name in trees}  # -> target -> nodes
     held: dict[str, dict[str, TreeRun]] = {name: {} for name in trees}
     for search, (run, nodes) in zip(searches, found, strict=True):
@@ -100,7 +102,7 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """The methods of these that exist on a target: methods of the K64 do not exist on the host."""
+    """Those of the methods that exist on a target: methods of the K64 do not exist on the host."""
     return {
         method
         for method in accepted(node, facts)
@@ -163,7 +165,8 @@ def _often(calls: list[list[CallFact]]) -> str:
 
 
 def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: Facts) -> str:
-    """The previous node, when a body makes all its calls after all calls of this node.
+    """The previous node, if the body makes all calls of this node after all calls of the previous
+    node.
 
     A loop over objects of different classes may call a method of each in turn.
     """

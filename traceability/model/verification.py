@@ -22,7 +22,7 @@ def with_verification(model: Model, facts: Facts, coverage: dict[str, Coverage])
         covered: dict[str, list[MethodCoverage]] = {}
         for binding, measured in coverage.items():
             recordings = passing_recordings(model, [requirement.id], binding)
-            if any(one in measured.recordings for one in recordings):
+            if any(recording in measured.recordings for recording in recordings):
                 covered[binding] = _covered_methods(
                     requirement, facts, measured, measured.of(recordings)
                 )
@@ -108,7 +108,7 @@ class Owners:
 
 
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:
-    """Methods of the drivers do not run on this machine; their lines have a page of their own."""
+    """Methods of the drivers do not run on this machine; a separate page shows their lines."""
     owners = Owners(model, facts)
     executed: dict[frozenset[str], Covered] = {}
     for body in facts.syntax.bodies:

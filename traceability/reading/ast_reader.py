@@ -120,7 +120,7 @@ class Reader:
     def walk(
         self, cursor: Cursor, body: BodyFact | None, owner: str, sure: int | None = None
     ) -> None:
-        """Visits the children; those after the first ``sure`` ones are conditional."""
+        """Visits the children; all after the first ``sure`` children are conditional."""
         before: Cursor | None = None
         for number, child in enumerate(cursor.get_children()):
             if before is not None and before.kind == CursorKind.MEMBER_REF:
@@ -337,7 +337,7 @@ class Reader:
             self.name(owner, made.get_declaration(), "construct", place)
 
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Code that has the address of a function may call it. The name in a call is not
+        """Code that gets the address of a function may call the function. The name in a call is not
         counted."""
         known = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
         if target.kind in FUNCTIONS and function_id(target) not in known:
@@ -686,7 +686,7 @@ def _makes_address(cursor: Cursor) -> bool:
 
 
 def _is_volatile(cursor: Cursor) -> bool:
-    """Returns whether a declaration is, or refers to, volatile memory."""
+    """Returns whether a declaration is in volatile memory, or refers to it."""
     kind = cursor.type.get_canonical()
     while kind.kind in _REFERRING:
         kind = kind.get_pointee()
@@ -694,7 +694,7 @@ def _is_volatile(cursor: Cursor) -> bool:
 
 
 def _types_in(union: Cursor) -> list[Any]:
-    return [one.type for one in union.get_children() if one.kind == CursorKind.FIELD_DECL]
+    return [child.type for child in union.get_children() if child.kind == CursorKind.FIELD_DECL]
 
 
 def _parts(cursor: Cursor) -> Iterator[Cursor]:
@@ -710,7 +710,7 @@ def is_local(cursor: Cursor) -> bool:
 
 
 def aliased(cursor: Cursor) -> Iterator[Cursor]:
-    """The classes behind an alias: its own, and those of its parameters."""
+    """The classes behind an alias: its class, and the classes of its parameters."""
     if cursor.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         meant = cursor.underlying_typedef_type.get_canonical()
         count = max(0, meant.get_num_template_arguments())
@@ -756,7 +756,7 @@ def _operator_after(cursor: Cursor, left: Cursor) -> str:
 
 
 def comment_line(cursor: Cursor) -> int:
-    """Where the comment of a declaration begins; 0 without one in its own file."""
+    """The line where the comment of a declaration begins; 0 without a comment in the same file."""
     start = _library().clang_Cursor_getCommentRange(cursor).start
     same = start.file is not None and start.file.name == cursor.location.file.name
     return int(start.line) if same else 0

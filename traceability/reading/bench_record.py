@@ -190,7 +190,8 @@ Frames = list[tuple[str, str]]  # function and file, the innermost first
 
 
 def profile(raw: dict[str, Any], root: Path) -> Profile:
-    """Average instructions in a cycle, of modules and functions: in all, and up to the report."""
+    """Average instructions in a cycle, of modules and functions: of the whole cycle, and up to the
+    report."""
     counts = {int(address): tuple(pair) for address, pair in raw["profile"].items()}
     return profile_of(counts, frames_of(root / ELF, counts))
 

@@ -1,8 +1,9 @@
 """The functions of an image with their frames and calls, as the compiler reports them.
 
-The compiler writes a graph for each unit, and for the units that are linked as a whole one next to
-the image (``-fcallgraph-info=su``): frames, direct calls, and the places of indirect ones. A
-function of the toolchain's libraries has none; its frame and calls are read from its instructions.
+The compiler writes a graph for each unit, and one graph next to the image for the units that are
+optimised together (``-fcallgraph-info=su``): frames, direct calls, and the places of indirect
+calls. A function of the toolchain's libraries has no graph; its frame and calls are read from its
+instructions.
 """
 
 from __future__ import annotations
@@ -155,8 +156,8 @@ def _pushed(line: str) -> int:
     """The bytes by which an instruction lowers the stack pointer. The instructions of a function
     are added."""
     if push := PUSH.search(line):
-        names = [one.strip() for one in push["names"].split(",")]
-        return 4 * sum(_width(one) for one in names)
+        names = [part.strip() for part in push["names"].split(",")]
+        return 4 * sum(_width(name) for name in names)
     below = BELOW.search(line) or STORE.search(line)
     return int(below["bytes"]) if below else 0
 

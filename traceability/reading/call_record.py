@@ -87,7 +87,7 @@ class Recording:
 
     def pulses(self, line: int) -> list[int]:
         """The instants at which an interrupt line was raised and then entered."""
-        return [one.raised for one in self.activations if one.line == line]
+        return [activation.raised for activation in self.activations if activation.line == line]
 
     def between(self, begin: int, end: int) -> Iterator[int]:
         """The calls that begin between two instants."""
@@ -247,13 +247,13 @@ def packed(recording: Recording) -> dict[str, Any]:
     begins = [0, *(span.begin for span in recording.spans)]
     return {
         "names": names,
-        "activations": [list(asdict(one).values()) for one in recording.activations],
+        "activations": [list(asdict(activation).values()) for activation in recording.activations],
         "begins": [after - before for before, after in pairwise(begins)],
         "lengths": [span.end - span.begin for span in recording.spans],
         "methods": [numbers[span.method] for span in recording.spans],
         "depths": [span.depth for span in recording.spans],
         "in": [span.activation for span in recording.spans],
-        "events": [list(asdict(one).values()) for one in recording.events],
+        "events": [list(asdict(event).values()) for event in recording.events],
     }
 
 

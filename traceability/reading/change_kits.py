@@ -28,7 +28,7 @@ PART_OF_PATCH = re.compile(r"^--- .*?(?=^--- |\Z)", re.MULTILINE | re.DOTALL)
 
 @dataclass
 class Kit:
-    """One likely change, as it is declared and as its files are."""
+    """One likely change: its declaration and its files."""
 
     application: str
     event: str

@@ -69,7 +69,7 @@ def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]
 
 
 def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
-    """The scenarios; their curves and values are there when they ran with the present sources."""
+    """The scenarios; they have curves and values if they ran with the present sources."""
     outcomes = read_json(root / OUTCOMES)
     fresh = isinstance(outcomes, dict) and is_fresh(root, CLOSED_LOOP)
     runs = outcomes["runs"] if fresh else {}
@@ -130,8 +130,8 @@ def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
 def column(rows: Rows, name: str) -> Points:
     """Returns the valid values of a column with their times [ms].
 
-    For a true value, that is the time of the reading; for a value of a report, that of the clock
-    pulse.
+    For a true value this is the time of the reading; for a value of a report it is the time of the
+    clock pulse.
     """
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)

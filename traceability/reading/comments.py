@@ -86,7 +86,8 @@ class Comment:
         return {tag.argument: tag.text for tag in self.of(name)}
 
     def parts(self, name: str) -> Iterator[Comment]:
-        """For each of these tags, a comment with the tag and the tags up to the next one."""
+        """For each of these tags, a comment with the tag and the tags before the next of these
+        tags."""
         starts = [number for number, tag in enumerate(self.tags) if tag.name == name]
         for start, end in pairwise([*starts, len(self.tags)]):
             yield Comment(self.tags[start].place, self.tags[start:end])
@@ -179,7 +180,7 @@ def read_comments(file: str, text: str) -> Iterator[Comment]:
         if slashes:
             start, behind, block = line, bool(slashes[1]), [slashes[2]]
         elif starred := STARRED.fullmatch(written):
-            yield _comment(file, line, [STAR.sub("", one) for one in starred[1].split("\n")])
+            yield _comment(file, line, [STAR.sub("", part) for part in starred[1].split("\n")])
     if block:
         yield _comment(file, start, block)
 

@@ -66,7 +66,7 @@ def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:
             return
     elif cursor.kind in NUMBERS:
         digits = next((token.spelling for token in cursor.get_tokens()), "").rstrip("uUlL")
-        if digits[:1].isdigit():  # the compiler writes a comparison with 0 in terms of an operator
+        if digits[:1].isdigit():  # the compiler writes a comparison with 0 as an operator
             yield digits
         return
     for part in cursor.get_children():

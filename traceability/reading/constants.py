@@ -19,7 +19,8 @@ INTEGER = 1  # kind of an evaluated expression
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """The names that a text can use: with the class, or with the file for one of a namespace."""
+    """The names that a text can use: with the class, or with the file for a constant of a
+    namespace."""
     owner = class_name(cursor.semantic_parent)
     if owner:
         return [f"{owner}::{cursor.spelling}"]
@@ -103,14 +104,14 @@ def unit_of_type(value: Cursor) -> str:
 
 
 def unit_beside(cursor: Cursor) -> str:
-    """The unit in the comment above a constant, or in the one at the end of its line."""
+    """The unit in the comment above a constant, or in the comment at the end of its line."""
     if found := unit_in(cursor.raw_comment):
         return found
     unit, file, line = cursor.translation_unit, cursor.location.file, cursor.extent.end.line
     start = SourceLocation.from_position(unit, file, line, 1)
     end = SourceLocation.from_position(unit, file, line + 1, 1)
     tokens = unit.get_tokens(extent=SourceRange.from_locations(start, end))
-    texts = [one.spelling for one in tokens if one.kind == TokenKind.COMMENT]
+    texts = [token.spelling for token in tokens if token.kind == TokenKind.COMMENT]
     return unit_in(texts[0] if texts else None)
 
 

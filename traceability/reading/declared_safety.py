@@ -105,7 +105,7 @@ def linked(case: SafetyCase) -> SafetyCase:
     }
     goals: dict[str, SafetyGoal] = {}
     for name, goal in case.goals.items():
-        names = [one.id for one in hazards.values() for word in one.goals if word == name]
+        names = [hazard.id for hazard in hazards.values() for word in hazard.goals if word == name]
         level = highest(case, [hazards[one].level for one in names])
         computed = evaluate(goal.formula)
         goals[name] = replace(goal, hazards=names, computed=computed, level=level)

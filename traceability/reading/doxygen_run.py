@@ -33,7 +33,7 @@ def doxygen_executable() -> str:
 
 @dataclass
 class DoxygenRun:
-    """A run of Doxygen in the background; no process where no input changed."""
+    """A run of Doxygen in the background; there is no process if no input changed."""
 
     root: Path
     xml: Path

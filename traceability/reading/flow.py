@@ -121,7 +121,7 @@ class FlowReader:
             self.flows.append(FlowFact(into, sources, place.file))
 
     def given(self, member: Cursor, value: Cursor, place: Place) -> None:
-        """A member that is initialised, by a constructor or by its name in a list."""
+        """A member that a constructor or a designated initialiser sets."""
         self.add(self.node(member.referenced), self.sources(value) or ["value"], place)
 
     def arguments(self, call: Cursor, target: Cursor, place: Place) -> list[list[str]]:
@@ -296,7 +296,7 @@ def method_in_template(call: Cursor) -> Cursor | None:
     declared = base.type.get_declaration() if base is not None else None
     if declared is None or declared.kind != CursorKind.CLASS_TEMPLATE:
         return None
-    return next((one for one in declared.get_children() if [one.spelling] == name), None)
+    return next((child for child in declared.get_children() if [child.spelling] == name), None)
 
 
 def assigns(cursor: Cursor, left: Cursor) -> bool:

@@ -1,7 +1,8 @@
 """The lines and branches of the design that each test executed on this machine.
 
 gcc counts some arcs of the flow graph of each function, and writes the graphs next to the objects.
-The counters of the other arcs are computed, because a block is left as often as it is entered.
+The counters of the other arcs are computed: the program leaves a block as often as it enters the
+block.
 """
 
 from __future__ import annotations

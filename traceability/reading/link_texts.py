@@ -1,7 +1,7 @@
 """The texts that a requirement's links depend on, without comments and layout.
 
-Each is found in the text of its file. Therefore an earlier version of the file, from git, has the
-earlier text.
+Each is found in the text of its file. Therefore the earlier text can be read from an earlier
+version of the file in git.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ TREE = re.compile(r"^(N?FR-\d+)[^\n]*\n((?:[^\n]*\n)*?)(?=^N?FR-|\Z)", re.MULTIL
 
 @functools.cache
 def hash_of_text(text: str) -> str:
-    """Computed only from words and signs: the layout does not matter."""
+    """Returns a hash of the words and signs of a text, so that the layout does not matter."""
     words = " ".join(TOKENS.findall(text))
     return hashlib.sha256(words.encode()).hexdigest()[:HASH_DIGITS]
 

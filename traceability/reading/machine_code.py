@@ -51,7 +51,7 @@ class Block:
 
     @property
     def cycles(self) -> int:
-        return sum(one.cycles for one in self.instructions)
+        return sum(instruction.cycles for instruction in self.instructions)
 
     def exits(self) -> list[int]:
         return [one for one in (self.next, self.jump) if one is not None]
@@ -90,7 +90,10 @@ def read_code(elf: Path) -> dict[str, Code]:
     codes = {}
     for symbol, instructions in functions.items():
         if instructions:
-            hidden = any(TABLE.match(f"{one.name} {one.operands}") for one in instructions)
+            hidden = any(
+                TABLE.match(f"{instruction.name} {instruction.operands}")
+                for instruction in instructions
+            )
             code = codes[symbol] = Code(symbol, _blocks(instructions), hidden)
             code.loops = _loops(code)
     return codes
@@ -169,7 +172,7 @@ def _registers(operands: str) -> int:
 
 
 def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
-    known = {one.address for one in instructions}
+    known = {instruction.address for instruction in instructions}
     starts = {instructions[0].address}
     for one, after in zip(instructions, [*instructions[1:], None], strict=True):
         if one.jumps in known:

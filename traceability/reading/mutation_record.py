@@ -12,7 +12,7 @@ RECORD = RESULTS / "mutation.json"
 
 
 def last_mutation(root: Path, sources: str) -> LastRecord | None:
-    """Returns the result of the last run, even with other sources."""
+    """Returns the result of the last run, even if the sources have changed."""
     data = read_json(root / RECORD)
     if not isinstance(data, dict):
         return last_score(root, "mutation")

@@ -46,7 +46,7 @@ def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:
         item["id"]: ProofEvent(
             item["id"],
             item["says"],
-            [one.strip() for one in item.get("action", "").split(";") if one.strip()],
+            [part.strip() for part in item.get("action", "").split(";") if part.strip()],
             item.get("without", ""),
             item.get("wait", 0),
         )

@@ -14,7 +14,7 @@ from traceability.whole_file import write_whole
 Result = TypeVar("Result")
 
 
-def kept(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
+def cached_result(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
     """Returns the cached result if it was computed from these parts; else computes and stores it.
 
     The ``repr`` of each part identifies it.

@@ -54,7 +54,7 @@ def read_json(path: Path) -> Any:
 
 
 def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:
-    """The numbers that tests of a target report of an image, as a property with this name."""
+    """The numbers that tests of a target report about an image, as a property with this name."""
     content = read_json(root / RESULTS / f"{RUNS[binding]}.json") or {}
     tests = (test for suite in content.get("testsuites", []) for test in suite["testsuite"])
     return [int(test[name]) for test in tests if name in test and test.get("image") == image]
@@ -86,7 +86,7 @@ def cost_of(root: Path, run_name: str) -> Path:
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """The time of the tests with all records and without records, both with these sources."""
+    """The duration of the tests with all records, and without records, both with these sources."""
     costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
         return None

@@ -1,6 +1,6 @@
 """The cost of the safety functions: files and lines since a base commit.
 
-Lines of edited files are those of the code: a comment that is written again is no cost.
+Only lines of code count in edited files: a changed comment costs nothing.
 """
 
 from __future__ import annotations

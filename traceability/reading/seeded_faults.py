@@ -80,7 +80,8 @@ def _fault(name: str, item: dict[str, object]) -> Fault:
     changes = item.get("edits", [item])
     assert isinstance(changes, list)
     edits = [
-        Edit(str(one["file"]), str(one.get("find", "")), str(one.get("put", ""))) for one in changes
+        Edit(str(change["file"]), str(change.get("find", "")), str(change.get("put", "")))
+        for change in changes
     ]
     return Fault(
         name=name,

@@ -71,7 +71,8 @@ class Facts:
         }
 
     def user(self, owner: str, place: Place) -> str:
-        """The class to which code belongs: other code in the file of a class is part of it."""
+        """The class to which code belongs: other code in the file of a class is part of the
+        class."""
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 

@@ -62,7 +62,7 @@ class Entries:
     def tables(
         self, path: Path, name: str, needs: Keys, may: Keys | None = None, own: str = ""
     ) -> list[Entry]:
-        """The entries ``[[name]]``. No two of them have the same value of the key ``own``."""
+        """The entries ``[[name]]``. Two entries never have the same value of the key ``own``."""
         listed = self.value(path, name, [])
         places = self._places(path, name, len(listed))
         found: list[Entry] = []

@@ -175,7 +175,7 @@ def _state(folder: Path, executable: Path) -> str:
 
 
 def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
-    """Address -> method. On the K64 without the bit that marks the instruction set."""
+    """Address -> method. On the K64, the address without the bit that marks the instruction set."""
     state = executable.stat()
     key = f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(__file__))}"
     if cache.exists():
@@ -275,8 +275,8 @@ def nodes_of(tree: TreeNode) -> list[TreeNode]:
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
-    """The calls around the placed rows: at most ``SHOWN``, with the new number of each remaining
-    row."""
+    """The calls around the rows of the tree: at most ``SHOWN``, with the new number of each
+    remaining row."""
     first = placed[0]
     last = max(rows[index].end for index in placed)
     while rows[first].parent >= 0 and rows[rows[first].parent].end - rows[first].parent <= SHOWN:

@@ -51,7 +51,7 @@ class ConnectionState {
   virtual bool order(PcConnection& connection, const Frame& frame);
 
   /// @brief Checks the silence before each frame, at the time when the frame was received, and after
-  /// the frames of a cycle, at its clock pulse. Unless a state defines otherwise nothing happens.
+  /// the frames of a cycle, at its clock pulse. Has no effect unless a state defines otherwise.
   /// @param connection the connection whose time is checked
   /// @isr{no}
   virtual void checkTime(PcConnection& connection);

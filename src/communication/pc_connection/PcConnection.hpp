@@ -45,7 +45,7 @@ class PcConnection final {
   /// @satisfies FR-33
   void beginCycle(Instant clockPulse);
 
-  /// @brief Serves the link: reads the received bytes, but at most 4096, lets the state handle each
+  /// @brief Serves the link: reads the received bytes, but at most 1280, lets the state handle each
   /// frame, checks the silence at the clock pulse, and sends a Welcome if a Hello requests one. The
   /// caller calls it once in each cycle.
   /// @isr{no}
@@ -89,7 +89,7 @@ class PcConnection final {
   /// @satisfies FR-245
   void welcome();
 
-  /// @brief Checks whether a session is the session session number of the newest Welcome. States
+  /// @brief Checks whether a session is the session of the newest Welcome. States
   /// call it.
   /// @param session number of a session
   /// @return true when it is this session
@@ -120,7 +120,7 @@ class PcConnection final {
   /// @satisfies FR-33
   [[nodiscard]] Microseconds silence() const;
 
-  /// @brief Returns the age session number of the newest Welcome. States call it.
+  /// @brief Returns the age of the newest Welcome. States call it.
   /// @return time from the clock pulse of the cycle that sent it, to the same end as for silence()
   /// [us]; 0 until a Welcome is sent
   /// @isr{no}

@@ -71,8 +71,8 @@ class BufferReader final : public Reader {
   bool finish() override;
 
  private:
-  /// @brief Reads one value of each signal at the first field of an order. All fields of the order come
-  /// from these values, also when a signal changes meanwhile.
+  /// @brief Reads one value of each signal at the first field of an order. All fields of the order
+  /// come from these values, even when a signal changes during the read.
   /// @satisfies FR-51
   void take();
 

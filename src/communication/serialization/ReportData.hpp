@@ -30,9 +30,9 @@ struct LinkCounts {
 /// @brief Costs of control cycles, in cycles of the processor; all 0 where the platform counts none.
 /// @datatype
 struct CycleCosts {
-  std::uint32_t report = 0;  ///< from the second last clock pulse to the report of that cycle
+  std::uint32_t report = 0;  ///< from the previous clock pulse to the report of its cycle
   std::uint32_t awake = 0;   ///< without sleep between the last two clock pulses
-  std::uint32_t start = 0;   ///< from the last clock pulse to the start of its cycle
+  std::uint32_t start = 0;   ///< from the present clock pulse to the start of its cycle
 
   /// @brief Returns whether two costs are equal.
   friend constexpr bool operator==(const CycleCosts&, const CycleCosts&) = default;

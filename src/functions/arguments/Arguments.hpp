@@ -23,8 +23,8 @@ enum class ArgumentId : std::uint8_t {
 /// @role{function-arguments, Component}
 ///
 /// @patternapp{function-arguments, Decorator, Function arguments}
-/// @why All functions need the same few arguments, and each needs some more. An addition to the
-/// basic ones is wrapped around them, so that a function gets only the arguments that it needs.
+/// @why All functions need the same few arguments, and each needs some more. An additional argument
+/// is wrapped around the basic arguments, so that a function gets only the arguments that it needs.
 /// @changes Arguments may be added or dropped when a function needs them, without change to the
 /// other functions.
 class Arguments {

@@ -33,7 +33,7 @@ class ValueCollector final {
   /// @brief Number of samples from which the zero is computed.
   static constexpr std::int32_t kZeroSamples = 64;
 
-  /// @brief Number of samples after which the record is written again.
+  /// @brief Number of samples between two writes of the record.
   static constexpr std::uint32_t kGroupSize = 8;
 
   /// @brief Binds the command that ends an overcurrent.

@@ -32,11 +32,11 @@ class VelSensor final {
 
   /// @brief Reads the record of the edges, measures the velocity and writes it to the pipe. With
   /// new edges the velocity is the number of forward edges minus backward edges, divided by the
-  /// time from the last old edge to the newest one. After a standstill it is half an edge less,
-  /// divided by the time since the previous measurement.
-  /// Without new edges it is the previous velocity. In all cases it is at most the velocity at
-  /// which the next edge would come now, so that a falling velocity does not jump when an edge
-  /// comes at the moment of the measurement. It is 0 when no edge came for 500 ms.
+  /// time from the last old edge to the newest one. After a standstill it is this number minus half
+  /// an edge, divided by the time since the previous measurement. Without new edges it is the
+  /// previous velocity. In all cases it is at most the velocity at which the next edge would come
+  /// now, so that a falling velocity does not jump when an edge comes at the moment of the
+  /// measurement. It is 0 when no edge came for 500 ms.
   /// @errors The velocity is not written, and the value in the pipe becomes old, when the function
   /// rejects it, when more than 3 edges of the cycle were unclear, and when a wheel that turned
   /// with 30 rpm or more had more than 3 edges that were unclear or reversed its direction.
@@ -78,8 +78,8 @@ class VelSensor final {
   /// @brief Returns the velocity when no edge came since the previous measurement.
   [[nodiscard]] Velocity withoutEdges(Instant now);
 
-  /// @brief Limits a velocity to that of one edge more than the number that came: a faster wheel
-  /// would have caused this edge.
+  /// @brief Limits a velocity to the velocity that one more edge would give: a faster wheel would
+  /// have caused this edge.
   [[nodiscard]] Velocity bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const;
 
   SensorCollector& collector_;

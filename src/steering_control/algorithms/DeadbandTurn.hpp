@@ -27,8 +27,8 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// @brief Constructs the rule. The rule has no state.
   DeadbandTurn() = default;
 
-  /// @brief Computes the turn: none within the dead band, none while the motor is too fast to brake
-  /// in time, else the full rate towards the target. The motor follows with its limited
+  /// @brief Computes the turn: 0 within the dead band, 0 while the motor is too fast to brake in
+  /// time, otherwise the full rate towards the target. The motor follows with its limited
   /// acceleration, so it stays on the braking curve.
   /// @satisfies FR-101
   /// @satisfies FR-102

@@ -22,8 +22,9 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @brief Constructs the algorithm for a wheel at rest.
   VelocityAlgorithm();
 
-  /// @brief Calculates the voltage. All quotients are rounded towards zero. For up to 5 cycles in a row
-  /// a velocity that does not agree with voltage and current is replaced by that of the model.
+  /// @brief Calculates the voltage. All quotients are rounded towards zero. When the measured
+  /// velocity does not agree with voltage and current, the velocity of the model replaces it for up
+  /// to 5 cycles in a row.
   /// @param setPoint velocity [0.1 rpm], -3000 to 3000
   /// @param feedback velocity and current of the cycle that ends
   /// @return voltage [mV], positive forwards
@@ -36,8 +37,8 @@ class VelocityAlgorithm final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Receives the applied voltage. After another voltage than the calculated one the model
-  /// continues from the measured velocity.
+  /// @brief Receives the applied voltage. When the applied voltage differs from the calculated
+  /// voltage, the model continues from the measured velocity.
   /// @param tension voltage of the wheel [mV], positive forwards
   /// @satisfies FR-301
   /// @isr{no}

@@ -13,7 +13,7 @@ namespace wr {
 /// @role{behaviour-extensions, Decorator}
 ///
 /// @patternapp{behaviour-extensions, Decorator, Algorithm extensions to establish the wheels' behaviour}
-/// @why Some movements of a wheel combine or extend simpler ones: to reverse is to stop and then to
+/// @why Some movements of a wheel combine or extend simpler ones: a reversal is a stop, and then an
 /// advance in the other orientation.
 /// @changes An extension may change, or a new one may be needed, without change to the extended behaviour.
 class BehaviourDecorator : public WheelBehaviour {

@@ -28,7 +28,7 @@ class Reverse final : public BehaviourDecorator {
   /// until, in two cycles in a row, its velocity was below 40 rpm, or below 80 rpm after ten cycles
   /// without voltage, or had the direction of the demand, and it has no voltage; then the
   /// orientation changes. A demand of less than 0.1 V against the orientation counts as 0: the
-  /// noise of a measurement must not turn a wheel that rests.
+  /// noise of a measurement must not turn a wheel at rest.
   /// @param demand demanded voltage [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards

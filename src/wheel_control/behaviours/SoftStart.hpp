@@ -27,7 +27,7 @@ class SoftStart final : public BehaviourDecorator {
   /// @isr{no}
   Tension apply(Tension demand, Velocity velocity) override;
 
-  /// @brief Records the voltage from which the next one rises.
+  /// @brief Records the voltage from which the next voltage rises.
   /// @param applied voltage of the wheel [mV], positive forwards
   /// @satisfies FR-81
   /// @isr{no}

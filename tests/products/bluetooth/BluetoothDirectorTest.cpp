@@ -156,7 +156,8 @@ TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInItsMode) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief The stop of each source is stored in a memory of its own, and cleared when that source releases it.
+/// @brief The stop of each source is stored in a separate memory, and cleared when that source
+/// releases it.
 /// @verifies FR-290
 TEST_F(BluetoothRobot, FR290_StopOfEachSourceIsStored) {
   bluetoothOrder(2, true);

@@ -12,7 +12,7 @@ HERE = Path(__file__).parent
 
 
 def load_fake() -> Any:
-    """Imports fake_robot.py, which belongs to no package."""
+    """Imports fake_robot.py, which is not part of a package."""
     name = "weeding_robot_fake"
     if name not in sys.modules:
         spec = importlib.util.spec_from_file_location(name, HERE / "fake_robot.py")

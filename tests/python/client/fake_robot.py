@@ -102,7 +102,7 @@ class FakeRobot:
         return [frame for frame in list(self.received) if frame.kind == kind]
 
     def control(self, words: str) -> str:
-        """Executes an action of the bring-up; the answer is that of the simulator."""
+        """Executes an action of the bring-up, and answers like the simulator."""
         match words.split():
             case ["fault" | "repair" as what, "left-end"]:
                 self.left_end = what == "fault"

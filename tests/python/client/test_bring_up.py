@@ -27,7 +27,7 @@ WHEEL_0 = "wheel 0, front left"
 
 @pytest.fixture(autouse=True)
 def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The robot in Python has no inertia: so shorter times are sufficient."""
+    """The robot in Python has no inertia, so shorter times are sufficient."""
     monkeypatch.setattr(bring_up, "OBSERVE_S", 0.2)
     monkeypatch.setattr(bring_up, "WHEEL_S", 0.5)
     monkeypatch.setattr(SimulatedOperator, "patience_s", 1.0)
@@ -157,7 +157,7 @@ def motion(**values: Any) -> Motion:
     [
         ({"counts": 0, "others": ("rear left",)}, "not this wheel moved, but rear left"),
         ({"others": ("rear left",)}, "also moved: rear left"),
-        ({"saw_forward": None}, "not seen to turn"),
+        ({"saw_forward": None}, "did not see this wheel turn"),
         ({"counts": 2, "saw_forward": None}, "no motion"),
         ({"amperes": -0.2}, "wrong sign"),
     ],

@@ -44,7 +44,7 @@ def frames_shown(capture: Path, folder: Path) -> list[dict[str, str]]:
 
 
 def value_of(field: ET.Element) -> str:
-    """The text of a value that has one, otherwise the value."""
+    """The text of a value if it has a text, otherwise the value."""
     words = str(field.get("showname"))
     _, _, named = words.partition(": ")
     text = named.rpartition(" (")[0] if named.endswith(")") else "Unknown"

@@ -1,4 +1,5 @@
-"""Random bytes and scripts end no client: each is a message, or gives an error to show."""
+"""Random bytes and random scripts never end the client: each is a message, or causes an error that
+the client shows."""
 
 from __future__ import annotations
 

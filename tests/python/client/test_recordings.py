@@ -98,7 +98,7 @@ def test_the_table_of_a_scenario_is_drawn_in_units(
     reports = read_recording(table)
     velocity = plots(reports)[0]
     ordered, measured = velocity.curves
-    assert 0 < max(value for _, value in ordered.points) <= 300  # rpm, not the tenths on the line
+    assert 0 < max(value for _, value in ordered.points) <= 300  # rpm; on the line it is 0.1 rpm
     last = measured.points[-1][1]
     assert max(value for _, value in measured.points) >= last
     assert any(change.name == "armed" and change.after == "true" for change in changes(reports))

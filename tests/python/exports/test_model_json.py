@@ -1,6 +1,6 @@
 """The schema of the exported model rejects invalid data, and each diagram has its source.
 
-That the model of this project fits is tested on the built site.
+The tests of the built site check the model of this project.
 """
 
 from __future__ import annotations

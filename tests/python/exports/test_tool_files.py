@@ -1,4 +1,5 @@
-"""The exports for other tools: each is read by an independent tool, or fits a published schema."""
+"""The exports for other tools: an independent tool reads each of them, or it fits a published
+schema."""
 
 import csv
 import json
@@ -30,7 +31,7 @@ SARIF = json.loads((Path(__file__).parent / "sarif-2.1.0.schema.json").read_text
 
 @pytest.fixture
 def model() -> Model:
-    """A requirement whose text has the characters that formats treat in a special way."""
+    """A requirement whose text has characters with a special meaning in the formats."""
     model = make_model()
     (requirement,) = (one for one in model.requirements.values() if one.id == "FR-15")
     hard = replace(

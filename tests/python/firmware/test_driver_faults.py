@@ -165,7 +165,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "interrupt-storm",
         (
             Change("K64Port.cpp", "    flags.write(port::ISFR.bit(number_));\n", ""),
-            Change("K64Port.cpp", "    ++edges_;\n", ""),  # else the bound of edges ends it
+            Change("K64Port.cpp", "    ++edges_;\n", ""),  # else the bound ends the storm
         ),
     ),
     "vector of the Hall sensors missing": (
@@ -236,7 +236,8 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> None:
 
 @pytest.fixture(scope="module")
 def table() -> Iterator[dict[str, dict[str, object]]]:
-    """Yields the table of findings. When all faults were seeded, it is a result of the run."""
+    """Yields the table of findings. When all faults were seeded, the list of findings is a result
+    of the run."""
     rows: dict[str, dict[str, object]] = {}
     yield rows
     for fault, row in rows.items():
@@ -271,8 +272,8 @@ def test_the_image_itself_has_no_finding(tmp_path: Path) -> None:
 
 
 def test_an_image_that_is_linked_again_is_the_same(tmp_path: Path) -> None:
-    """This verifies that a finding is caused by the change, and not by the method that applies
-    it."""
+    """This verifies that the change causes the finding, and not the method that applies the
+    change."""
     image = seeded(tmp_path, ())
     assert (
         image.with_suffix(".bin").read_bytes() == (BUILD / "weeding_robot_paper.bin").read_bytes()

@@ -28,7 +28,7 @@ from traceability.reading.products import (
 )
 
 ROOT = Path(__file__).parents[3]
-# A template: the methods that only the remote control calls on their own are in no other image.
+# In a template, methods that only the remote control calls must not be in other images.
 INLINED = {"Pipe"}
 
 

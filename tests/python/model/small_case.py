@@ -121,7 +121,7 @@ def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True)
 
 
 def report_of(model: Model, states: Mapping[str, str] | None = None) -> Report:
-    """The report of a model of which these requirements have these states; FR-1 is verified."""
+    """The report of a model with these states of its requirements; FR-1 is verified."""
     verdicts = {
         name: Verdict(state) for name, state in {"FR-1": "verified", **(states or {})}.items()
     }

@@ -47,7 +47,7 @@ def write_results(root: Path, result: str = "COMPLETED") -> None:
 
 
 def write_trace(root: Path, calls: list[str]) -> None:
-    """A recording in which each call lies within the one before it."""
+    """A recording in which each call is within the previous call."""
     executable = root / SOURCES[HOST].executable
     executable.parent.mkdir(parents=True, exist_ok=True)
     executable.write_text("is no program")

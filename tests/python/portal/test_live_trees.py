@@ -16,7 +16,7 @@ from traceability.reading.traces import EXIT, Row, Traces, embed
 from traceability.schema import TreeNode
 
 SCRIPT = Path(__file__).parents[3] / "site/theme/static/live/trees.js"
-METHODS, HARDWARE = 6, 6  # methods 0 to 5; the hardware calls 6
+METHODS, HARDWARE = 6, 6  # methods 0 to 5; only the hardware calls 6
 NODE = """
 const trees = require(process.argv[1]);
 const cases = JSON.parse(require("fs").readFileSync(0, "utf8"));
@@ -55,7 +55,7 @@ class Recorded(Traces):
 
 
 def random_calls(chance: random.Random) -> list[int]:
-    """Random calls; sometimes a call is left that was never recorded as entered."""
+    """Random calls; sometimes the record has the exit of a call without its entry."""
     found: list[int] = []
     open_calls: list[int] = []
     for _ in range(chance.randrange(4, 60)):

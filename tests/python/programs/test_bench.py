@@ -1,4 +1,5 @@
-"""The bench with the image: a slowed module shows in its row; a board is measured by its line."""
+"""The bench with the image: the row of a slowed module shows it, and a board is measured through
+its serial line."""
 
 import json
 import shlex

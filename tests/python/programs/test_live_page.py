@@ -27,7 +27,7 @@ COPIED = (
     EXAMPLES / "rc_drive.scenario",
     Path("design/frames.toml"),
 )
-# A page that opens another in a frame, and sends the result of a probe there.
+# A page that opens another page in a frame, runs a probe there, and sends the result.
 PAGE = """<!doctype html><title>probe</title><body><script>
 const frame = document.createElement("iframe");
 frame.style.cssText = "width:%WIDTH%px;height:900px;border:0";

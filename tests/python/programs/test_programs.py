@@ -42,15 +42,15 @@ def program(request: pytest.FixtureRequest) -> Words:
 
 
 Row = dict[str, str]
-# Columns that depend on the time of a reading, or on the run time of the image. The firmware
+# Columns that depend on the time of a measurement, or on the run time of the image. The firmware
 # decides all others in a report.
 MEASURED = {"time_ms", "steering", "velocity", "current", "position", "tension"}
 MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}
 # Orders of the remote control are measured too: each is the width of a pulse. The steering follows
-# them, so it may turn by a step in one of the two.
+# these orders, so it may turn by one more step in one of the two runs.
 REMOTE_CONTROL = "0"
 SET_POINTS = {"set_point", "steering_set_point", "turn", "steering_state"}
-# The greatest value of each that can be ordered, in the unit of the report.
+# The greatest value that can be ordered for each column, in the unit of the report.
 RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_000}
 RANGES_OF_REMOTE_CONTROL = {"set_point": 3000, "steering_set_point": 3200}
 WHEELS = "0123"
@@ -89,9 +89,9 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     a cycle.
 
     Measured and applied values differ by at most 1.2 % of the range in 94 of 100 cycles. They
-    differ by more than 8 % only in a cycle next to such a decision; while pulses order, by at most
-    8 %.
-    At the end of a connection, and of the scenario, one program may have sent one more report.
+    differ by more than 8 % only in a cycle next to such a decision. While pulses of the remote
+    control are the orders, they differ by at most 8 %. At the end of a connection, and of the
+    scenario, one program may have sent one more report.
     """
     reports = []
     for binding in ("host", "board"):

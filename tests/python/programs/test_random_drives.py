@@ -1,7 +1,7 @@
 """Random drives of robots whose parts vary: no stop without a fault, and a stop with one.
 
-``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series, and prints
-how many drives were stopped, how far the robot went until then, and its greatest velocity. A series
+``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
+how many drives ended with a stop, the distance until the stop, and the greatest velocity. A series
 is a fault of a scenario, as "leads 0", or "none", the drives without a fault. The exceptions in
 design/safety_case.toml are the results of these series.
 """

@@ -1,4 +1,5 @@
-"""Damaged files of the design end no tool: each gives its content, or a problem with its place."""
+"""Damaged files of the design never end a tool: the reader returns the content, or a problem with
+its place."""
 
 from __future__ import annotations
 

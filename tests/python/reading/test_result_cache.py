@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.reading.result_cache import kept
+from traceability.reading.result_cache import cached_result
 
 
 def test_a_result_is_made_anew_when_a_part_is_another(tmp_path: Path) -> None:
@@ -15,13 +15,13 @@ def test_a_result_is_made_anew_when_a_part_is_another(tmp_path: Path) -> None:
         return f"result {len(made)}"
 
     path = tmp_path / "cache" / "result.pickle"
-    assert kept(path, ["a", 1], make) == "result 1"
-    assert kept(path, ["a", 1], make) == "result 1"
-    assert kept(path, ["a", 2], make) == "result 2"
-    assert kept(path, ["a", 1], make) == "result 3"
+    assert cached_result(path, ["a", 1], make) == "result 1"
+    assert cached_result(path, ["a", 1], make) == "result 1"
+    assert cached_result(path, ["a", 2], make) == "result 2"
+    assert cached_result(path, ["a", 1], make) == "result 3"
 
 
 def test_parts_are_not_run_together(tmp_path: Path) -> None:
     path = tmp_path / "result.pickle"
-    assert kept(path, ["ab", "c"], lambda: 1) == 1
-    assert kept(path, ["a", "bc"], lambda: 2) == 2
+    assert cached_result(path, ["ab", "c"], lambda: 1) == 1
+    assert cached_result(path, ["a", "bc"], lambda: 2) == 2

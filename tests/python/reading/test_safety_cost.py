@@ -31,7 +31,8 @@ def commit(root: Path, **files: str) -> str:
 
 @pytest.fixture
 def project(tmp_path: Path) -> tuple[Path, str]:
-    """Edits of a module, of one with a correction, a new module of the robot and an extension."""
+    """Edits of a module, and of a module with a correction; a new module of the robot, and an
+    extension."""
     git(tmp_path, "init", "-q")
     base = commit(
         tmp_path,

@@ -18,7 +18,7 @@ from typing import Any
 BROWSER = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
 )
-# A page that opens others in a frame, one after the other, and writes down the results.
+# A page that opens other pages in a frame, one after the other, and collects the results.
 HARNESS = """<!doctype html><title>probe</title><body><pre id="out"></pre><script>
 const pages = %PAGES%, seen = {};
 const frame = document.createElement("iframe");

@@ -1,4 +1,4 @@
-"""Pages in a browser: no error, no sideways scroll, search and theme answer."""
+"""Pages in a browser: there is no error and no sideways scroll; search and theme work."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def test_a_line_of_several_functions_counts_once(root: Path) -> None:
 
 
 def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
-    """The other program may exist or not: only the program of the tests is counted."""
+    """Only the program of the tests counts, whether the other program exists or not."""
     (root / "src/other.cpp").write_text("int main() { return 0; }")
     folder = "build/trace/tests/CMakeFiles/usual_design_tests.dir"
     (root / folder).mkdir(parents=True)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tools.mutation.points import Mutant, Point, find_points
-from tools.mutation.runs import Outcome, note, run_tests
+from tools.mutation.runs import Outcome, record_results, run_tests
 from tools.mutation.score import Plan, order, try_mutant
 from tools.mutation.switched import SWITCH, compiling
 from traceability.reading.translation_units import prepare_standard
@@ -152,7 +152,7 @@ def test_results_are_read_from_what_the_program_prints() -> None:
 [       OK ] P/B.Two/1 (0 ms)
 [ RUN      ] A.Three
 """
-    assert note(text, outcome) == "A.Three"
+    assert record_results(text, outcome) == "A.Three"
     assert outcome.failed == {"B.Two"}
     assert outcome.passed == {"A.One", "B.Two"}
 

@@ -107,7 +107,7 @@ def test_the_version_of_the_project_has_its_notes_everywhere() -> None:
 
 
 def test_a_release_is_made_of_a_commit_without_changes(tmp_path: Path) -> None:
-    with pytest.raises(FailureError, match="not a clone of git"):
+    with pytest.raises(FailureError, match="not a git clone"):
         release.identity(tmp_path)
     subprocess.run(["git", "-C", tmp_path, "init", "-q"], check=True)
     author = ["-c", "user.name=A", "-c", "user.email=a@b.invalid"]

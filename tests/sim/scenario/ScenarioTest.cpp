@@ -54,7 +54,7 @@ scenario::ScenarioPlayer::Outcome played(const std::string& text, std::ostream* 
 TEST(ScenarioTest, StepsAreInTheOrderOfTime) {
   const scenario::Scenario scenario = scenarioOf(
       "# a comment\n\n"
-      "from 100 to 300 every 100 keepalive # again and again\n"
+      "from 100 to 300 every 100 keepalive # repeatedly\n"
       "at 200 hello\nat 0 connect\nat 400 end\n");
   std::vector<std::pair<int, int>> found;
   for (const scenario::Scenario::Step& step : scenario.steps()) {
@@ -107,9 +107,9 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"at 0 expect velocity0 between 1\n", "text:1: the value of velocity0 is missing"},
       {"at 0 expect velocity0 between 2 1\n", "text:1: no value of velocity0 is in this range"},
       {"at 0 expect way 1 within 0 ms\n",
-       "text:1: an expectation needs a time or a way greater than 0"},
+       "text:1: an expectation needs a time or a distance greater than 0"},
       {"at 0 expect way 1 within -1 mm\n",
-       "text:1: an expectation needs a time or a way greater than 0"},
+       "text:1: an expectation needs a time or a distance greater than 0"},
       {"at 0 expect way 1.5\n", "text:1: '1.5' is no value of way"},
       {"at 0 expect way\n", "text:1: the value of way is missing"},
       {"at 0 rc on\n", "text:1: 'velocity' is expected here, not 'on'"},
@@ -128,7 +128,7 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"plant big\nat 0 end\n",
        "text:1: 'big' is not a parameter of the robot: supply, battery, mass, inertia, resistance, "
        "motor-constant, friction, rolling, current-gain, angle-gain"},
-      {"plant supply 0\n", "text:1: a parameter of the robot is greater than 0"},
+      {"plant supply 0\n", "text:1: a parameter of the robot must be greater than 0"},
       {"at 0 hello\nplant nominal\n", "text:2: a plant must be before all lines that have a time"},
       {"at 0 expect way 1 within 5\n", "text:1: 'ms' is missing"},
       {"at 0 repair hall 4\n", "text:1: '4' is no wheel from 0 to 3"},
@@ -276,7 +276,7 @@ TEST(ScenarioPlayerTest, ReplayBringsTheSameBytes) {
 TEST(ScenarioPlayerTest, ReplayNeedsAnOrder) {
   const auto outcome = played("at 50 replay\nat 100 end\n");
   EXPECT_EQ(outcome.failures,
-            std::vector<std::string>{"text:1: no order was sent that could be replayed, at 50 ms"});
+            std::vector<std::string>{"text:1: there is no earlier order to replay, at 50 ms"});
 }
 
 /// @brief After a reset the firmware starts again, while the robot continues to roll.
@@ -339,7 +339,7 @@ TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
       outcome.failures,
       testing::ElementsAre("text:1: state is unknown: no Report has come, at 50 ms",
                            "text:2: session is unknown: no Welcome has come, at 50 ms",
-                           "text:3: no Welcome has come that could be confirmed, at 50 ms",
+                           "text:3: there is no Welcome to confirm, at 50 ms",
                            "text:5: state is 1, not Working, at 350 ms",
                            testing::MatchesRegex("text:6: a report came at 3.. ms, at 350 ms"),
                            "text:7: there was no finding clock-gate, at 360 ms"));

@@ -34,7 +34,8 @@ TEST_F(DeadbandTurnTest, FR102_AtRestItTurnsBeyondTheDeadBand) {
   EXPECT_EQ(turn(-21, kRest), kRight);
 }
 
-/// @brief A steering that turns slowly towards the target goes on until it is within 0.10 degrees.
+/// @brief A steering that turns slowly towards the target continues until it is within 0.10
+/// degrees.
 /// @verifies FR-102
 TEST_F(DeadbandTurnTest, FR102_WhileItTurnsItStopsWithinATenthOfADegree) {
   EXPECT_EQ(turn(11, StepRate(1)), kLeft);
