@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -20,6 +20,7 @@ from traceability.reading.traces import Traces, nodes_of
 from traceability.schema import HOST, Test
 
 RESULT = RESULTS / "mutation.json"
+NO_REQUIREMENT = ""  # of the functions outside the trees
 
 
 @dataclass
@@ -52,8 +53,9 @@ class Tried:
     own: dict[str, bool]
 
 
-def make_plan(model: Model, facts: Facts, traces: Traces) -> Plan:
-    plan = Plan({}, {}, {})
+def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[str]) -> Plan:
+    """The tests of the functions that have mutants; without a tree they serve no requirement."""
+    plan = Plan({name: [] for name in functions}, {}, {})
     for requirement in model.requirements.values():
         if requirement.tree is None:
             continue
@@ -92,8 +94,8 @@ def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
     random.Random(seed).shuffle(numbers)
     waiting: dict[str, list[int]] = {name: [] for name in plan.verifying}
     for number in numbers:
-        for name in plan.methods.get(mutants[number - 1].method, []):
-            waiting[name].append(number)
+        for name in plan.methods.get(mutants[number - 1].method) or [NO_REQUIREMENT]:
+            waiting.setdefault(name, []).append(number)
     queues: dict[str, Iterator[int]] = {name: iter(held) for name, held in waiting.items()}
     chosen: dict[int, None] = {}
     while queues:
@@ -120,7 +122,7 @@ def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried:
     """Runs the tests of the requirements; if none finds the mutant, all tests that execute its
     method."""
     holders = plan.methods[mutant.method]
-    own = set().union(*(plan.own(mutant.method, name) for name in holders))
+    own: set[str] = set().union(*(plan.own(mutant.method, name) for name in holders))
     outcome = run_tests(program, number, plan.timed(own))
     if not outcome.failed:
         others = plan.executing.get(mutant.method, set()) - own

@@ -226,3 +226,16 @@ def test_the_order_depends_on_the_seed_and_gives_each_requirement_its_turn() -> 
     assert sorted(chosen) == list(range(1, 41))
     assert chosen == order(mutants, plan(), 7) != order(mutants, plan(), 8)
     assert any(number <= 20 for number in chosen[:2])
+
+
+def test_a_function_outside_the_trees_has_its_turn_too() -> None:
+    mutants = [mutant_of("M::a")] * 20 + [mutant_of("M::other")] * 20
+    chosen = order(mutants, plan(), 7)
+    assert sorted(chosen) == list(range(1, 41))
+    assert any(number > 20 for number in chosen[:4])
+
+
+def test_all_functions_of_a_file_have_mutants(tree: Path) -> None:
+    points = [point for found in find_points(tree, FILES[0], FILES).values() for point in found]
+    functions = {mutant.method for point in points for mutant in point.mutants}
+    assert functions == {"Limiter::limited", "Limiter::other", "Limiter::count"}
