@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shlex
+import shutil
 import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -64,6 +65,13 @@ FAULTS = [
 
 @pytest.fixture(scope="module", autouse=True)
 def built(build: Callable[..., None]) -> None:
+    compiler = shutil.which("clang++-19")
+    if compiler is None:
+        pytest.skip("this system has no clang-19, an optional package")
+    words = [compiler, "-print-runtime-dir"]
+    runtime = subprocess.run(words, capture_output=True, text=True, check=True).stdout.strip()
+    if not list(Path(runtime).glob("libclang_rt.fuzzer*")):
+        pytest.skip("this system has no libclang-rt-19-dev, an optional package")
     build("fuzz", "fuzz_frames")
 
 
