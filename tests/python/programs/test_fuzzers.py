@@ -68,9 +68,9 @@ def built(build: Callable[..., None]) -> None:
     compiler = shutil.which("clang++-19")
     if compiler is None:
         pytest.skip("this system has no clang-19, an optional package")
-    words = [compiler, "-print-runtime-dir"]
+    words = [compiler, "--rtlib=compiler-rt", "-print-libgcc-file-name"]
     runtime = subprocess.run(words, capture_output=True, text=True, check=True).stdout.strip()
-    if not list(Path(runtime).glob("libclang_rt.fuzzer*")):
+    if not list(Path(runtime).parent.glob("libclang_rt.fuzzer*")):
         pytest.skip("this system has no libclang-rt-19-dev, an optional package")
     build("fuzz", "fuzz_frames")
 
