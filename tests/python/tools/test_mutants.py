@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tools.mutation import score
 from tools.mutation.points import Mutant, Point, find_points
 from tools.mutation.runs import Outcome, note, run_tests
 from tools.mutation.score import Plan, order, try_mutant
@@ -218,6 +219,23 @@ def test_where_no_own_test_finds_it_the_others_are_asked(program: Path) -> None:
     tried = try_mutant(program, 3, mutant_of("M::b"), plan())
     assert tried.killed_by == ["A.Three"]
     assert tried.own == {"FR-2": False}
+
+
+def test_long_tests_run_only_while_a_requirement_has_no_test_that_finds_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    parts: list[set[str]] = []
+
+    def run(_program: Path, _number: int, seconds: dict[str, float]) -> Outcome:
+        parts.append(set(seconds))
+        return Outcome({"A.Fast"} & set(seconds), set(seconds) - {"A.Fast"})
+
+    monkeypatch.setattr(score, "run_tests", run)
+    known = Plan({}, {}, {}, {"A.Fast": 0.1, "A.Slow": 5.0, "B.Short": 0.1, "B.Long": 0.7})
+    first, second = {"A.Fast", "A.Slow"}, {"B.Short", "B.Long"}
+    outcome = score.run_until_found(Path("program"), 1, known, [first, second])
+    assert parts == [{"A.Fast", "B.Short"}, {"B.Long"}, set()]
+    assert outcome == Outcome({"A.Fast"}, {"B.Short", "B.Long"})
 
 
 def test_the_order_depends_on_the_seed_and_gives_each_requirement_its_turn() -> None:
