@@ -1,4 +1,5 @@
-"""./wr mutate: seeds faults in the methods of the trees, and counts those that the tests find."""
+"""./wr mutate: seeds faults in the firmware and its extensions, and counts those that the tests
+find."""
 
 from __future__ import annotations
 
@@ -28,10 +29,10 @@ SHOWN_EVERY = 10.0  # seconds
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "mutate",
-        description="Builds a copy of the firmware that contains small faults in the methods of "
-        "the trees, each with a number. For each fault it runs the tests of the "
-        "requirements that the method serves. The score is shown in the portal; it is not a pass "
-        "criterion. "
+        description="Builds a copy of the firmware that contains small faults in the functions "
+        "of the firmware and its extensions, each with a number. For each fault it runs the tests "
+        "of the requirements that the function serves, then the other tests that execute it. "
+        "The score is shown in the portal; it is not a pass criterion. "
         "Faults that no test finds are listed as file:line, with the change.",
     )
     parser.add_argument(
@@ -119,9 +120,10 @@ class _Run:
 
         self.model, facts = build(self.root)
         traces = read_traces(self.root, self.root / "build" / "model")[HOST]
-        self.plan = make_plan(self.model, facts, traces)
-        self.mutants = write_switched(self.root, set(self.plan.methods), log)
-        return f"{len(self.mutants)} in {len({mutant.method for mutant in self.mutants})} methods"
+        self.mutants = write_switched(self.root, log)
+        functions = {mutant.method for mutant in self.mutants}
+        self.plan = make_plan(self.model, facts, traces, functions)
+        return f"{len(self.mutants)} in {len(functions)} functions"
 
     def build(self, log: TextIO) -> None:
         from tools.mutation.switched import build_switched

@@ -132,7 +132,10 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     ),
     "client": ("design", "docs", "sim/scenario", "site"),
     "firmware": (*DESIGN, "sim", "tests/k64"),
-    "programs": ("sim/scenario", "design", "site", str(COVERAGE_LINES)),
+    "programs": (
+        *(*DESIGN, "sim/scenario", "design", "site", "tests/fuzz", "tests/support"),
+        str(COVERAGE_LINES),
+    ),
     "worked_examples": SHOWN,
 }
 RUN_PROGRAMS = ("client", "firmware", "programs")  # folders whose tests run programs that are built

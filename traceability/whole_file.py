@@ -1,5 +1,5 @@
-"""Writes a file at once: who reads it finds the previous content or the new one, also after the
-writer was ended by force or the disk was full."""
+"""Writes a file at once: a reader finds the previous content or the new one, also after the writer
+was ended by force or the disk was full."""
 
 from __future__ import annotations
 

@@ -78,6 +78,11 @@ Injected chooseSensor(Random& random) {
   return {Kind::Sensor, number, wheel, random.between(chosen.least, chosen.most)};
 }
 
+// Whether a sensor is wrong by more and more, or each time by a little.
+bool addsUp(Fault fault) {
+  return fault == Fault::AngleDrift || fault == Fault::HallLosses;
+}
+
 void flipRegister(const Injected& fault, emulator::VirtualBoard& board) {
   board.setCore(fault.place, board.core(fault.place) ^ 1U << fault.bit);
 }
@@ -97,6 +102,26 @@ void injectClock(const Injected& fault, emulator::VirtualBoard& board) {
 
 std::string_view nameOf(Kind kind) {
   return kShares.at(static_cast<std::size_t>(kind)).name;
+}
+
+std::optional<Kind> kindOf(std::string_view name) {
+  const auto found = std::ranges::find(kShares, name, &Share::name);
+  return found == kShares.end() ? std::nullopt : std::optional(found->kind);
+}
+
+int windowOf(const Injected& fault) {
+  constexpr int kWindow = 1000;
+  constexpr int kOfSurroundings = 1800;
+  constexpr int kOfSensor = 3000;
+  switch (fault.kind) {
+    case Kind::Sensor:
+      return addsUp(kSensorFaults.at(fault.place).fault) ? kLongestWindow : kOfSensor;
+    case Kind::Serial:
+    case Kind::Clock:
+      return kOfSurroundings;
+    default:
+      return kWindow;
+  }
 }
 
 Kind chooseKind(Random& random) {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,9 @@ inline constexpr std::uint32_t kKinds = 10;
 
 /// @brief Name of a kind in the record.
 [[nodiscard]] std::string_view nameOf(Kind kind);
+
+/// @brief Returns the kind with a name; nothing if there is none.
+[[nodiscard]] std::optional<Kind> kindOf(std::string_view name);
 
 /// @brief Memory of the image that faults can hit.
 struct Places {
@@ -58,11 +62,13 @@ struct Fault {
   return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Returns how long the run with the fault is observed [ms]. A wheel without Hall edges is
-/// reported after 1 s.
-[[nodiscard]] inline int windowOf(Kind kind) {
-  return kind == Kind::Sensor || kind == Kind::Serial || kind == Kind::Clock ? 1800 : 1000;
-}
+/// @brief Longest time of observation [ms]. The angle sensor may drift for 6.8 s before FR-227 detects
+/// it, and implausible Hall edges add up to those of FR-279 in seconds.
+inline constexpr int kLongestWindow = 7000;
+
+/// @brief Returns how long the run with the fault is observed [ms]: at least until the firmware must
+/// have reported the fault. A wheel without Hall edges is reported 1 s after it has voltage.
+[[nodiscard]] int windowOf(const Fault& fault);
 
 /// @brief Chooses a kind; bits of RAM, of objects and of the program, are the most frequent.
 [[nodiscard]] Kind chooseKind(Random& random);

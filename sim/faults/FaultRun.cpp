@@ -25,7 +25,6 @@ constexpr int kOrderPeriod = 100;   // ms
 constexpr int kFirstOrder = 60;     // ms: 30 ms or more before the clock pulse
 constexpr int kNeutralOrders = 10;  // they arm the robot
 constexpr int kStateEach = 100;     // ms
-constexpr int kLongestWindow = 1800;
 constexpr int kEnd = FaultRun::kLast + kLongestWindow + 200;  // ms
 constexpr int kMissing = 300;                                 // ms without a report: three cycles
 constexpr int kHelloEach = 250;
@@ -293,7 +292,7 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
   robot.noiseOfLine = Random(static_cast<std::uint64_t>(at));
   inject(fault, robot.session);
   int equal = 0;
-  for (int ms = 0; ms < windowOf(fault.kind); ++ms) {
+  for (int ms = 0; ms < windowOf(fault); ++ms) {
     endIfDue(fault, ms, robot.session);
     if (!robot.step()) {
       throw std::runtime_error(robot.session.finding().value().id);
@@ -376,7 +375,7 @@ Result FaultRun::observe(Robot& robot, const Choice& choice) const {
   return {message.fault, message.at, message.pc, message.verdict, message.stop.data()};
 }
 
-void FaultRun::injectAll(int count, Random& random,
+void FaultRun::injectAll(int count, Random& random, std::optional<Kind> only,
                          const std::function<void(const Result&)>& take) {
   struct Plan {
     int at;
@@ -387,7 +386,7 @@ void FaultRun::injectAll(int count, Random& random,
   for (int i = 0; i < count; ++i) {
     const int at = random.between(kFirst, kLast - 1);
     const Kind kind = chooseKind(random);
-    plans.push_back({at, kind, random.below(1U << 31U)});
+    plans.push_back({at, only.value_or(kind), random.below(1U << 31U)});
   }
   std::ranges::stable_sort(plans, {}, &Plan::at);
   Robot robot(image_, seed_);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,8 +44,10 @@ class FaultRun {
   /// @brief Injects random faults.
   /// @param count their number
   /// @param random chooses them
-  /// @param take gets each result, in the order of the injections
-  void injectAll(int count, Random& random, const std::function<void(const Result&)>& take);
+  /// @param only their kind; nothing: each fault has a random kind
+  /// @param take gets each result, by rising time of the injection
+  void injectAll(int count, Random& random, std::optional<Kind> only,
+                 const std::function<void(const Result&)>& take);
 
   /// @brief Injects one fault.
   /// @param fault the fault

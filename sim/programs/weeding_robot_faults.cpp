@@ -1,7 +1,11 @@
 #include <CLI/CLI.hpp>
+#include <array>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/emulator/Image.hpp"
 #include "sim/faults/FaultRun.hpp"
@@ -25,10 +29,23 @@ void print(const faults::Result& result) {
   std::fflush(stdout);  // a copy of this process must not print this text again
 }
 
-Exit run(const CampaignOptions& settings) {
+// A case of a record: the ms of the drive, and the fault.
+struct Case {
+  int at;
+  faults::Fault fault;
+};
+
+Exit run(const CampaignOptions& settings, std::optional<faults::Kind> only,
+         const std::vector<Case>& cases) {
   faults::FaultRun drive(emulator::readImage(settings.image), settings.elf, settings.seed);
+  for (const Case& repeated : cases) {
+    print(drive.injectOne(repeated.fault, repeated.at));
+  }
+  if (!cases.empty()) {
+    return Exit::Done;
+  }
   faults::Random random(settings.seed);
-  drive.injectAll(settings.count, random, print);
+  drive.injectAll(settings.count, random, only, print);
   return Exit::Done;
 }
 
@@ -44,8 +61,29 @@ int main(int count, char** arguments) try {
       "injected fault each. Prints a line of JSON for each fault.",
       "weeding_robot_faults");
   settings.addTo(app);
-  return wr::programs::runProgram(app, count, arguments,
-                                  [&settings] { return wr::programs::run(settings); });
+  std::string only;
+  auto* kinds = app.add_option("--only", only, "kind of all faults [each has a random kind]")
+                    ->type_name("KIND")
+                    ->check([](const std::string& name) {
+                      return wr::faults::kindOf(name) ? "" : "there is no kind " + name;
+                    });
+  std::vector<std::array<std::int64_t, 4>> cases;
+  app.add_option(
+         "--case", cases,
+         "repeat a case of the drive, of the kind --only: the numbers at, place, bit and value\n"
+         "of its line; may be repeated")
+      ->type_name("NUMBERS")
+      ->needs(kinds);
+  return wr::programs::runProgram(app, count, arguments, [&] {
+    const std::optional<wr::faults::Kind> kind = wr::faults::kindOf(only);
+    std::vector<wr::programs::Case> repeated;
+    for (const auto& [at, place, bit, value] : cases) {
+      repeated.push_back({static_cast<int>(at),
+                          {kind.value(), static_cast<std::uint32_t>(place),
+                           static_cast<std::uint32_t>(bit), static_cast<int>(value)}});
+    }
+    return wr::programs::run(settings, kind, repeated);
+  });
 } catch (const std::exception& error) {
   std::fprintf(stderr, "weeding_robot_faults: %s\n", error.what());
   return EXIT_FAILURE;

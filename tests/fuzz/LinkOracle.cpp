@@ -35,6 +35,7 @@ int numberAt(std::span<const std::uint8_t> bytes, std::size_t at) {
 // Removes the byte stuffing; returns nothing when a distance points beyond the end.
 std::optional<std::vector<std::uint8_t>> unstuffed(const std::vector<std::uint8_t>& line) {
   std::vector<std::uint8_t> body;
+  body.reserve(line.size());
   std::size_t at = 0;
   while (at < line.size()) {
     const std::size_t next = at + line[at];
@@ -77,6 +78,10 @@ bool neutral(std::span<const std::uint8_t> order) {
 }
 
 }  // namespace
+
+LinkOracle::LinkOracle() {
+  line_.reserve(kMostBody + 2);
+}
 
 void LinkOracle::receive(std::uint8_t byte, Time at) {
   if (byte != 0) {

@@ -30,6 +30,9 @@ class LinkOracle {
     friend bool operator==(const Counts&, const Counts&) = default;
   };
 
+  /// @brief Begins without a byte and without a connection.
+  LinkOracle();
+
   /// @brief Receives a byte.
   /// @param byte the byte
   /// @param at when its stop bit ended [us]

@@ -10,15 +10,12 @@
 #include <optional>
 #include <span>
 
-#include "communication/pc_connection/Connected.hpp"
-#include "communication/pc_connection/Disconnected.hpp"
-#include "communication/pc_connection/Handshaking.hpp"
 #include "communication/pc_connection/PcConnection.hpp"
-#include "communication/serialization/OrderMessage.hpp"
 #include "communication/serialization/ReportMessage.hpp"
 #include "communication/serialization/SerialReader.hpp"
 #include "fuzz/LinkOracle.hpp"
 #include "fuzz/PcLine.hpp"
+#include "fuzz/compare.hpp"
 #include "fuzz/expect.hpp"
 
 namespace wr::fuzz {
@@ -68,17 +65,6 @@ class Port final : public SerialPort {
   std::int64_t at_ = 0;
 };
 
-// The states of the connection refer to each other.
-struct States {
-  States()
-      : disconnected(handshaking),
-        handshaking(connected, disconnected),
-        connected(handshaking, disconnected) {}
-  Disconnected disconnected;
-  Handshaking handshaking;
-  Connected connected;
-};
-
 class Link {
  public:
   void arrive(const test::Bytes& bytes) {
@@ -110,7 +96,7 @@ class Link {
     report();
     compare();
     if (readOrder && reader_.available()) {
-      read();
+      readAndCompare(reader_, oracle_, now_);
     }
   }
 
@@ -146,33 +132,9 @@ class Link {
   }
 
   void compare() const {
-    const LinkCounts& counts = connection_.counts();
-    const LinkOracle::Counts found{counts.damaged,     counts.tooLong,      counts.unknownVersion,
-                                   counts.unknownType, counts.wrongLength,  counts.outOfRange,
-                                   counts.unexpected,  counts.sequenceGaps, counts.staleOrders};
-    expect(found == oracle_.counts(), "the counts of dropped frames are those of the protocol");
-    expect(counts.reportsNotSent == std::min(reportsLost_, 65535U), "lost reports are counted");
-    expect(connection_.connected() == oracle_.connected(), "the connection has its state");
-    expect(reader_.stopOrdered() == oracle_.stop(), "a stop is in force as the protocol demands");
-    expect(reader_.available() == oracle_.order(now_).has_value(),
-           "an order can be read exactly when the protocol accepts it");
-  }
-
-  void read() {
-    const test::Bytes wanted = oracle_.order(now_).value();
-    OrderMessage order;
-    expect(order.readFrom(reader_), "an accepted order is in range");
-    const SetPoints& found = order.setPoints();
-    expect(found.orderId == (wanted[0] | wanted[1] << 8U), "the order has its id");
-    for (std::size_t wheel = 0; wheel < found.wheels.size(); ++wheel) {
-      const std::size_t at = 8 + 3 * wheel;
-      const auto value = static_cast<std::int16_t>(wanted[at + 1] | wanted[at + 2] << 8U);
-      expect(static_cast<std::uint8_t>(found.wheels[wheel].quantity) == wanted[at] &&
-                 found.wheels[wheel].value == value,
-             "the wheel has its set-point");
-    }
-    oracle_.orderRead();
-    expect(!reader_.available(), "an order is read once");
+    fuzz::compare(connection_, reader_, oracle_, now_);
+    expect(connection_.counts().reportsNotSent == std::min(reportsLost_, 65535U),
+           "lost reports are counted");
   }
 
   States states_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace wr::test {
@@ -33,7 +34,9 @@ inline Bytes withCrc(Bytes body) {
 /// @brief Stuffs a body of at most 253 bytes: each group of bytes without zero follows its length.
 inline Bytes stuffed(const Bytes& body) {
   Bytes line;
+  line.reserve(body.size() + 2);
   Bytes group;
+  group.reserve(body.size());
   const auto close = [&] {
     line.push_back(static_cast<std::uint8_t>(group.size() + 1));
     line.insert(line.end(), group.begin(), group.end());
@@ -54,15 +57,18 @@ inline Bytes stuffed(const Bytes& body) {
 /// @brief The bytes on the line of a frame.
 inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& payload,
                        std::uint8_t version = 2) {
-  Bytes body{version, type, sequence};
+  Bytes body;
+  body.reserve(payload.size() + 5);
+  body = {version, type, sequence};
   body.insert(body.end(), payload.begin(), payload.end());
-  return stuffed(withCrc(body));
+  return stuffed(withCrc(std::move(body)));
 }
 
 /// @brief Splits bytes on the line into bodies, each with its CRC. Zero bytes between them are ignored.
 inline std::vector<Bytes> bodies(const Bytes& line) {
   std::vector<Bytes> found;
   Bytes body;
+  body.reserve(line.size());
   unsigned distance = 0;
   for (const std::uint8_t byte : line) {
     if (byte == 0) {

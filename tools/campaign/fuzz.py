@@ -7,8 +7,18 @@ from pathlib import Path
 from typing import Any
 
 PROGRAM = Path("tools/campaign/fuzz_program.py")
-FUZZERS = (Path("build/fuzz/tests/fuzz/fuzz_link"), Path("build/fuzz/tests/fuzz/fuzz_robot"))
+NAMES = ("frames", "link", "robot")
+FUZZERS = tuple(Path(f"build/fuzz/tests/fuzz/fuzz_{name}") for name in NAMES)
 LISTED = 20  # failures in the record
+
+
+def options(files: Sequence[Path]) -> list[str]:
+    """The options of the program for the fuzzers."""
+    return [
+        word
+        for name, file in zip(NAMES, files[1:], strict=True)
+        for word in (f"--{name}", str(file))
+    ]
 
 
 def summarise(_root: Path, cases: Sequence[dict[str, Any]]) -> dict[str, Any]:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs both fuzzers of the firmware, some times. Prints a line of JSON for each run of both.
+"""Runs the fuzzers of the firmware, some times. Prints a line of JSON for each run of all.
 
 Needs the standard library only: it runs on any worker, in the folder of the project.
 """
@@ -14,10 +14,14 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-INPUTS = {"link": 50_000, "robot": 1_000}  # of one run: about 5 s each
+# Inputs of one run. The last two need about 5 s each, the first 30 s of a processor.
+INPUTS = {"frames": 1_000_000, "link": 50_000, "robot": 1_000}
+LONGEST_INPUT = {"frames": 24}  # bytes
 LONGEST = 60  # [s] for one input; a usual one needs less than 0.02 s
 CORPUS = Path("tests/fuzz/corpus")
 MOST_OF_TEXT = 2_000
+# The line of the cause; those before it show the progress, those after it the calls.
+CAUSE = re.compile(r"^.*(the fuzzer found|runtime error:|ERROR: ).*$", re.MULTILINE)
 
 
 def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
@@ -29,6 +33,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
             f"-runs={inputs}",
             f"-timeout={LONGEST}",
         ]
+        words += [f"-max_len={LONGEST_INPUT[name]}"] if name in LONGEST_INPUT else []
         words += [f"-artifact_prefix={failed}/", found, CORPUS / name]
         run = subprocess.run(
             [str(word) for word in words],
@@ -44,7 +49,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
         result: dict[str, Any] = {"fuzzer": name, "inputs": max(done, default=0), "failure": None}
         if run.returncode != 0:
             result["failure"] = {
-                "text": run.stderr[-MOST_OF_TEXT:],
+                "text": cause_in(run.stderr),
                 "input": [path.read_bytes().hex() for path in sorted(Path(failed).iterdir())],
             }
         elif result["inputs"] < inputs:
@@ -52,8 +57,15 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
         return result
 
 
+def cause_in(output: str) -> str:
+    """The text of a failure from the line of its cause on."""
+    found = CAUSE.search(output)
+    return output[found.start() :][:MOST_OF_TEXT] if found else output[-MOST_OF_TEXT:]
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--frames", type=Path, required=True, help="fuzzer of short inputs")
     parser.add_argument("--link", type=Path, required=True, help="fuzzer of the PC link")
     parser.add_argument("--robot", type=Path, required=True, help="fuzzer of the whole firmware")
     parser.add_argument("--seed", type=int, required=True, help="chooses the inputs")
@@ -63,7 +75,11 @@ def main() -> None:
         seed = options.seed * 1_000 + number
         runs = [
             fuzz(program.resolve(), name, seed, INPUTS[name])
-            for name, program in (("link", options.link), ("robot", options.robot))
+            for name, program in (
+                ("frames", options.frames),
+                ("link", options.link),
+                ("robot", options.robot),
+            )
         ]
         print(json.dumps({"runs": runs}), flush=True)
 

@@ -67,7 +67,7 @@ KINDS = {
             20,
             (("fuzz", ("fuzzers",)),),
             (fuzz.PROGRAM, *fuzz.FUZZERS),
-            lambda files: ["--link", str(files[1]), "--robot", str(files[2])],
+            fuzz.options,
             fuzz.summarise,
         ),
     )

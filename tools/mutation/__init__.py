@@ -1,1 +1,1 @@
-"""The mutation score: faults in the methods of the trees, and the tests that find them."""
+"""The mutation score: faults in the firmware and its extensions, and the tests that find them."""

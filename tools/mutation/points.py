@@ -94,9 +94,10 @@ def compiler_arguments(root: Path) -> list[str]:
 
 
 def find_points(
-    root: Path, unit: str, files: list[str], wanted: set[str]
+    root: Path, unit: str, files: list[str], wanted: set[str] | None = None
 ) -> dict[str, list[Point]]:
-    """File -> the points in the bodies of the requested methods, in the order of the text."""
+    """File -> the points in the bodies of the requested functions, by default of all, in the order
+    of the text."""
     tree = cindex.Index.create().parse(str(root / unit), args=compiler_arguments(root))
     finder = _Finder(root, {str(root / file): file for file in files}, wanted)
     finder.units(tree.cursor)
@@ -107,7 +108,7 @@ def find_points(
 
 
 class _Finder:
-    def __init__(self, root: Path, files: dict[str, str], wanted: set[str]) -> None:
+    def __init__(self, root: Path, files: dict[str, str], wanted: set[str] | None) -> None:
         self.files = files
         self.wanted = wanted
         self.texts = {file: (root / file).read_bytes() for file in files.values()}
@@ -116,18 +117,21 @@ class _Finder:
         self.method = ""
 
     def units(self, cursor: Cursor) -> None:
-        """Searches the bodies of the requested methods."""
+        """Searches the bodies of the requested functions."""
         for child in cursor.get_children():
             place = child.location.file
             if place is None or place.name not in self.files:
                 continue
             if is_function(child) and child.is_definition():
-                if function_id(child) in self.wanted and not self.is_constant(child):
+                if self.is_wanted(child) and not self.is_constant(child):
                     self.file = self.files[place.name]
                     self.method = function_id(child)
                     self.body(child)
             else:
                 self.units(child)
+
+    def is_wanted(self, function: Cursor) -> bool:
+        return self.wanted is None or function_id(function) in self.wanted
 
     def is_constant(self, function: Cursor) -> bool:
         for token in function.get_tokens():

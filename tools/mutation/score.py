@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
@@ -20,6 +20,9 @@ from traceability.reading.traces import Traces, nodes_of
 from traceability.schema import HOST, Test
 
 RESULT = RESULTS / "mutation.json"
+FIRST_PART = 0.2  # [s] of tests that run first
+PART_GROWTH = 4
+NO_REQUIREMENT = ""  # of the functions outside the trees
 
 
 @dataclass
@@ -52,8 +55,9 @@ class Tried:
     own: dict[str, bool]
 
 
-def make_plan(model: Model, facts: Facts, traces: Traces) -> Plan:
-    plan = Plan({}, {}, {})
+def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[str]) -> Plan:
+    """The tests of the functions that have mutants; without a tree they serve no requirement."""
+    plan = Plan({name: [] for name in functions}, {}, {})
     for requirement in model.requirements.values():
         if requirement.tree is None:
             continue
@@ -92,8 +96,8 @@ def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
     random.Random(seed).shuffle(numbers)
     waiting: dict[str, list[int]] = {name: [] for name in plan.verifying}
     for number in numbers:
-        for name in plan.methods.get(mutants[number - 1].method, []):
-            waiting[name].append(number)
+        for name in plan.methods.get(mutants[number - 1].method) or [NO_REQUIREMENT]:
+            waiting.setdefault(name, []).append(number)
     queues: dict[str, Iterator[int]] = {name: iter(held) for name, held in waiting.items()}
     chosen: dict[int, None] = {}
     while queues:
@@ -119,15 +123,36 @@ def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
 def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried:
     """Runs the tests of the requirements; if none finds the mutant, all tests that execute its
     method."""
-    holders = plan.methods[mutant.method]
-    own = set().union(*(plan.own(mutant.method, name) for name in holders))
-    outcome = run_tests(program, number, plan.timed(own))
+    own = {name: plan.own(mutant.method, name) for name in plan.methods[mutant.method]}
+    outcome = run_until_found(program, number, plan, list(own.values()))
     if not outcome.failed:
-        others = plan.executing.get(mutant.method, set()) - own
-        outcome.failed |= run_tests(program, number, plan.timed(others)).failed
-    found = {name: _found(outcome, plan.own(mutant.method, name)) for name in holders}
+        others = plan.executing.get(mutant.method, set()).difference(*own.values())
+        outcome.failed |= run_until_found(program, number, plan, [others]).failed
+    found = {name: _found(outcome, tests) for name, tests in own.items()}
     decided = {name: one for name, one in found.items() if one is not None}
     return Tried(mutant, sorted(outcome.failed), decided)
+
+
+def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str]]) -> Outcome:
+    """Runs the short tests first, until in each group a test has found the mutant or none is left.
+
+    The time of a part is a multiple of that of the previous one: a program starts seldom.
+    """
+    outcome = Outcome()
+    most = FIRST_PART
+    while open_groups := [group for group in groups if not group & outcome.failed]:
+        waiting = plan.timed(set().union(*open_groups) - outcome.passed - outcome.failed)
+        part: dict[str, float] = {}
+        for name, seconds in sorted(waiting.items(), key=lambda one: one[1]):
+            if not part or sum(part.values()) + seconds <= most:
+                part[name] = seconds
+        result = run_tests(program, number, part)
+        outcome.failed |= result.failed
+        outcome.passed |= result.passed
+        if not part or not part.keys() <= result.failed | result.passed:
+            break  # nothing is left, or tests hang
+        most *= PART_GROWTH
+    return outcome
 
 
 def _found(outcome: Outcome, tests: set[str]) -> bool | None:

@@ -14,7 +14,7 @@ from tools.cmake_build import copy_sources, jobs
 from tools.mutation.points import Mutant, Point, compiler_arguments, find_points
 from tools.steps import FailureError, run
 from traceability.reading.translation_units import is_board, translation_units
-from traceability.sources import SRC
+from traceability.sources import DESIGN
 
 FOLDER = Path("build/mutation")
 SOURCE, BINARY, LIST = FOLDER / "source", FOLDER / "binary", FOLDER / "mutants.json"
@@ -23,18 +23,18 @@ PROGRAM = BINARY / "tests" / "firmware_tests"
 ATTEMPTS = 10
 
 
-def write_switched(root: Path, wanted: set[str], log: TextIO) -> list[Mutant]:
-    """Writes the copy with the mutants of the requested methods. Returns the mutants, whose numbers
-    begin at 1.
+def write_switched(root: Path, log: TextIO) -> list[Mutant]:
+    """Writes the copy with the mutants of the firmware and its extensions, without the parts that
+    only the K64 has. Returns the mutants, whose numbers begin at 1.
 
     A mutant that does not compile is omitted, for example in a sum that must be a constant.
     """
     texts: dict[str, str] = {}
     mutants: list[Mutant] = []
     for unit, files in translation_units(root).items():
-        if is_board(unit) or not unit.startswith(f"{SRC}/"):
+        if is_board(unit) or not unit.startswith(DESIGN):
             continue
-        found = find_points(root, unit, files, wanted)
+        found = find_points(root, unit, files)
         if not found:
             continue
         first = len(mutants) + 1

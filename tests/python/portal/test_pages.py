@@ -22,6 +22,7 @@ from tests.python.portal.fixture import MODES, REPORT, make_model, make_project
 from tests.python.portal.page_reader import Shown, read_page
 from traceability.model.design_model import Model
 from traceability.reading.comparison_record import Comparison, Difference
+from traceability.reading.published import Published
 from traceability.schema import HOST, VIRTUAL_K64, BindingResult, Constant, Place, TreeNode, Tuned
 
 CHECKS = [
@@ -294,3 +295,20 @@ def test_each_module_leads_to_its_neighbours(portal: Portal, pages: dict[str, Sh
     for before, name in pairwise(names):
         assert pages[f"modules/{name}"].links[portal.links.module(before) or ""] == before
         assert pages[f"modules/{before}"].links[portal.links.module(name) or ""] == name
+
+
+@pytest.mark.parametrize(
+    ("inputs", "text"),
+    [
+        ({"link": 20, "robot": 3}, "20 long random inputs of the PC link and 3"),
+        ({"frames": 100, "link": 20, "robot": 3}, "100 short random inputs of the PC link"),
+    ],
+)
+def test_the_page_of_robustness_shows_the_inputs_of_each_fuzzer_of_a_record(
+    tmp_path: Path, inputs: dict[str, int], text: str
+) -> None:
+    outcomes = {"inputs": sum(inputs.values()), "failures": 0}
+    result = {"identity": "1", "outcomes": outcomes, "inputs": inputs, "failures": []}
+    fuzz = Published("./wr campaign fuzz", "abc", "2026-01-01", result)
+    model = replace(make_project(tmp_path), campaigns={"fuzz": fuzz})
+    assert text in " ".join(shown(tmp_path, model)["robustness"].text.split())

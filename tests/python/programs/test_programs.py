@@ -23,7 +23,8 @@ Words = list[str | Path]
 
 @pytest.fixture(scope="module", autouse=True)
 def built(build: Callable[..., None]) -> None:
-    build("host", "weeding_robot_host", "weeding_robot_board", "weeding_robot_loads")
+    names = ("host", "board", "loads", "faults")
+    build("host", *(f"weeding_robot_{name}" for name in names))
     build("k64", "weeding_robot_paper")
 
 
@@ -292,3 +293,26 @@ def test_random_drives_with_a_loaded_line_are_the_same_for_the_same_seed() -> No
     times = [json.loads(line)["longest_ns"] for line in first.stdout.splitlines()]
     assert len(times) == 2
     assert all(100_000 < time_ns < 10_000_000 for time_ns in times)
+
+
+def test_a_case_of_injected_faults_can_be_repeated() -> None:
+    words: Words = [
+        PROGRAMS / "weeding_robot_faults",
+        "--image",
+        IMAGE,
+        "--elf",
+        ELF,
+        "--seed",
+        "7",
+    ]
+    words += ["--only", "sensor"]
+    found = run([*words, "--count", "2"])
+    assert (found.returncode, found.stderr) == (0, "")
+    first, last = found.stdout.splitlines()
+    case = json.loads(last)
+    assert case["kind"] == json.loads(first)["kind"] == "sensor"
+    numbers = [str(case[name]) for name in ("at", "place", "bit", "value")]
+    assert run([*words, "--case", *numbers]).stdout == f"{last}\n"
+    wrong = run([*words[:-1], "sensors"])
+    assert wrong.returncode == 2
+    assert "there is no kind sensors" in wrong.stderr

@@ -54,7 +54,7 @@ def without_network(then: list[str | Path]) -> list[str]:
 
 
 def without_rights(then: list[str | Path]) -> list[str]:
-    """The command of a user who is not root."""
+    """The command without the rights of root."""
     if os.geteuid() != 0:
         return [str(word) for word in then]
     group = str(NOBODY)

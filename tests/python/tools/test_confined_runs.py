@@ -1,5 +1,5 @@
 """./wr where something is missing: space on the disk, a folder to write, the network, rights. Each
-message says what is wrong, where, and the next action; the run after the correction is right."""
+message shows the fault, its place, and the next action; the run after the correction is right."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size
     assert full.returncode in (1, MISSING)
     assert "No space left on device" in full.stdout + full.stderr
     (tmp_path / "build").rmdir()
-    keep.rename(tmp_path / "build")  # what the disk had when it was full
+    keep.rename(tmp_path / "build")  # the files of the full disk
     assert run([*map(str, command(tmp_path))]).returncode == 0
     assert (tmp_path / RESULT).read_text() == expected(tmp_path)
 

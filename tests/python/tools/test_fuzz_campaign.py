@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from tools.campaign.fuzz import PROGRAM, summarise
+from tools.campaign.fuzz import NAMES, PROGRAM, options, summarise
 from tools.campaign.fuzz_program import INPUTS
 from traceability.reading.fault_record import campaign_metrics
 from traceability.reading.published import Published
@@ -20,7 +20,8 @@ import sys
 words = dict(word[1:].split("=", 1) for word in sys.argv[1:] if word.startswith("-"))
 if {fails} and words["seed"] == "2000":
     open(words["artifact_prefix"] + "crash-1", "wb").write(b"\\x01\\xff")
-    print("#17\\tNEW", "==1==ERROR: overflow", file=sys.stderr, sep="\\n")
+    calls = ["    #1 call"] * 1000
+    print("#17\\tNEW", "==1==ERROR: overflow", *calls, file=sys.stderr, sep="\\n")
     sys.exit(77)
 print("#2\\tINITED", "Done " + words["runs"] + " runs in 1 second(s)", file=sys.stderr, sep="\\n")
 """
@@ -32,7 +33,7 @@ def run(folder: Path, seed: int, *, fails: bool) -> list[dict[str, Any]]:
         text = FUZZER.format(python=sys.executable, fails=fails and name == "link")
         program.write_text(text, encoding="utf-8")
         program.chmod(0o755)
-    words = ["--link", folder / "link", "--robot", folder / "robot", "--count", 2, "--seed", seed]
+    words = [*options([PROGRAM, *(folder / name for name in NAMES)]), "--count", 2, "--seed", seed]
     done = subprocess.run(
         [str(word) for word in (sys.executable, SOURCE / PROGRAM, *words)],
         cwd=folder,
@@ -57,7 +58,7 @@ def test_a_failure_is_kept_with_its_input_and_its_text(tmp_path: Path) -> None:
     (failure,) = summary["failures"]
     assert failure["fuzzer"] == "link"
     assert failure["input"] == ["01ff"]
-    assert "ERROR: overflow" in failure["text"]
+    assert failure["text"].startswith("==1==ERROR: overflow\n    #1 call")
 
 
 def test_the_metrics_are_those_of_the_record(tmp_path: Path) -> None:

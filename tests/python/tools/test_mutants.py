@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tools.mutation import score
 from tools.mutation.points import Mutant, Point, find_points
 from tools.mutation.runs import Outcome, record_results, run_tests
 from tools.mutation.score import Plan, order, try_mutant
@@ -220,9 +221,39 @@ def test_where_no_own_test_finds_it_the_others_are_asked(program: Path) -> None:
     assert tried.own == {"FR-2": False}
 
 
+def test_long_tests_run_only_while_a_requirement_has_no_test_that_finds_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    parts: list[set[str]] = []
+
+    def run(_program: Path, _number: int, seconds: dict[str, float]) -> Outcome:
+        parts.append(set(seconds))
+        return Outcome({"A.Fast"} & set(seconds), set(seconds) - {"A.Fast"})
+
+    monkeypatch.setattr(score, "run_tests", run)
+    known = Plan({}, {}, {}, {"A.Fast": 0.1, "A.Slow": 5.0, "B.Short": 0.1, "B.Long": 0.7})
+    first, second = {"A.Fast", "A.Slow"}, {"B.Short", "B.Long"}
+    outcome = score.run_until_found(Path("program"), 1, known, [first, second])
+    assert parts == [{"A.Fast", "B.Short"}, {"B.Long"}, set()]
+    assert outcome == Outcome({"A.Fast"}, {"B.Short", "B.Long"})
+
+
 def test_the_order_depends_on_the_seed_and_gives_each_requirement_its_turn() -> None:
     mutants = [mutant_of("M::a")] * 20 + [mutant_of("M::b")] * 20
     chosen = order(mutants, plan(), 7)
     assert sorted(chosen) == list(range(1, 41))
     assert chosen == order(mutants, plan(), 7) != order(mutants, plan(), 8)
     assert any(number <= 20 for number in chosen[:2])
+
+
+def test_a_function_outside_the_trees_has_its_turn_too() -> None:
+    mutants = [mutant_of("M::a")] * 20 + [mutant_of("M::other")] * 20
+    chosen = order(mutants, plan(), 7)
+    assert sorted(chosen) == list(range(1, 41))
+    assert any(number > 20 for number in chosen[:4])
+
+
+def test_all_functions_of_a_file_have_mutants(tree: Path) -> None:
+    points = [point for found in find_points(tree, FILES[0], FILES).values() for point in found]
+    functions = {mutant.method for point in points for mutant in point.mutants}
+    assert functions == {"Limiter::limited", "Limiter::other", "Limiter::count"}

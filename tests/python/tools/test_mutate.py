@@ -36,7 +36,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(traces, "read_traces", lambda _root, _cache: {HOST: None})
     plan = Plan({"A::f": ["FR-1"]}, {"FR-1": {"T.A"}}, {"A::f": {"T.A"}})
     monkeypatch.setattr(score, "make_plan", lambda *_: plan)
-    monkeypatch.setattr(switched, "write_switched", lambda _root, _wanted, _log: MUTANTS)
+    monkeypatch.setattr(switched, "write_switched", lambda _root, _log: MUTANTS)
     monkeypatch.setattr(switched, "build_switched", lambda _root, _log: None)
 
     def measure(_program: Path, plan: Plan, _known: dict[str, float]) -> list[str]:

@@ -27,6 +27,8 @@ using faults::Outcome;
 constexpr int kAt = 3000;           // ms
 constexpr std::uint64_t kSeed = 7;  // in this drive all wheels turn at kAt
 
+constexpr std::uint32_t kAngleDrift = 9;  // among the faults of sensors
+
 class FaultRunTest : public testing::Test {
  protected:
   static std::filesystem::path elf() { return imageOf("weeding_robot").replace_extension(".elf"); }
@@ -54,7 +56,7 @@ std::vector<std::tuple<Kind, int, std::uint32_t, Outcome, int>> injected(FaultRu
                                                                          std::uint64_t seed) {
   std::vector<std::tuple<Kind, int, std::uint32_t, Outcome, int>> found;
   faults::Random random(seed);
-  drive.injectAll(40, random, [&](const faults::Result& result) {
+  drive.injectAll(40, random, std::nullopt, [&](const faults::Result& result) {
     found.emplace_back(result.fault.kind, result.at, result.fault.place, result.verdict.outcome,
                        result.verdict.safeAfter);
   });
@@ -75,9 +77,17 @@ TEST_F(FaultRunTest, AJumpToNowhereIsDetectedByAReset) {
   EXPECT_LE(result.verdict.safeAfter, 10);
 }
 
-TEST_F(FaultRunTest, ADriftOfTheAngleIsSilent) {
-  constexpr std::uint32_t kAngleDrift = 9;
+// The firmware reports it when the angle is wrong by 3 degrees, and the outputs are wrong from 1
+// degree on.
+TEST_F(FaultRunTest, ADriftOfTheAngleIsReportedLate) {
   const auto result = drive().injectOne({Kind::Sensor, kAngleDrift, 0, 130}, kAt);
+  EXPECT_EQ(result.verdict.outcome, Outcome::Late);
+  EXPECT_GT(result.verdict.safeAfter, 1800);
+  EXPECT_LT(result.verdict.safeAfter, 3000);
+}
+
+TEST_F(FaultRunTest, ADriftThatIsTooSlowToBeReportedInTheTimeOfObservationIsSilent) {
+  const auto result = drive().injectOne({Kind::Sensor, kAngleDrift, 0, 35}, kAt);
   EXPECT_EQ(result.verdict.outcome, Outcome::Silent);
   EXPECT_GT(result.verdict.wrongFor, 0);
 }
