@@ -356,6 +356,7 @@ function beat() {
     calls: callsBetween(modules),
     states: presentStates(),
     moves: robot.moves,
+    frames: robot.frames,
   });
 }
 
