@@ -13,7 +13,7 @@ from portal.highlight import highlighted_lines
 from portal.links import Links, slug
 from portal.measured_pages import driver_coverage
 from portal.pages import all_pages, trees, uses
-from portal.paper_views import families, hidden_names
+from portal.paper_views import compared, families, hidden_names
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
 from portal.tuning_page import control_values
@@ -294,3 +294,16 @@ def test_each_module_leads_to_its_neighbours(portal: Portal, pages: dict[str, Sh
     for before, name in pairwise(names):
         assert pages[f"modules/{name}"].links[portal.links.module(before) or ""] == before
         assert pages[f"modules/{before}"].links[portal.links.module(name) or ""] == name
+
+
+def test_a_change_that_an_extension_makes_names_two_products(portal: Portal) -> None:
+    change = next(iter(portal.model.changes.values()))
+    bluetooth = replace(portal.model.modules["RC"], name="Bluetooth", logic="extensions/bluetooth")
+    portal.model.modules["Bluetooth"] = bluetooth  # type: ignore[index]
+    try:
+        found = compared(portal, replace(change, examples=["Bluetooth"], made=None))
+    finally:
+        del portal.model.modules["Bluetooth"]  # type: ignore[attr-defined]
+    assert found
+    assert (found.before, found.after) == ("weeding_robot_pc", "weeding_robot_pc_bluetooth")
+    assert compared(portal, replace(change, examples=[], made=None)) is None

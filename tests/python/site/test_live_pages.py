@@ -105,6 +105,23 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
     assert any(["MainController", "OperationState"] in beat["calls"] for beat in beats)
 
 
+@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
+    """The same drive: the warning comes one failed read before the last waiting state."""
+    products = ["weeding_robot_paper", "weeding_robot_warning"]
+    order = {"do": "compare", "folder": "live/", "products": products, "scenario": "loss_of_the_pc"}
+    sent = played([{"do": "load", "folder": "live/"}, order], 0)
+    before, after = next(message for message in sent if message["kind"] == "compared")["runs"]
+
+    def states(run: dict[str, Any]) -> set[str]:
+        return {one["state"] for cycle in run["cycles"] for one in cycle["states"]}
+
+    assert states(after) - states(before) == {"WaitingK"}
+    assert states(before) <= states(after)
+    assert "WaitingK" in set(after["modules"]) - set(before["modules"])
+    assert set(before["modules"]) - set(after["modules"]) == {"RobotDirector"}  # the composition
+
+
 def from_bytes(part: bytes, signed: bool = False) -> int:
     return int.from_bytes(part, "little", signed=signed)
 
