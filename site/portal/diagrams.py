@@ -14,6 +14,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from portal.label_places import Box, best_move, box_of, move
 from portal.links import Links
 from traceability.model.design_model import Model
 from traceability.schema import Module, PatternApplication, StateMachine, Transition
@@ -21,7 +22,7 @@ from traceability.schema import Module, PatternApplication, StateMachine, Transi
 DIAGRAMS = "diagrams"  # the folder of their sources in the site
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "8"  # part of the cache key: increase it when the processing of the SVG changes
+FORMAT = "9"  # part of the cache key: increase it when the processing of the SVG changes
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -72,6 +73,8 @@ COLOUR_OF = {
 UNSET = "#A80036"  # default colour of edges in PlantUML
 
 LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
+
+EDGE = 4  # space below the lowest label
 
 LONG_LABEL = 12  # a transition's action goes below a longer event
 
@@ -394,13 +397,39 @@ def finish(svg: str, diagram: Diagram) -> str:
     for element in root.iter():
         if identifier := element.get("id"):
             element.set("id", f"{diagram.id}-{re.sub(r'[^A-Za-z0-9_-]', '_', identifier)}")
-    for (source, target), steps in diagram.edges.items():
-        group_edge(root, f"{diagram.id}-{source}-_{target}", steps)
+    labels = {
+        identifier: group_edge(root, identifier, steps)
+        for (source, target), steps in diagram.edges.items()
+        for identifier in [f"{diagram.id}-{source}-_{target}"]
+    }
+    place_labels(root, labels)
     return ET.tostring(root, encoding="unicode")
 
 
-def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> None:
-    """Groups the line, the tip and the label of an edge under its requirements.
+def place_labels(root: ET.Element, labels: dict[str, dict[ET.Element, Box]]) -> None:
+    """Moves each label off the lines of the other edges, and makes room for it."""
+    paths = {line.get("id", ""): line.get("d", "") for line in root.iter("path")}
+    states = [
+        Box(x, y, x + float(state.get("width", "0")), y + float(state.get("height", "0")))
+        for state in root.iter("rect")
+        for x, y in [(float(state.get("x", "0")), float(state.get("y", "0")))]
+    ]
+    height = float(root.get("height", "0"))
+    for identifier, lines in labels.items():
+        others = [box for name, own in labels.items() if name != identifier for box in own.values()]
+        crossing = [path for name, path in paths.items() if name != identifier]
+        down = best_move(list(lines.values()), crossing, [*others, *states])
+        for text, box in lines.items():
+            move(text, down)
+            lines[text] = box.moved(down)
+            height = max(height, lines[text].bottom + EDGE)
+    root.set("height", f"{height:g}")
+    root.set("viewBox", f"0 0 {root.get('width')} {height:g}")
+
+
+def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> dict[ET.Element, Box]:
+    """Groups the line, the tip and the label of an edge under its requirements; returns the lines
+    of the label with their places.
 
     The labels come after all edges, so that no line is drawn over them.
     """
@@ -413,16 +442,19 @@ def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> No
     rest = iter(parts[start:])
     edge.extend([next(rest), next(rest)])
     labels = []
+    places = {}
     for step in steps:
         says = ET.Element("g", {"class": "says", "data-for": " ".join(step.requirements)})
         says.extend(next(rest) for _ in label_lines(step))
         for text in says:
+            places[text] = box_of(text)
             del text.attrib["textLength"], text.attrib["lengthAdjust"]
         labels.append(says)
     for part in (*edge, *(text for says in labels for text in says)):
         drawing.remove(part)
     drawing.insert(start, edge)
     drawing.extend(labels)
+    return places
 
 
 def clean(element: ET.Element) -> None:

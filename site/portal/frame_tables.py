@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from portal.tables import list_table
+from traceability.reading.live_record import MODULE
 from weeding_robot_client.layout import (
     BY_QUANTITY,
     WHEEL_COUNT,
@@ -18,6 +19,20 @@ from weeding_robot_client.layout import (
 )
 
 TABLE = Path("design/frames.toml")
+LIVE_FRAMES = """\
+<link rel="stylesheet" href="../_static/live/live.css">
+<script src="../_static/live/frames.js" defer></script>
+<script src="../_static/live/frame_view.js" defer></script>
+<div class="lv-watch" data-frames-of="../live/" data-scripts="../_static/live/" hidden>
+  <p class="lv-row">
+    <button class="btn" type="button" data-go>Watch the line</button>
+    <select class="lv-pick" data-kind aria-label="Type of the frame"></select>
+    <span class="small mut" data-direction></span>
+  </p>
+  <div class="lv-bytes" data-parts></div>
+  <p data-detail></p>
+</div>
+"""
 INCLUDED = re.compile(r"^\.\. include:: /_generated/(\S+)$", re.MULTILINE)
 
 
@@ -132,3 +147,10 @@ def values_table(enumeration: Enumeration) -> str:
         rows.append((*row, entry.detail) if enumeration.detail else tuple(row))
     widths = (10, 20, 20, 30, 20) if enumeration.detail else (12, 22, 24, 42)
     return list_table(widths, heads, rows)
+
+
+def live_frames(root: Path) -> str:
+    """The place of the frames of a running robot; nothing when the module was not built."""
+    if not (root / MODULE).exists():
+        return "<p>The module that runs the robot was not built.</p>\n"
+    return LIVE_FRAMES

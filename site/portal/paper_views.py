@@ -13,6 +13,7 @@ from markupsafe import Markup
 from portal import names
 from portal.links import ROOT, paper_anchor
 from portal.portal import Page, Portal
+from traceability.reading.products import DEFAULT, PAPER
 from traceability.schema import LikelyChange, LogicModule, Method, Module, PaperElement
 
 CONSTANT = re.compile(r"k[A-Z]\w*")
@@ -39,7 +40,33 @@ def change_page(portal: Portal, change: LikelyChange) -> Page:
         untouched=untouched,
         tests=[portal.model.tests[name] for name in change.tests],
         checks=checks_of(portal, change),
+        compared=compared(portal, change),
     )
+
+
+@dataclass(frozen=True)
+class Compared:
+    """Two products that differ by an extension, and a drive in which the difference is visible."""
+
+    extension: str
+    before: str
+    after: str
+    scenario: str
+
+
+COMPARED = (
+    Compared("bluetooth", "weeding_robot_pc", "weeding_robot_pc_bluetooth", "loss_of_the_pc"),
+    Compared("safety", PAPER, DEFAULT, "hall_dead"),
+    Compared("warning", PAPER, "weeding_robot_warning", "loss_of_the_pc"),
+)
+
+
+def compared(portal: Portal, change: LikelyChange) -> Compared | None:
+    """The products without and with the extension that makes the change, if there is one."""
+    known = {f"extensions/{one.extension}": one for one in COMPARED}
+    examples = (portal.model.modules[name].logic for name in change.examples)
+    made = (change.made.extension,) if change.made else ()
+    return next((known[one] for one in (*examples, *made) if one in known), None)
 
 
 def filled(step: str, change: LikelyChange) -> str:

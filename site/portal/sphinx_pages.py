@@ -16,7 +16,7 @@ from sphinx.util.docutils import docutils_namespace, patch_docutils
 
 from portal import search
 from portal.board_figure import board_figure
-from portal.frame_tables import frame_tables
+from portal.frame_tables import TABLE, frame_tables, live_frames
 from portal.links import ROOT, depth_prefix
 from portal.module_page import MEMBERS, doxygen_file
 from portal.package_diagram import PACKAGES
@@ -36,6 +36,7 @@ SCENARIO = Path("sim/scenario/examples/stop.scenario")
 INCLUDED = (
     (PINS, "pin_map.csv", pin_map),
     (PINS, "board.html", board_figure),
+    (TABLE, "live_frames.html", live_frames),
     (SCENARIO, "example.scenario", lambda root: (root / SCENARIO).read_text("utf-8")),
     (COMMANDS, "commands.csv", command_table),
     (DEBIAN, "packages.csv", package_table),

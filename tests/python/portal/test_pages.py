@@ -13,7 +13,7 @@ from portal.highlight import highlighted_lines
 from portal.links import Links, slug
 from portal.measured_pages import driver_coverage
 from portal.pages import all_pages, trees, uses
-from portal.paper_views import families, hidden_names
+from portal.paper_views import compared, families, hidden_names
 from portal.portal import CheckText, Portal
 from portal.requirement_pages import Row, aligned, shortened
 from portal.tuning_page import control_values
@@ -312,3 +312,16 @@ def test_the_page_of_robustness_shows_the_inputs_of_each_fuzzer_of_a_record(
     fuzz = Published("./wr campaign fuzz", "abc", "2026-01-01", result)
     model = replace(make_project(tmp_path), campaigns={"fuzz": fuzz})
     assert text in " ".join(shown(tmp_path, model)["robustness"].text.split())
+
+
+def test_a_change_that_an_extension_makes_names_two_products(portal: Portal) -> None:
+    change = next(iter(portal.model.changes.values()))
+    bluetooth = replace(portal.model.modules["RC"], name="Bluetooth", logic="extensions/bluetooth")
+    portal.model.modules["Bluetooth"] = bluetooth  # type: ignore[index]
+    try:
+        found = compared(portal, replace(change, examples=["Bluetooth"], made=None))
+    finally:
+        del portal.model.modules["Bluetooth"]  # type: ignore[attr-defined]
+    assert found
+    assert (found.before, found.after) == ("weeding_robot_pc", "weeding_robot_pc_bluetooth")
+    assert compared(portal, replace(change, examples=[], made=None)) is None

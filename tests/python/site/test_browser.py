@@ -175,3 +175,33 @@ def test_a_wide_diagram_fits_a_phone_and_is_enlarged_in_a_window(
     )
     seen, errors = look(server, ["architecture"], probe, width=390)
     assert (seen["architecture"], errors) == ([True] * 7, [])
+
+
+def test_a_box_of_a_diagram_has_a_card_and_is_highlighted_with_its_rows(
+    server: tuple[str, Path],
+) -> None:
+    probe = (
+        "const box = doc.querySelector('svg a[data-m=RC]');"
+        "const over = (node) => node.dispatchEvent(new view.PointerEvent('pointerover',"
+        " {bubbles: true, pointerType: 'mouse'}));"
+        "over(box); await new Promise((done) => view.setTimeout(done, 400));"
+        "const marked = () => [...doc.querySelectorAll('.joint')].map((part) => part.localName);"
+        "const found = [doc.querySelector('.card').dataset.m, marked()];"
+        "over(doc.querySelector('h1')); found.push(marked());"
+        "over(doc.querySelector('.where a.mod[data-m=RC]')); found.push(marked().includes('a'));"
+        "return found;"
+    )
+    seen, errors = look(server, ["patterns/reading-modes"], probe)
+    card, marked, after, back = seen["patterns/reading-modes"]
+    assert (card, after, back, errors) == ("RC", [], True, [])
+    assert {"a", "li", "tr"} <= set(marked)
+
+
+def test_columns_of_numbers_are_aligned_at_their_right_end(server: tuple[str, Path]) -> None:
+    probe = (
+        "const cells = [...doc.querySelectorAll('main table:not(.umx) tbody td')].filter((cell) =>"
+        " /^\\d+$/.test(cell.textContent.trim()));"
+        "return cells.map((cell) => view.getComputedStyle(cell).textAlign);"
+    )
+    seen, _ = look(server, ["uses", "modules/MainController"], probe)
+    assert seen["uses"] and {*seen["uses"], *seen["modules/MainController"]} == {"right"}

@@ -13,6 +13,8 @@ import pytest
 from tests.python.site.browser import BROWSER
 from tests.python.site.content import SITE
 from tools.live_runs import result_of
+from weeding_robot_client import frames
+from weeding_robot_client.layout import read_frames
 
 SCRIPTS = SITE / "_static" / "live"
 STATES = ["OperationState", "Working", "Waiting", "WaitingN", "Reconnecting", "MainController"]
@@ -101,6 +103,60 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
         assert set(beat["active"]) == risen
         assert all({caller, called} <= set(STATES) for caller, called in beat["calls"])
     assert any(["MainController", "OperationState"] in beat["calls"] for beat in beats)
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
+    """The same drive: the warning comes one failed read before the last waiting state."""
+    products = ["weeding_robot_paper", "weeding_robot_warning"]
+    order = {"do": "compare", "folder": "live/", "products": products, "scenario": "loss_of_the_pc"}
+    sent = played([{"do": "load", "folder": "live/"}, order], 0)
+    before, after = next(message for message in sent if message["kind"] == "compared")["runs"]
+
+    def states(run: dict[str, Any]) -> set[str]:
+        return {one["state"] for cycle in run["cycles"] for one in cycle["states"]}
+
+    assert states(after) - states(before) == {"WaitingK"}
+    assert states(before) <= states(after)
+    assert "WaitingK" in set(after["modules"]) - set(before["modules"])
+    assert set(before["modules"]) - set(after["modules"]) == {"RobotDirector"}  # the composition
+
+
+def from_bytes(part: bytes, signed: bool = False) -> int:
+    return int.from_bytes(part, "little", signed=signed)
+
+
+PARTS = """
+const frames = require(process.argv[1]);
+const { lines, layouts } = JSON.parse(require("fs").readFileSync(0, "utf8"));
+process.stdout.write(JSON.stringify(lines.map((line) => frames.partsOf(line, layouts))));
+"""
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
+    """Of all frames of a drive: the bytes in their order, and the number in each field."""
+    play = {"do": "play", "folder": "live/", "modules": [], "scenario": "loss_of_the_pc"}
+    sent = played([{"do": "load", "folder": "live/"}, play], 20)
+    lines = [frame["bytes"] for beat in sent for frame in beat.get("frames", ())]
+    layouts = json.loads((SITE / "live" / "live.json").read_text(encoding="utf-8"))["frames"]
+    words = ["node", "-e", PARTS, str(SCRIPTS / "frames.js")]
+    given = json.dumps({"lines": lines, "layouts": layouts})
+    run = subprocess.run(words, input=given, capture_output=True, text=True, check=True)
+    table = read_frames((SITE.parents[1] / "design/frames.toml").read_text(encoding="utf-8"))
+    known = {layout.kind: layout for layout in table.frames.values()}
+    seen = set()
+    for line, parts in zip(lines, json.loads(run.stdout), strict=True):
+        frame = frames.decode(bytes(line[:-1]))
+        layout = known[frame.kind]
+        seen.add(layout.name)
+        body = bytes([frame.version, frame.kind, frame.sequence]) + frame.payload
+        shown = [byte for part in parts[1:-1] for byte in part["bytes"]]
+        assert bytes(shown) == body + frames.crc16(body).to_bytes(2, "little")
+        named = {part["name"]: bytes(part["bytes"]) for part in parts}
+        for name, number in layout.unpack(frame.payload).items():
+            assert number in (named[name], from_bytes(named[name]), from_bytes(named[name], True))
+    assert {"Hello", "Welcome", "Confirm", "Order", "Report"} <= seen
 
 
 @pytest.mark.browser

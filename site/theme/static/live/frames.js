@@ -5,6 +5,7 @@
   const SIZES = { u8: 1, i8: 1, u16: 2, i16: 2, u32: 4, i32: 4, char8: 8 };
   const HEADER = 3;
   const CRC = 2;
+  const BY_QUANTITY = "quantity"; // the unit of a set-point depends on its quantity
 
   function unstuffed(line) {
     const body = [];
@@ -86,6 +87,43 @@
     }
   }
 
-  scope.LiveFrames = { Line, valuesOf, unstuffed };
+  /* The value of a field as a reader writes it: its name, or the number with its unit. */
+  function shownValue(field, value) {
+    if (field.v) return `${value} ${field.v[value] || ""}`.trim();
+    if (field.b) return field.b.filter((_, bit) => (value >> bit) & 1).join(", ") || "no bit set";
+    if (!field.u || field.u === BY_QUANTITY) return String(value);
+    return field.s === 1 ? `${value} ${field.u}` : `${value}, that is ${value / Math.round(1 / field.s)} ${field.u}`;
+  }
+
+  /* The parts of a frame as it is on the line, in order: the stuffing, the header, the fields, the
+   * check sum and the end. Stuffing bytes inside of the body are replaced by the zeros that they
+   * stand for. */
+  function partsOf(line, frames) {
+    const body = unstuffed(line.slice(0, -1)) || [];
+    const kind = frames.find((frame) => frame.kind === body[1]);
+    const payload = body.slice(HEADER, -CRC);
+    const view = new DataView(Uint8Array.from(payload).buffer);
+    const parts = [
+      { bytes: [line[0]], name: "stuffing", meaning: "distance to the next zero of the body" },
+      { bytes: [body[0]], name: "version", value: body[0], meaning: "version of the protocol" },
+      { bytes: [body[1]], name: "type", value: kind ? kind.name : body[1], meaning: "kind of payload" },
+      { bytes: [body[2]], name: "sequence", value: body[2], meaning: "number of the frame, from its sender" },
+    ];
+    let at = 0;
+    for (const field of kind ? kind.fields : []) {
+      const size = SIZES[field.t];
+      if (field.o + size > payload.length) break;
+      const value = shownValue(field, valueAt(view, field, field.o));
+      parts.push({ bytes: payload.slice(field.o, field.o + size), name: field.n, value, meaning: field.m });
+      at = field.o + size;
+    }
+    if (at < payload.length)
+      parts.push({ bytes: payload.slice(at), name: "more", meaning: "bytes after the fields of this version" });
+    parts.push({ bytes: body.slice(-CRC), name: "crc", meaning: "CRC-16/CCITT-FALSE of all bytes before it" });
+    parts.push({ bytes: [0], name: "end", meaning: "the zero byte that ends the frame" });
+    return parts;
+  }
+
+  scope.LiveFrames = { Line, valuesOf, unstuffed, partsOf };
   if (typeof module !== "undefined") module.exports = scope.LiveFrames;
 })(typeof self !== "undefined" ? self : globalThis);

@@ -356,10 +356,36 @@ function beat() {
     calls: callsBetween(modules),
     states: presentStates(),
     moves: robot.moves,
+    frames: robot.frames,
   });
 }
 
+/* Plays one scenario with each of some products; the states of each cycle, and the modules that ran. */
+async function compare({ folder, products, scenario: name }) {
+  pause();
+  const scenario = facts.scenarios.find((one) => one.name === name);
+  const runs = [];
+  for (const wanted of products) {
+    await choose(folder, `${wanted}_calls`);
+    post({ kind: "plays", title: scenario.title, product: wanted });
+    robot = new Robot(scenario, []);
+    const cycles = [];
+    let goesOn = true;
+    while (goesOn) {
+      robot.clear();
+      goesOn = robot.cycle();
+      const states = presentStates().filter(({ id }) => id in REPORTED);
+      cycles.push({ at: robot.numbers.time_ms, speed: robot.numbers.ground_speed, states });
+    }
+    const counts = countsOf(new Set(product.functions.map(([, method]) => ownerOf(method))));
+    const modules = facts.modules.map((one) => one.name).filter((one) => counts[one] > 0);
+    runs.push({ product: wanted, cycles, modules });
+  }
+  post({ kind: "compared", title: scenario.title, runs });
+}
+
 const ORDERS = {
+  compare,
   play,
   beat,
   async load({ folder }) {
