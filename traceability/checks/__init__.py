@@ -75,8 +75,7 @@ def run_checks(model: Model, facts: Facts) -> Report:
     clauses, broken = pattern_checks.decide(model, facts)
     found += broken
     measured = measured_values(model, figures(model, clauses), found, KNOWN)
-    stale = any(finding.check == "req-stale" for finding in found)
-    findings = sort(found + requirement_checks.unmet(model, measured, known_stale=stale))
+    findings = sort(found + requirement_checks.unmet(model, measured, found))
     return make_report(model, findings, clauses, measured)
 
 

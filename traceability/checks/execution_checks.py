@@ -34,10 +34,12 @@ KINDS = (INTERRUPT, THREAD, START)
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
+    heap = list(_heap(facts))
     if not facts.declared.contexts:
-        return []
+        return heap
     return (
-        _contexts(model, facts)
+        heap
+        + _contexts(model, facts)
         + _pipes(model, facts)
         + _priorities(model, facts)
         + _ends(facts)
@@ -45,7 +47,6 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         + _claims(model, facts)
         + _floats(model, facts)
         + _loops(facts)
-        + list(_heap(facts))
         + _enabled(facts)
         + _shared(model, facts)
         + _unprotected(model, facts)
@@ -270,7 +271,8 @@ def _heap(facts: Facts) -> Iterator[Finding]:
         bare = comment_blanked(path.read_text(encoding="utf-8"))
         for number, line in enumerate(bare.splitlines(), 1):
             if found := HEAP.search(line):
-                text = f"'{found[0].strip()}' uses the heap"
+                words = found[0] if found[0].startswith("#") else found[0].split()[0]
+                text = f"'{words.partition('(')[0]}' uses the heap"
                 yield Finding(Place(file, number), "exec-heap", text, fix)
 
 

@@ -22,7 +22,7 @@ def check(_model: Model, facts: Facts) -> list[Finding]:
 def _numbers(facts: Facts) -> Iterator[Finding]:
     """A value of an enumeration has the number and the name of the enumerator in the firmware."""
     path = facts.root / FRAMES
-    place = Place(FRAMES, 1)
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     for table in facts.declared.entries.whole(path).get("enumeration", []):
         held = _enumerators(str(table.get("firmware", "")), facts)
         for value in table.get("values", []):
@@ -30,9 +30,10 @@ def _numbers(facts: Facts) -> Iterator[Finding]:
             known = {name, value.get("firmware")} & held.keys()
             if held and known and held[next(iter(known))] != number:
                 text = f"{name} of {table['firmware']} is {held[next(iter(known))]}, not {number}"
-                at = facts.declared.entries.place_of(path, f'{{ number = {number}, name = "{name}"')
+                written = re.compile(rf'\b{number}, *name *= *"{re.escape(str(name))}"')
+                at = next((n for n, line in enumerate(lines, 1) if written.search(line)), 1)
                 fix = "correct the number; a number on the line never changes its meaning"
-                yield Finding(at if at.line > 1 else place, "doc-frame", text, fix)
+                yield Finding(Place(FRAMES, at), "doc-frame", text, fix)
 
 
 def _enumerators(name: str, facts: Facts) -> dict[str, int]:

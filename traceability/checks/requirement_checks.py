@@ -11,7 +11,7 @@ from itertools import pairwise
 from pathlib import Path
 
 from traceability.model.design_model import Model
-from traceability.model.evidence import reasons
+from traceability.model.evidence import CHECKS, reasons
 from traceability.model.metrics import METHODS
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS
@@ -24,6 +24,7 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import (
     HOST,
     SOURCE_KINDS,
+    Evidence,
     Finding,
     Justified,
     Place,
@@ -34,6 +35,7 @@ from traceability.sources import files_below
 
 TAGGED = ("src", "extensions", "tests")
 TEST_BUILD = "tests/CMakeLists.txt"
+CONFORMING = "patterns.conforming"
 DISABLED, SKIPS = "DISABLED_", "GTEST_SKIP("
 PRIORITIES = ("high", "medium", "low")
 LEVELS = ("system", "software", "driver")
@@ -288,12 +290,14 @@ def _requirements(model: Model) -> list[Finding]:
 
 
 def unmet(
-    model: Model, measured: Mapping[str, float | None], *, known_stale: bool = False
+    model: Model, measured: Mapping[str, float | None], others: Sequence[Finding] = ()
 ) -> list[Finding]:
-    """Evidence that is missing or beyond its bound. The other checks are part of the evidence.
+    """Evidence that is missing or beyond its bound.
 
-    With stale results, a missing one is no finding of its own: ``req-stale`` has reported them.
+    ``others`` are the findings of the other checks. Evidence that only counts them, or that stale
+    results leave unmeasured, is no finding of its own: they report it at its place.
     """
+    checks = {finding.check for finding in others}
     return [
         Finding(
             evidence.place,
@@ -303,9 +307,18 @@ def unmet(
         )
         for requirement in model.requirements.values()
         for evidence in requirement.evidence
+        if not _is_reported(evidence, measured[evidence.figure], checks)
         for reason in reasons(evidence, measured[evidence.figure])
-        if not (known_stale and evidence.relation and measured[evidence.figure] is None)
     ]
+
+
+def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> bool:
+    """Whether findings of other checks state that the evidence does not hold."""
+    if value is None:
+        return bool(evidence.relation) and "req-stale" in checks
+    if evidence.figure == CONFORMING:
+        return any(check.startswith("pattern-") for check in checks)
+    return evidence.figure.startswith(CHECKS) and value > 0
 
 
 def _results(model: Model) -> list[Finding]:

@@ -38,7 +38,11 @@ def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
 
 
 def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, str]]:
-    """The texts below a table, each with the names of the tables that lead to it."""
+    """The texts below a table, each with the names of the tables that lead to it.
+
+    The numbers of an entry belong to its texts, which give the reason for them.
+    """
+    numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
     for key, value in table.items():
         path = f"{above}{key}"
         if isinstance(value, Mapping):
@@ -54,7 +58,7 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
             texts = value if isinstance(value, list) else [value]
             said = [text for text in texts if isinstance(text, str) and _is_prose(text)]
             if said:
-                yield path, "\n".join(said)
+                yield path, "\n".join((*said, *numbers))
 
 
 def _label(item: Mapping[str, Any]) -> str:
@@ -63,6 +67,10 @@ def _label(item: Mapping[str, Any]) -> str:
     lists = [item[key] for key in LISTS if isinstance(item.get(key), list)]
     names += [str(one[0]) for one in lists if one]
     return names[0] if names else ""
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def _is_prose(text: str) -> bool:
