@@ -17,7 +17,8 @@ from traceability.reading.gtest_cases import read_tests
 OF_LINKS = ("satisfies", "isr")  # not part of a specification
 TOKENS = re.compile(r"""\d[\w.']*|"(?:\\.|[^"\\])*"|\w+|[^\s\w]""")
 HASH_DIGITS = 16
-CONSTANT = re.compile(r"\bconstexpr\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;")
+STRING = re.compile(r'"(?:\\.|[^"\\\n])*"')
+CONSTANT = re.compile(r"\b(?:constexpr|constinit)\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;")
 BOUND = re.compile(r"// (bound|passes): ([^\n;]*)")
 CODE = ("body", "test", "function")  # kinds of texts that are bodies of functions
 # A type, and the name of a variable or a parameter.
@@ -142,8 +143,9 @@ def code_with_bounds(text: str) -> str:
 
 
 def texts_of_constants(text: str, _file: str) -> Iterator[str]:
-    """The constants and tables of a file."""
-    yield "\n".join(match[0] for match in CONSTANT.finditer(code_of(text)))
+    """The constants, tables and constant-initialised objects of a file."""
+    code = STRING.sub(lambda found: found[0].replace(";", ","), code_of(text))
+    yield "\n".join(match[0] for match in CONSTANT.finditer(code))
 
 
 def texts_of_test(text: str, name: str) -> Iterator[str]:

@@ -15,7 +15,7 @@ from tools.steps import FailureError
 from traceability.checks import run_checks
 from traceability.model.build import build
 from traceability.model.reviews import BASELINE, QUESTIONS, REVIEWS, read_baseline
-from traceability.reading.link_texts import code_with_bounds, hash_of
+from traceability.reading.link_texts import FINDERS, code_with_bounds, hash_of
 
 TEST = "tests/main_control/WorkingTest.cpp"
 HELPER = "tests/support/helper.hpp"
@@ -168,6 +168,16 @@ def test_only_the_name_of_a_local_variable_does_not_matter(
 ) -> None:
     hashes = {hash_of("body", code_with_bounds(text)) for text in (before, after)}
     assert (len(hashes) == 1) == same
+
+
+def test_the_constants_of_a_file_are_whole_tables_and_objects() -> None:
+    text = (
+        'constexpr auto kRows = to_array<Row>({{1, "low; high"}, {2, "end"}});\n'
+        'constinit K64Gpio red(pinOf("light_red"));\n'
+    )
+    (found,) = FINDERS["constants"](text, "file.cpp")
+    assert '"end"' in found
+    assert "light_red" in found
 
 
 def test_a_lost_tag_is_shown_at_the_method(tree: Path) -> None:
