@@ -93,8 +93,8 @@ def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
             file = str(path.relative_to(root))
             source = path.read_text(encoding="utf-8")
             titles = [*TITLE.finditer(source)]
-            ends = [title.start() for title in titles[1:]] + [len(source)]
-            for title, end in zip(titles, ends, strict=True):
+            ends = [*(title.start() for title in titles[1:]), len(source)]
+            for title, end in zip(titles, ends, strict=False):
                 found = FACT.findall(source[title.end() : end])
                 if found:
                     line = source.count("\n", 0, title.start()) + 1
