@@ -7,14 +7,15 @@ import datetime
 import difflib
 import subprocess
 import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tools.steps import FailureError
 
 if TYPE_CHECKING:
-    from traceability.model.reviews import LinkText
+    from traceability.model.design_model import Model
+    from traceability.model.reviews import LinkText, LinkTexts
     from traceability.schema import Baseline, Requirement
 
 MOST_VERSIONS = 200  # number of versions of a file in which the text of the baseline is searched
@@ -35,7 +36,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--baseline",
         action="store_true",
-        help="record the present texts of the requirements, or of all that changed",
+        help="record the present texts of the requirements, or of all that changed; design is the "
+        "name of the reasons in design/ and of the code without a requirement",
     )
     parser.add_argument("--name", help="first and last name of the reviewer; default: git's")
     parser.add_argument("--email", help="address of the reviewer; default: git's")
@@ -44,38 +46,49 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def review(root: Path, options: argparse.Namespace) -> int:
     from traceability.model.build import build
-    from traceability.model.reviews import LinkTexts
+    from traceability.model.reviews import DESIGN, LinkTexts
 
     built = build(root)
-    unknown = [name for name in options.ids if name not in built.model.requirements]
+    known = {*built.model.requirements, *([DESIGN] if options.baseline else [])}
+    unknown = [name for name in options.ids if name not in known]
     if unknown:
         raise FailureError(f"there is no requirement {', '.join(unknown)}")
     texts = LinkTexts(built.model, built.facts)
     if options.baseline:
-        return record_baseline(root, built.model.requirements, texts.of, options.ids)
+        return record_baseline(root, built.model, texts, options.ids)
     if len(options.ids) != 1:
         raise FailureError("name one requirement to review, such as ./wr review FR-15")
     requirement = built.model.requirements[options.ids[0]]
     return review_one(root, requirement, texts.of(requirement), options)
 
 
-def record_baseline(
-    root: Path,
-    requirements: Mapping[str, Requirement],
-    texts_of: Callable[[Requirement], list[LinkText]],
-    ids: list[str],
-) -> int:
+def record_baseline(root: Path, model: Model, texts: LinkTexts, ids: list[str]) -> int:
     """Prints the changes, and records them in the baseline."""
-    from traceability.model.reviews import NAMES_OF_TEXTS, write_baseline
+    from traceability.model.reviews import DESIGN, NAMES_OF_TEXTS, write_baseline
 
-    changed = [requirements[name] for name in ids or requirements if requirements[name].suspicions]
-    for requirement in changed:
-        for suspicion in requirement.suspicions:
-            name = NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)
-            print(f"{requirement.id}: {name} {suspicion.text}")
-    write_baseline(root, {item.id: texts_of(item) for item in changed}, requirements)
-    print(f"Recorded the baseline of {len(changed)} requirements. This is not a review.")
+    requirements = model.requirements
+    doubts = {name: one.suspicions for name, one in requirements.items()}
+    doubts[DESIGN] = model.suspicions
+    changed = [name for name in ids or doubts if doubts[name]]
+    for name in changed:
+        for suspicion in doubts[name]:
+            said = NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)
+            print(f"{name}: {said} {suspicion.text}")
+    present = {name: texts.of(one) for name, one in requirements.items()}
+    covered = {text.key for listed in present.values() for text in listed}
+    recorded = {name: present[name] for name in changed if name != DESIGN}
+    if DESIGN in changed:
+        recorded[DESIGN] = texts.of_design(covered)
+    write_baseline(root, recorded, requirements)
+    print(f"Recorded the baseline of {counted(changed)}. This is not a review.")
     return 0
+
+
+def counted(changed: list[str]) -> str:
+    from traceability.model.reviews import DESIGN
+
+    design = " and of the texts without a requirement" if DESIGN in changed else ""
+    return f"{len(set(changed) - {DESIGN})} requirements{design}"
 
 
 def review_one(
@@ -162,13 +175,13 @@ def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
 
 def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
     """The text with this hash, out of the versions of the file that git has."""
-    from traceability.reading.link_texts import FINDERS, hash_of_text
+    from traceability.reading.link_texts import FINDERS, hash_of
 
     if now.kind not in FINDERS:
         return None
     for version in versions(root, now.place.file):
         for text in FINDERS[now.kind](version, now.name):
-            if hash_of_text(text) == recorded:
+            if hash_of(now.kind, text) == recorded:
                 return text
     return None
 

@@ -25,7 +25,7 @@ PROGRESS = 30.0  # [s] between two lines of progress
 BUILT = ("build/model", "build/results", "build/tasks.json")
 FORK = get_context("fork")
 tried = FORK.Value("i", 0)  # faults, counted by all workers
-LINKED = ("build/trace", "build/host", "build/k64")  # only read
+LINKED = ("build/trace", "build/host", "build/k64", "build/k64_calls", "build/calls")  # only read
 PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
 
@@ -145,14 +145,18 @@ class Copy:
         return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
-        """Seeds the faults together, and then each fault that was not found again alone."""
-        outcomes = self._seed(faults)
-        if len(faults) == 1:
-            return outcomes
-        return [
-            outcome if outcome.caught else self._seed([fault])[0]
-            for fault, outcome in zip(faults, outcomes, strict=True)
-        ]
+        """Seeds the faults together, and those that were not found again in halves.
+
+        A fault can hide all others, for example when it makes a file of the design unreadable.
+        Halves separate it from them in few runs.
+        """
+        outcomes = {fault.name: one for fault, one in zip(faults, self._seed(faults), strict=True)}
+        missed = [fault for fault in faults if not outcomes[fault.name].caught]
+        if len(faults) > 1:
+            middle = (len(missed) + 1) // 2
+            for half in filter(None, (missed[:middle], missed[middle:])):
+                outcomes |= {one.name: one for one in self.seed(half)}
+        return [outcomes[fault.name] for fault in faults]
 
     def _seed(self, faults: list[Fault]) -> list[Outcome]:
         edits = [edit for fault in faults for edit in fault.edits]

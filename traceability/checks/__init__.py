@@ -19,6 +19,7 @@ from traceability.checks import (
     paper_checks,
     pattern_checks,
     proof_checks,
+    protocol_checks,
     register_checks,
     requirement_checks,
     safety_checks,
@@ -62,6 +63,7 @@ FAMILIES = (
     tree_checks.check,
     requirement_checks.check,
     number_checks.check,
+    protocol_checks.check,
     safety_checks.check,
 )
 
@@ -73,7 +75,7 @@ def run_checks(model: Model, facts: Facts) -> Report:
     clauses, broken = pattern_checks.decide(model, facts)
     found += broken
     measured = measured_values(model, figures(model, clauses), found, KNOWN)
-    findings = sort(found + requirement_checks.unmet(model, measured))
+    findings = sort(found + requirement_checks.unmet(model, measured, found))
     return make_report(model, findings, clauses, measured)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from traceability.checks.link_checks import missing_commands, missing_paths
+from traceability.checks.link_checks import missing_commands, missing_parts, missing_paths
 from traceability.model.design_model import Model
 from traceability.reading.comments import TAGS
 from traceability.reading.source_facts import Facts
@@ -20,6 +20,7 @@ def check(_model: Model, facts: Facts) -> list[Finding]:
         for place, text in facts.syntax.errors
     ]
     found += missing_paths(facts.root) + missing_commands(facts.root)
+    found += missing_parts(facts.root)
     for problem in facts.declared.entries.problems:
         found.append(Finding(problem.place, "design-entry", problem.text, problem.fix))
     found += [

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Iterator
 
 from traceability.model.design_model import Model
 from traceability.model.execution import (
+    ENABLE,
     INTERRUPT,
     START,
     THREAD,
@@ -14,21 +16,30 @@ from traceability.model.execution import (
     silent_lines,
     way_to,
 )
+from traceability.reading.comments import comment_blanked
 from traceability.reading.source_facts import Facts
 from traceability.schema import ExecutionContext, Finding, Place
-from traceability.sources import SRC
+from traceability.sources import DESIGN as SOURCES
+from traceability.sources import SRC, files_below
 
 MASKED = "interrupts masked"  # a protection
 LOCK = "InterruptLock"  # masks the interrupts
 DECLARED = Place("design/execution.toml", 1)
+HEAP = re.compile(
+    r"\bnew\s+[A-Za-z(]|\bdelete\s*(?:\[\]\s*)?[A-Za-z_]|\b(?:malloc|calloc|realloc|free)\s*\(\s*\w"
+    r"|#include <(?:vector|string|map|set|unordered_map|unordered_set|deque|list|forward_list"
+    r"|memory|any|queue|stack|sstream|iostream|regex|thread|future)>"
+)
 KINDS = (INTERRUPT, THREAD, START)
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
+    heap = list(_heap(facts))
     if not facts.declared.contexts:
-        return []
+        return heap
     return (
-        _contexts(model, facts)
+        heap
+        + _contexts(model, facts)
         + _pipes(model, facts)
         + _priorities(model, facts)
         + _ends(facts)
@@ -115,16 +126,35 @@ def _pipes(model: Model, facts: Facts) -> list[Finding]:
 def _priorities(model: Model, facts: Facts) -> list[Finding]:
     """Each line of a context has the priority that the design gives to the context."""
     names = line_priorities(facts)
-    found: dict[str, Finding] = {}
+    right = {
+        names[line]
+        for context in model.contexts.values()
+        for line in context.lines
+        if line in names and facts.syntax.constants[names[line]] == context.intended
+    }
+    found: dict[tuple[str, str], Finding] = {}
     for context in model.contexts.values():
         for name in {names[line] for line in context.lines if line in names}:
             given = facts.syntax.constants[name]
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
                 fix = "correct the priority, or change the design"
-                place = _place_of(name, facts)
-                found[name] = _declared(place, f"{text}{context.place.file}", fix)
+                # A constant that is right for another context is not the fault: the call is.
+                place = _enabled_at(name, facts) if name in right else _place_of(name, facts)
+                key = (name, context.id if name in right else "")
+                found[key] = _declared(place, f"{text}{context.place.file}", fix)
     return list(found.values())
+
+
+def _enabled_at(constant: str, facts: Facts) -> Place:
+    """The last call that enables a line with this priority."""
+    calls = [
+        call.place
+        for body in facts.syntax.bodies
+        for call in body.calls
+        if call.target == ENABLE and call.args[1:] and constant in call.args[1]
+    ]
+    return calls[-1] if calls else _place_of(constant, facts)
 
 
 def _place_of(constant: str, facts: Facts) -> Place:
@@ -219,7 +249,7 @@ def _loops(facts: Facts) -> list[Finding]:
         Finding(
             Place(body.place.file, body.loops[0]),
             "exec-loop",
-            f"nothing in the head counts the rounds of a loop of {name} bounds its rounds",
+            f"nothing in the head of a loop of {name} counts its rounds",
             fix,
         )
         for name, body in looping.items()
@@ -231,6 +261,19 @@ def _loops(facts: Facts) -> list[Finding]:
         for name in entry.names
         if name not in looping
     ]
+
+
+def _heap(facts: Facts) -> Iterator[Finding]:
+    """Finds memory of the heap in the source: the image may be older."""
+    fix = "use an array or a std::optional of a fixed size"
+    for path in files_below(facts.root, SOURCES, (".cpp", ".hpp")):
+        file = str(path.relative_to(facts.root))
+        bare = comment_blanked(path.read_text(encoding="utf-8"))
+        for number, line in enumerate(bare.splitlines(), 1):
+            if found := HEAP.search(line):
+                words = found[0] if found[0].startswith("#") else found[0].split()[0]
+                text = f"'{words.partition('(')[0]}' uses the heap"
+                yield Finding(Place(file, number), "exec-heap", text, fix)
 
 
 def _enabled(facts: Facts) -> list[Finding]:

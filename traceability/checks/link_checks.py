@@ -14,6 +14,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from traceability.model.design_model import Model
+from traceability.reading.products import LIST, listed
 from traceability.schema import Finding, Place
 from traceability.sources import file_hash, files_below
 
@@ -21,6 +22,10 @@ from traceability.sources import file_hash, files_below
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
+PRODUCT = re.compile(r"--product[ =](\w+)")
+PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
+PIN = re.compile(r"\bPT[A-E]\d+\b(?!=)")
+KEY = re.compile(r"\bkey ``(\w)``")
 HELP = '"--help"'  # options of every command
 PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
@@ -243,12 +248,54 @@ def missing_commands(root: Path) -> list[Finding]:
     for path in files_below(root, ("README.md", "docs") if code else (), (".md", ".rst")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             for command, options in COMMAND.findall(line):
-                words = [command, *re.findall(r"--[a-z-]+", options)]
+                after = line if path.suffix == ".md" else options
+                words = [command, *re.findall(r"(?<![\w-])--[a-z][a-z-]*", after)]
                 for word in [word for word in words if f'"{word}"' not in code + HELP]:
                     place = Place(str(path.relative_to(root)), number)
                     text, fix = f"./wr has no {word}", "name a command that ./wr --help lists"
                     found.append(Finding(place, "link-doc", text, fix))
     return found
+
+
+def missing_parts(root: Path) -> list[Finding]:
+    """Finds products, programs and pins that a page names and that do not exist."""
+    products = {one.name for one in listed(root)} if (root / LIST).exists() else set()
+    pins = _pins(root)
+    targets, keys = _targets(root), _keys(root)
+    found: list[Finding] = []
+    for path in files_below(root, ("README.md", "docs"), (".md", ".rst")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            wrong = [f"product {name}" for name in PRODUCT.findall(line) if name not in products]
+            wrong += [f"program {name}" for name in PROGRAM.findall(line) if name not in targets]
+            wrong += [f"key {name}" for name in KEY.findall(line) if name not in keys]
+            wrong += [f"pin {name} in use" for name in PIN.findall(line) if name not in pins]
+            for name in wrong:
+                place = Place(str(path.relative_to(root)), number)
+                found.append(Finding(place, "link-doc", f"there is no {name}", "correct the name"))
+    return found
+
+
+def _pins(root: Path) -> set[str]:
+    """The pins of the table of pins, and those that its comments name."""
+    path = root / "src" / "k64" / "pins.hpp"
+    text = path.read_text(encoding="utf-8") if path.exists() else ""
+    rows = {f"PT{port}{number}" for port, number in re.findall(r"Port::([A-E]), (\d+)", text)}
+    return rows.union(PIN.findall(text))
+
+
+def _keys(root: Path) -> set[str]:
+    """The keys that the client reads."""
+    files = files_below(root, ("client",), (".py",))
+    return set(re.findall(r'\bb"(\w)"', "".join(path.read_text("utf-8") for path in files)))
+
+
+def _targets(root: Path) -> set[str]:
+    """The programs that CMake builds."""
+    files = [root / "CMakeLists.txt"]
+    files += files_below(root, ("tests", "sim", "src", "changes", "ports"), (".txt",))
+    lists = [path for path in files if path.name == "CMakeLists.txt" and path.exists()]
+    text = "".join(path.read_text(encoding="utf-8") for path in lists)
+    return set(re.findall(r"add_executable\(\s*(\w+)", text))
 
 
 def _sources(model: Model) -> dict[str, Place]:

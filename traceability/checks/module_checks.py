@@ -10,6 +10,8 @@ from traceability.checks.register_checks import REGISTERS
 from traceability.model.design_model import Model
 from traceability.model.dictionary import unit_text
 from traceability.reading.comments import Comment
+from traceability.reading.products import LIST as PRODUCT_LIST
+from traceability.reading.products import listed
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
@@ -50,6 +52,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
             if method.access == "public":
                 found += _specification(method)
     found += _folders(model, facts) + _written(model, facts) + _nested(facts)
+    found += _products(model, facts)
     found += _unused(model, facts) + _behaviour(model, facts)
     return [*found, *_silent(facts, found), *_units(model, facts)]
 
@@ -76,6 +79,23 @@ def _unused(model: Model, facts: Facts) -> list[Finding]:
         )
         for module in model.modules.values()
         if not module.datatype and module.name not in used and named.get("")
+    ]
+
+
+def _products(model: Model, facts: Facts) -> list[Finding]:
+    """Finds modules of the list of products that do not exist."""
+    file = str(PRODUCT_LIST)
+    products = listed(facts.root) if (facts.root / PRODUCT_LIST).exists() else []
+    place = Place(file, 1)
+    return [
+        Finding(
+            facts.declared.entries.line_in(place, f'"{name}"'),
+            "module-used",
+            f"{file} lists {name}, which is no module",
+            "correct the name",
+        )
+        for name in sorted({name for product in products for name in product.has})
+        if name not in model.modules
     ]
 
 

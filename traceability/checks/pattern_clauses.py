@@ -5,6 +5,7 @@ The function of a clause gets one application and yields the places where the cl
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
@@ -195,6 +196,21 @@ def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
             yield branch.place, f"{branch.by} compares the address of a {branch.target}"
         elif branch.by in contexts and branch.target in enumerations:
             yield branch.place, f"{branch.by} branches on the number of a {branch.target}"
+    yield from state_addresses(shape, contexts)
+
+
+def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
+    """Finds a Context that takes the address of its present state, to compare it later."""
+    bases = shape.playing("State")
+    for body in shape.facts.syntax.bodies:
+        if body.owner not in contexts:
+            continue
+        held = [one.name for one in shape.fields(body.owner) if one.refers and one.classes == bases]
+        lines = (shape.facts.root / body.place.file).read_text(encoding="utf-8").splitlines()
+        for number in range(body.place.line, body.end + 1):
+            if any(re.search(rf"&\s*{name}\.get\(\)", lines[number - 1]) for name in held):
+                text = f"{body.owner} takes the address of its present {bases[0]}"
+                yield Place(body.place.file, number), text
 
 
 def called(role: str) -> Callable[[Shape], Broken]:

@@ -156,6 +156,10 @@ def _outside(facts: Facts) -> list[Finding]:
             blocks.setdefault(block, []).append(address)
     found: list[Finding] = []
     for fact in facts.syntax.offsets:
+        if fact.offset >= PERIPHERALS:
+            text = f"an offset contains the address {fact.offset:#x}"
+            found.append(_finding(fact.place, text, "call an operation of the owner"))
+            continue
         own = {block for block, held in blocks.items() if fact.base in held}
         reached = fact.base + fact.offset
         others = {block for block, held in blocks.items() if _lies_in(reached, held)} - own

@@ -168,7 +168,8 @@ _FIXED = [
     Check(
         "module-used",
         "Each design module is part of a product",
-        "Every design module can be reached from a composition over the names in the code.",
+        "Every design module can be reached from a composition over the names in the code. Every "
+        "module that design/products.toml lists exists.",
         "whether the product runs the code of the module; whether CMake builds the composition.",
         "let a builder construct the module, or remove it.",
     ),
@@ -388,6 +389,14 @@ _FIXED = [
         "count the rounds in the head of the loop, or justify it.",
     ),
     Check(
+        "exec-heap",
+        "No heap in the source",
+        "No file of src and extensions has new, delete, malloc or free, or includes a header of "
+        "the standard library whose types allocate memory.",
+        "a library that allocates inside; the symbols of the image show that.",
+        "use an array or a std::optional of a fixed size.",
+    ),
+    Check(
         "exec-shared",
         "Shared data of contexts is protected",
         "A member that one context changes and another one uses is a Pipe, or has its "
@@ -409,7 +418,8 @@ _FIXED = [
     Check(
         "stack-recursion",
         "No function of the image calls itself",
-        "No chain of calls from a handler enters a function twice. A chain of decorators "
+        "No function calls itself, directly or over functions of its file, and no chain of calls "
+        "from a handler enters a function twice. A chain of decorators "
         "passes at most once through each Concrete Decorator of its application.",
         "a decorator that wraps another object of its own class.",
         "write a loop with a bound.",
@@ -464,7 +474,7 @@ _FIXED = [
         "transition that stays. The only transition of an operation has a guard exactly when the "
         "code makes it conditional. Before each change the code evaluates the conditions that "
         "[guards] states for its guard, and the operations of a state call the methods that "
-        "[actions] states for their actions, and no other ones of this list.",
+        "[actions] states for their actions, before the change, and no others of this list.",
         "whether the name of a guard or an action fits the code; whether a "
         "condition must be true or false; states that extensions add.",
         "correct the code, or the transition in design/fsm.",
@@ -668,7 +678,8 @@ _FIXED = [
         "req-test",
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
-        "the tools recognise its macro.",
+        "tools recognise its macro. No test is disabled, and none that verifies a requirement "
+        "skips itself.",
         "whether the test tests the requirement; mutants show this.",
         "tag the test, remove it, or justify it; use a macro that the tools recognise.",
     ),
@@ -808,7 +819,7 @@ _FIXED = [
         "The specifications of the methods that satisfy a requirement, the bodies of these methods "
         "and of those in its tree, and the constants of their files are as they were when the "
         "baseline was recorded.",
-        "the functions that a body calls; comments in a body, and formatting.",
+        "comments in a body, formatting, and names of local variables.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
@@ -818,6 +829,15 @@ _FIXED = [
         "scenarios that they play are as they were when the baseline was recorded.",
         "the simulator, and tests in Python; comments and formatting.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
+    ),
+    Check(
+        "suspect-design",
+        "Reasons and code without a requirement are as in the baseline",
+        "The sentences in the files of design/ and of changes/, such as reasons, deviations, "
+        "steps and answers, and the bodies and specifications that no requirement names, are as "
+        "they were when the baseline was recorded.",
+        "whether the texts are right; the pages of docs/.",
+        "compare the text with the code, then run ./wr review --baseline design.",
     ),
     Check(
         "req-review",
@@ -874,11 +894,29 @@ _FIXED = [
         "correct the source of the diagram.",
     ),
     Check(
+        "doc-frame",
+        "Numbers of the protocol are those of the code",
+        "Each value of an enumeration in design/frames.toml has the number of the enumerator of "
+        "the same name in the firmware.",
+        "fields, their types and their limits; the tests compare them.",
+        "correct the number.",
+    ),
+    Check(
+        "doc-example",
+        "Worked examples of the protocol are whole",
+        "The check sum of each example in docs/protocol_examples.txt and its bytes on the line "
+        "are those of its body.",
+        "whether the body has the described content; tests of the firmware and of the client "
+        "decode it.",
+        "run tests/python/client/examples.py.",
+    ),
+    Check(
         "link-doc",
         "Links of hand-written pages",
         "Every reference in docs/ has a target, and every file that a page of docs/, the README or "
         "a text of design/ names by its path exists. Each command of ./wr that a page or the "
-        "README names exists, with its options.",
+        "README names exists, with its options, and so does each product, each program of tests, "
+        "each used pin and each key.",
         "whether the target is the right one.",
         "correct the target.",
     ),

@@ -11,21 +11,32 @@ from itertools import pairwise
 from pathlib import Path
 
 from traceability.model.design_model import Model
-from traceability.model.evidence import reasons
+from traceability.model.evidence import CHECKS, reasons
 from traceability.model.metrics import METHODS
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS
 from traceability.reading.ast_facts import ANY_CLASS
-from traceability.reading.gtest_cases import unknown_macros
+from traceability.reading.gtest_cases import read_tests, unknown_macros
 from traceability.reading.image_record import TOTALS, read_image
 from traceability.reading.products import PRODUCTS
 from traceability.reading.results import RESULTS, RUNS
 from traceability.reading.source_facts import Facts
-from traceability.schema import HOST, SOURCE_KINDS, Finding, Justified, Place, Requirement
+from traceability.schema import (
+    HOST,
+    SOURCE_KINDS,
+    Evidence,
+    Finding,
+    Justified,
+    Place,
+    Requirement,
+    Suspicion,
+)
 from traceability.sources import files_below
 
 TAGGED = ("src", "extensions", "tests")
 TEST_BUILD = "tests/CMakeLists.txt"
+CONFORMING = "patterns.conforming"
+DISABLED, SKIPS = "DISABLED_", "GTEST_SKIP("
 PRIORITIES = ("high", "medium", "low")
 LEVELS = ("system", "software", "driver")
 _VERBS = {"method": "satisfies", "test": "verifies"}
@@ -55,6 +66,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         *_tagged(model, facts),
         *_twice(facts),
         *_macros(facts),
+        *_switched_off(model, facts),
         *_attributes(model, facts),
         *_sources(model, facts),
         *_uncalled(model, facts),
@@ -277,8 +289,15 @@ def _requirements(model: Model) -> list[Finding]:
     return found
 
 
-def unmet(model: Model, measured: Mapping[str, float | None]) -> list[Finding]:
-    """Evidence that is missing or beyond its bound. The other checks are part of the evidence."""
+def unmet(
+    model: Model, measured: Mapping[str, float | None], others: Sequence[Finding] = ()
+) -> list[Finding]:
+    """Evidence that is missing or beyond its bound.
+
+    ``others`` are the findings of the other checks. Evidence that only counts them, or that stale
+    results leave unmeasured, is no finding of its own: they report it at its place.
+    """
+    checks = {finding.check for finding in others}
     return [
         Finding(
             evidence.place,
@@ -288,8 +307,18 @@ def unmet(model: Model, measured: Mapping[str, float | None]) -> list[Finding]:
         )
         for requirement in model.requirements.values()
         for evidence in requirement.evidence
+        if not _is_reported(evidence, measured[evidence.figure], checks)
         for reason in reasons(evidence, measured[evidence.figure])
     ]
+
+
+def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> bool:
+    """Whether findings of other checks state that the evidence does not hold."""
+    if value is None:
+        return bool(evidence.relation) and "req-stale" in checks
+    if evidence.figure == CONFORMING:
+        return any(check.startswith("pattern-") for check in checks)
+    return evidence.figure.startswith(CHECKS) and value > 0
 
 
 def _results(model: Model) -> list[Finding]:
@@ -415,16 +444,30 @@ def _listed(lines: Sequence[int]) -> str:
 
 
 def _suspects(model: Model) -> list[Finding]:
+    """One finding for each text, with all requirements that depend on it."""
+    asking: dict[Suspicion, list[str]] = {}
+    for requirement in model.requirements.values():
+        for one in requirement.suspicions:
+            asking.setdefault(one, []).append(requirement.id)
     found = [
         Finding(
             one.place,
             f"suspect-{_LINKS[one.kind]}",
-            f"{requirement.id}: {NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}",
-            f"review it: ./wr review {requirement.id}; or accept the change, without a review: "
-            f"./wr review --baseline {requirement.id}",
+            f"{', '.join(ids)}: {NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}",
+            f"review it: ./wr review {ids[0]}; or accept the change, without a review: "
+            f"./wr review --baseline {' '.join(ids)}",
         )
-        for requirement in model.requirements.values()
-        for one in requirement.suspicions
+        for one, ids in asking.items()
+    ]
+    fix = "compare it with the code; then accept the change: ./wr review --baseline design"
+    found += [
+        Finding(
+            one.place,
+            "suspect-design",
+            f"{NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}",
+            fix,
+        )
+        for one in model.suspicions
     ]
     return found + [
         Finding(
@@ -454,3 +497,20 @@ def _macros(facts: Facts) -> Iterator[Finding]:
             text = f"the reader of tests does not recognise the macro {name}"
             fix = "use TEST, TEST_F, TEST_P or TYPED_TEST, or add the macro to gtest_cases.py"
             yield Finding(Place(file, line), "req-test", text, fix)
+
+
+def _switched_off(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds tests of requirements that GoogleTest does not run, or that skip themselves."""
+    for file in sorted({test.place.file for test in model.tests.values()}):
+        text = (facts.root / file).read_text(encoding="utf-8")
+        if DISABLED not in text and SKIPS not in text:
+            continue
+        for case in read_tests(text):
+            test = model.tests.get(case.id)
+            if test is None or test.place.file != file:
+                continue
+            disabled = DISABLED in case.id
+            if disabled or (SKIPS in case.code and test.verifies):
+                said = "is disabled" if disabled else "skips itself"
+                fix = "let it run, or remove it"
+                yield Finding(test.place, "req-test", f"{test.id} {said}", fix)

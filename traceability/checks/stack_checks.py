@@ -12,8 +12,37 @@ SCRIPT = Place("src/k64/start_up/k64.ld", 1)
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     if model.stack is None:
-        return []
+        return _self_calls(facts)
     return _calls(model.stack) + _cycles(model.stack, facts) + _bound(model.stack)
+
+
+def _self_calls(facts: Facts) -> list[Finding]:
+    """Recursion within a file of the sources, while the image is older than they are."""
+    calls: dict[str, dict[str, set[str]]] = {}
+    for body in facts.syntax.bodies:
+        own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())
+        own.update(call.target for call in body.calls if not call.virtual)
+    return [
+        Finding(
+            body.place,
+            "stack-recursion",
+            f"{body.id} calls itself, directly or over other functions of its file",
+            "write a loop with a bound",
+        )
+        for body in facts.syntax.bodies
+        if body.id in _reached(body.id, calls[body.place.file])
+    ]
+
+
+def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
+    """The functions of a file that a function reaches."""
+    found: set[str] = set()
+    work = [function]
+    while work:
+        following = calls.get(work.pop(), set()) - found
+        found |= following
+        work += following
+    return found
 
 
 def _calls(proof: StackProof) -> list[Finding]:
@@ -48,8 +77,13 @@ def _bound(proof: StackProof) -> list[Finding]:
         fix = "choose a fixed size for each array"
         found.append(Finding(SCRIPT, "stack-bound", text, fix))
     if proof.proven and proof.total > proof.limit:
-        text = f"the stack has {proof.limit} bytes, and {proof.total} may be needed"
-        fix = "raise stackSize, or shorten the deepest chain on the page Execution"
+        calls = [call for level in proof.levels for call in level.chain]
+        largest = max(calls, key=lambda call: call.bytes)
+        text = (
+            f"the stack has {proof.limit} bytes, and {proof.total} may be needed; of the deepest "
+            f"chains {largest.name} has the largest frame, {largest.bytes} bytes"
+        )
+        fix = "make this frame smaller, or raise stackSize in this file"
         found.append(Finding(SCRIPT, "stack-bound", text, fix))
     if proof.seen is not None and proof.seen > proof.total:
         text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"

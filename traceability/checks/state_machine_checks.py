@@ -12,8 +12,9 @@ from traceability.model.state_machines import (
     matching,
     read_machine,
 )
+from traceability.reading.ast_facts import BodyFact
 from traceability.reading.source_facts import Facts
-from traceability.schema import Finding, Requirement, StateMachine, Transition
+from traceability.schema import Finding, Place, Requirement, StateMachine, Transition
 
 _WITH_UNIT = re.compile(
     r"(?<![\w.])\d[\d.]*\s*(?:[mu]?s|mm?|m?[VA]|%|rpm|cycles|degrees?|steps/s)(?!\w)"
@@ -299,8 +300,10 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
             bodies = [body for one in (method, *ways) for body in facts.bodies.get(one, [])]
             called = {call.target for body in bodies for call in body.calls}
             for row in [row for row in rows if row.action]:
+                made = matching(machine, row, code)
+                before = called if is_stay(row) else _before(made, bodies)
                 for name in machine.actions.get(row.action, ["an entry in [actions]"]):
-                    if name not in called:
+                    if name not in before:
                         text = f"the action '{row.action}' of {words(row)} lacks {name}"
                         fix = "correct the action, [actions], or the code"
                         found.append(Finding(row.place, "fsm-code", text, fix))
@@ -311,6 +314,21 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
                 fix = "declare the action, or remove the call"
                 found.append(Finding(bodies[0].place, "fsm-code", text, fix))
     return found
+
+
+def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
+    """The calls that can precede one of the changes: none below it in the same function."""
+    return {
+        call.target
+        for change in changes
+        for body in bodies
+        for call in body.calls
+        if not _is_in(body, change.place) or call.place.line <= change.place.line
+    }
+
+
+def _is_in(body: BodyFact, place: Place) -> bool:
+    return body.place.file == place.file and body.place.line <= place.line <= body.end
 
 
 def _guarded(row: Transition, change: Change) -> Finding:

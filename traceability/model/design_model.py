@@ -54,6 +54,7 @@ from traceability.schema import (
     SharedPipe,
     StackProof,
     StateMachine,
+    Suspicion,
     Test,
     TimeProof,
     Tuned,
@@ -105,6 +106,7 @@ class Model:
     # File of the drivers -> line -> whether the tests executed it on the virtual K64.
     board_lines: Mapping[str, dict[int, bool]] | None = None
     line_gaps: Sequence[LineGap] = field(default_factory=list)
+    suspicions: Sequence[Suspicion] = field(default_factory=list)  # of texts without a requirement
     reviews_of_nothing: Sequence[str] = field(default_factory=list)  # requirements that are no more
     # The elements that the design demands, whether the code has them or not.
     designed_modules: Sequence[str] = field(default_factory=list)

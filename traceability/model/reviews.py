@@ -11,16 +11,18 @@ from __future__ import annotations
 import json
 import re
 import subprocess
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from traceability.model.design_model import Model
+from traceability.model.design_texts import page_facts, reasons
 from traceability.model.trees import accepted
-from traceability.reading.comments import code_of
 from traceability.reading.link_texts import (
     FINDERS,
     TREE,
+    code_with_bounds,
+    hash_of,
     hash_of_text,
     specifications,
 )
@@ -34,9 +36,12 @@ from traceability.schema import (
     Place,
     Requirement,
     Review,
+    StateMachine,
     Suspicion,
     Transition,
 )
+from traceability.sources import DESIGN as SOURCES
+from traceability.sources import files_below
 from traceability.whole_file import write_whole
 
 BASELINE = Path("requirements/baseline.toml")
@@ -60,8 +65,13 @@ NAMES_OF_TEXTS = {
     "test": "test {}",
     "support": "file {}",
     "justification": "the justification of lines of {}",
+    "reason": "the text {}",
+    "facts": "the numbers and names in the section {}",
+    "function": "{}",
 }
 KINDS = tuple(NAMES_OF_TEXTS)
+DESIGN = "design"  # the name of the texts that belong to no requirement, in place of an id
+OF_DESIGN = ("reason", "facts", "function")
 LINKS = "links"  # requirement -> its texts
 NEEDS: Keys = {
     "requirement": str,
@@ -103,7 +113,7 @@ class LinkText:
 
     @property
     def hash(self) -> str:
-        return hash_of_text(self.text)
+        return hash_of(self.kind, self.text)
 
 
 class LinkTexts:
@@ -125,6 +135,39 @@ class LinkTexts:
             *self._tests(requirement),
             *self._justifications(requirement),
         ]
+
+    def of_design(self, covered: set[str]) -> list[LinkText]:
+        """The reasons, and the functions and specifications that no text of ``covered`` is."""
+        found: dict[str, LinkText] = {}
+        for place, end, text in self._uncovered(covered):
+            name = f"{text.splitlines()[0]} in {place.file}"
+            before = found.get(name)
+            whole = f"{before.text}\n" if before else ""
+            first = before.place if before else replace(place, end=end)
+            found[name] = LinkText("function", name, first, f"{whole}{text}")
+        return [
+            *(LinkText("reason", *one) for one in reasons(self.facts.root)),
+            *(LinkText("facts", *one) for one in page_facts(self.facts.root)),
+            *found.values(),
+        ]
+
+    def _uncovered(self, covered: set[str]) -> Iterator[tuple[Place, int, str]]:
+        """Place, last line, and name with text below it."""
+        for body in self.facts.syntax.bodies:
+            own = body.place.file.startswith(tuple(f"{top}/" for top in SOURCES))
+            if own and f"body {body.id}" not in covered:
+                yield body.place, body.end, f"{body.id}\n{self._slice(body.place, body.end)}"
+        for path in files_below(self.facts.root, SOURCES, (".cpp", ".hpp")):
+            file = str(path.relative_to(self.facts.root))
+            text = next(FINDERS["constants"](self.support.text(file), file))
+            if text and f"constants {file}" not in covered:
+                yield Place(file, 1), 0, f"a constant\n{text}"
+        for module in self.model.modules.values():
+            for method in module.methods:
+                if f"method {method.id}" not in covered:
+                    place, text = self._specification(method)
+                    if text:
+                        yield place, place.end or place.line, f"{method.id}\n{text}"
 
     def _own(self, requirement: Requirement) -> Iterator[LinkText]:
         name, place = requirement.id, requirement.place
@@ -194,7 +237,7 @@ class LinkTexts:
                 steps.setdefault(name, []).append(step)
             for name, alike in steps.items():
                 if any(requirement.id in step.requirements for step in alike):
-                    text = "\n".join(f"{step.guard} / {step.action}" for step in alike)
+                    text = "\n".join(_effect(machine, step) for step in alike)
                     yield LinkText("transition", name, alike[0].place, text)
 
     def _specification(self, method: Method) -> tuple[Place, str]:
@@ -205,7 +248,7 @@ class LinkTexts:
 
     def _slice(self, place: Place, end: int) -> str:
         lines = self.support.text(place.file).splitlines()
-        return code_of("\n".join(lines[place.line - 1 : end]))
+        return code_with_bounds("\n".join(lines[place.line - 1 : end]))
 
     def _tests(self, requirement: Requirement) -> Iterator[LinkText]:
         files: dict[str, None] = {}
@@ -219,6 +262,13 @@ class LinkTexts:
         for file in sorted(files):
             text = next(FINDERS["support"](self.support.text(file), file))
             yield LinkText("support", file, Place(file, 1), text)
+
+
+def _effect(machine: StateMachine, step: Transition) -> str:
+    """Guard and action of a transition, with their conditions and calls in the code."""
+    asked = machine.guards.get(step.guard or step.event, ())
+    called = machine.actions.get(step.action, ())
+    return f"{step.guard} = {', '.join(asked)} / {step.action} = {', '.join(called)}"
 
 
 def _offset(text: str, line: int) -> int:
@@ -238,22 +288,24 @@ def read_baseline(root: Path, entries: Entries | None = None) -> Baseline:
     tables = {kind: entries.value(root / BASELINE, kind, {}) for kind in (LINKS, *KINDS)}
     links = tables.pop(LINKS)
     hashes = {f"{kind} {name}": tables[kind][name] for kind in KINDS for name in tables[kind]}
+    links[DESIGN] = [f"{kind} {name}" for kind in OF_DESIGN for name in tables[kind]]
     return Baseline(links, hashes)
 
 
 def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterable[str]) -> None:
     """Replaces the texts of some requirements, and keeps those of the other ids."""
     before = read_baseline(root)
-    links = {name: before.links[name] for name in ids if name in before.links}
+    links = {name: before.links[name] for name in (*ids, DESIGN) if name in before.links}
     links |= {name: [text.key for text in listed] for name, listed in texts.items()}
     hashes = {**before.hashes, **{text.key: text.hash for one in texts.values() for text in one}}
     parts = [BASELINE_HEADING, f"\n[{LINKS}]\n"]
-    parts += [f"{name} = {json.dumps(sorted(links[name]))}\n" for name in sorted(links, key=_order)]
+    named = sorted(links.keys() - {DESIGN}, key=_order)
+    parts += [f"{name} = {json.dumps(sorted(links[name]))}\n" for name in named]
     used = sorted({key for keys in links.values() for key in keys})
     for kind in KINDS:
         names = [key.removeprefix(f"{kind} ") for key in used if key.startswith(f"{kind} ")]
         parts += [f"\n[{kind}]\n"] if names else []
-        parts += [f'"{name}" = "{hashes[f"{kind} {name}"]}"\n' for name in names]
+        parts += [f'{json.dumps(name)} = "{hashes[f"{kind} {name}"]}"\n' for name in names]
     write_whole(root / BASELINE, "".join(parts))
 
 
@@ -319,15 +371,22 @@ def with_reviews(model: Model, facts: Facts) -> Model:
     for review in read_reviews(root, entries):
         reviews.setdefault(review.requirement, []).append(review)
     requirements: dict[str, Requirement] = {}
+    covered: set[str] = set()
     for name, requirement in model.requirements.items():
         texts = finder.of(requirement)
+        covered |= {text.key for text in texts}
         requirements[name] = replace(
             requirement,
-            suspicions=list(suspicions(requirement, baseline, texts)),
+            suspicions=list(suspicions(requirement, baseline, texts, model)),
             reviews=[judged(root, review, texts) for review in reviews.get(name, [])],
         )
-    of_nothing = sorted((baseline.links.keys() | reviews.keys()) - model.requirements.keys())
-    return replace(model, requirements=requirements, reviews_of_nothing=of_nothing)
+    of_nothing = (baseline.links.keys() | reviews.keys()) - model.requirements.keys() - {DESIGN}
+    return replace(
+        model,
+        requirements=requirements,
+        reviews_of_nothing=sorted(of_nothing),
+        suspicions=list(_of_design(baseline, finder.of_design(covered), covered)),
+    )
 
 
 def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
@@ -337,18 +396,66 @@ def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
 
 
 def suspicions(
-    requirement: Requirement, baseline: Baseline, texts: list[LinkText]
+    requirement: Requirement, baseline: Baseline, texts: list[LinkText], model: Model
 ) -> Iterator[Suspicion]:
     """The texts that differ from the baseline."""
     linked = baseline.links.get(requirement.id)
     if linked is None:
         yield Suspicion("requirement", requirement.id, requirement.place, "has no baseline")
         return
+    yield from _changed(baseline, texts, set(linked))
+    for key in sorted(set(linked) - {text.key for text in texts}):
+        kind, name = key.split(" ", maxsplit=1)
+        place, text = _removed(kind, name, requirement, model)
+        yield Suspicion(kind, name, place, text)
+
+
+def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
+    """Where a text was, and the reason why it is no longer one of the requirement."""
+    module = model.modules.get(name.split("::", maxsplit=1)[0])
+    methods = [one for one in module.methods if one.id == name] if module else []
+    if kind == "method" and methods:
+        return methods[0].place, f"has lost its @satisfies {requirement.id} since the baseline"
+    if kind == "test" and name in model.tests:
+        return model.tests[
+            name
+        ].place, f"has lost its @verifies {requirement.id} since the baseline"
+    if kind == "body" and methods:
+        return methods[0].place, "is no longer in its tree, and has no @satisfies"
+    return requirement.place, "was removed since the baseline"
+
+
+def _changed(
+    baseline: Baseline, texts: Iterable[LinkText], linked: set[str]
+) -> Iterator[Suspicion]:
     for text in texts:
         if text.key not in linked:
             yield Suspicion(text.kind, text.name, text.place, "was added since the baseline")
         elif baseline.hashes.get(text.key) != text.hash:
             yield Suspicion(text.kind, text.name, text.place, "changed since the baseline")
-    for key in sorted(set(linked) - {text.key for text in texts}):
+
+
+def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> Iterator[Suspicion]:
+    """The texts without a requirement that differ from the baseline.
+
+    One that a requirement has got or lost is a finding of this requirement.
+    """
+    linked = set(baseline.links[DESIGN])
+    if not linked and texts:
+        text = "and the other texts without a requirement have no baseline"
+        yield Suspicion(texts[0].kind, texts[0].name, Place(str(BASELINE), 1), text)
+        return
+    lost = [text for text in texts if text.key not in linked and _is_in(baseline.hashes, text.name)]
+    yield from _changed(baseline, [text for text in texts if text not in lost], linked)
+    for key in sorted(linked - {text.key for text in texts}):
         kind, name = key.split(" ", maxsplit=1)
-        yield Suspicion(kind, name, requirement.place, "was removed since the baseline")
+        if kind == "function" and _is_in(covered, name):
+            continue
+        file = name.rpartition(" in ")[2] if kind == "function" else name.split(" ")[0]
+        yield Suspicion(kind, name, Place(file, 1), "was removed since the baseline")
+
+
+def _is_in(keys: Container[str], name: str) -> bool:
+    """Whether a requirement has the body, the specification or the constants of this name."""
+    code, _, file = name.rpartition(" in ")
+    return any(key in keys for key in (f"body {code}", f"method {code}", f"constants {file}"))

@@ -153,6 +153,13 @@ def code_of(text: str) -> str:
     return "\n".join(line.rstrip() for line in bare.splitlines() if line.strip())
 
 
+def comment_blanked(text: str) -> str:
+    """The text without the words of its comments; each line keeps its number."""
+    return TOKENS.sub(
+        lambda found: "\n" * found[0].count("\n") if found["comment"] else found[0], text
+    )
+
+
 def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
     """Each ``//`` and ``/* */``: its line, whether code is before it, and the comment."""
     line, at = 1, 0

@@ -17,7 +17,23 @@ from traceability.reading.gtest_cases import read_tests
 OF_LINKS = ("satisfies", "isr")  # not part of a specification
 TOKENS = re.compile(r"""\d[\w.']*|"(?:\\.|[^"\\])*"|\w+|[^\s\w]""")
 HASH_DIGITS = 16
-CONSTANT = re.compile(r"\bconstexpr\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;")
+STRING = re.compile(r'"(?:\\.|[^"\\\n])*"')
+CONSTANT = re.compile(r"\b(?:constexpr|constinit)\s[^;(){}=]*[={(][^;{]*(?:\{[^;]*\}[^;]*)?;")
+BOUND = re.compile(r"// (bound|passes): ([^\n;]*)")
+CODE = ("body", "test", "function")  # kinds of texts that are bodies of functions
+# A type, and the name of a variable or a parameter.
+LOCAL = re.compile(
+    r"(?<![\w.:])([A-Za-z_][\w:]*)(?:<[^;(){}]*>)?(?:\s+const)?(?:\s*[&*]+\s*|\s+)"
+    r"([a-z]\w*)\s*(?=[={(\[;,)]|:(?!:))"
+)
+NO_TYPES = {
+    *("return", "else", "case", "goto", "throw", "new", "delete", "typename", "using", "class"),
+    *("namespace", "operator", "co_return", "co_await", "sizeof", "not", "and", "or", "struct"),
+}
+BUILT_IN = {
+    *("int", "char", "bool", "float", "double", "short", "long", "unsigned", "signed", "auto"),
+    *("const", "void", "this", "nullptr", "true", "false", "if", "for", "while", "switch"),
+}
 TREE = re.compile(r"^(N?FR-\d+)[^\n]*\n((?:[^\n]*\n)*?)(?=^N?FR-|\Z)", re.MULTILINE)
 
 
@@ -26,6 +42,22 @@ def hash_of_text(text: str) -> str:
     """Returns a hash of the words and signs of a text, so that the layout does not matter."""
     words = " ".join(TOKENS.findall(text))
     return hashlib.sha256(words.encode()).hexdigest()[:HASH_DIGITS]
+
+
+def hash_of(kind: str, text: str) -> str:
+    """The hash of a text of a kind. In code the names of local variables do not matter."""
+    return hash_of_text(numbered(text) if kind in CODE else text)
+
+
+def numbered(code: str) -> str:
+    """Code with a number in place of each local variable and parameter."""
+    declared = [one[2] for one in LOCAL.finditer(code) if one[1] not in NO_TYPES]
+    names = list(dict.fromkeys(name for name in declared if name not in BUILT_IN))
+    if not names:
+        return code
+    numbers = {name: f"${number}" for number, name in enumerate(names)}
+    used = re.compile(rf"(?<![\w.$>:])({'|'.join(map(re.escape, names))})(?!\w)")
+    return used.sub(lambda found: numbers[found[1]], code)
 
 
 @functools.cache
@@ -102,12 +134,18 @@ def texts_of_body(text: str, name: str) -> Iterator[str]:
     begins = re.compile(rf"^( *)[^\n/#]*?\b{re.escape(_last(name))}\(", re.MULTILINE)
     for match in begins.finditer(text):
         end = re.compile(rf"}}\s*$|^{match[1]}}}", re.MULTILINE).search(text, match.end())
-        yield code_of(text[match.start() : end.end() if end else len(text)])
+        yield code_with_bounds(text[match.start() : end.end() if end else len(text)])
+
+
+def code_with_bounds(text: str) -> str:
+    """Code without comments, except the declared bounds of loops."""
+    return code_of(BOUND.sub(r"\1(\2);", text))
 
 
 def texts_of_constants(text: str, _file: str) -> Iterator[str]:
-    """The constants and tables of a file."""
-    yield "\n".join(match[0] for match in CONSTANT.finditer(code_of(text)))
+    """The constants, tables and constant-initialised objects of a file."""
+    code = STRING.sub(lambda found: found[0].replace(";", ","), code_of(text))
+    yield "\n".join(match[0] for match in CONSTANT.finditer(code))
 
 
 def texts_of_test(text: str, name: str) -> Iterator[str]:

@@ -15,6 +15,7 @@ from tools.steps import FailureError
 from traceability.checks import run_checks
 from traceability.model.build import build
 from traceability.model.reviews import BASELINE, QUESTIONS, REVIEWS, read_baseline
+from traceability.reading.link_texts import FINDERS, code_with_bounds, hash_of
 
 TEST = "tests/main_control/WorkingTest.cpp"
 HELPER = "tests/support/helper.hpp"
@@ -24,6 +25,13 @@ BODY = "src/main_control/operation_states/OperationState.cpp"
 TEXT = "requirements/reading.dox"
 TREE = "design/trees/reading.tree"
 REMARK = "Read the text, the tree and the test; both limits are there."
+REASONS, PAGE = "design/justified.toml", "docs/page.rst"
+OTHERS = "src/main_control/operation_states/helper.cpp"
+TEXTS = {
+    REASONS: '[[method]]\nnames = ["one"]\nwhy = "The timers of the robot never stop."\n',
+    PAGE: "Memory\n======\n\nThe stack has 8 KB.\n",
+    OTHERS: "namespace wr {\nint helper() {\n  return 1;\n}\n}  // namespace wr\n",
+}
 OTHER = {"name": "Ada Reader", "email": "ada@example.org"}
 
 
@@ -98,7 +106,9 @@ def test_a_requirement_with_a_baseline_is_not_suspect(sound: Path) -> None:
 
 def test_one_without_a_baseline_is(tree: Path) -> None:
     (tree / BASELINE).unlink()
-    assert findings(tree, "suspect") == [("suspect-requirement", "FR-15: its text has no baseline")]
+    found = findings(tree, "suspect")
+    assert ("suspect-requirement", "FR-15: its text has no baseline") in found
+    assert [name for name, _ in found] == ["suspect-design", "suspect-requirement"]
 
 
 @pytest.mark.parametrize(
@@ -137,6 +147,74 @@ def test_each_text_that_carries_the_verdict_counts(
 )
 def test_formatting_and_remarks_do_not_matter(tree: Path, file: str, old: str, new: str) -> None:
     change(tree, file, old, new)
+    assert findings(tree, "suspect") == []
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "same"),
+    [
+        ("int one = read(two);", "int renamed = read(two);", True),
+        ("for (auto& one : all) use(one);", "for (auto& item : all) use(item);", True),
+        ("int one = 1; int two = 2; use(one);", "int one = 1; int two = 2; use(two);", False),
+        ("int one = 1; use(other);", "int other = 1; use(other);", False),
+        ("int one = 1; use(a.one);", "int other = 1; use(a.other);", False),
+        ("return read(two);", "return write(two);", False),
+        ("unsigned int one = 1;", "unsigned long one = 1;", False),
+        ("// bound: 4\n  run();", "// bound: 5\n  run();", False),
+    ],
+)
+def test_only_the_name_of_a_local_variable_does_not_matter(
+    before: str, after: str, same: bool
+) -> None:
+    hashes = {hash_of("body", code_with_bounds(text)) for text in (before, after)}
+    assert (len(hashes) == 1) == same
+
+
+def test_the_constants_of_a_file_are_whole_tables_and_objects() -> None:
+    text = (
+        'constexpr auto kRows = to_array<Row>({{1, "low; high"}, {2, "end"}});\n'
+        'constinit K64Gpio red(pinOf("light_red"));\n'
+    )
+    (found,) = FINDERS["constants"](text, "file.cpp")
+    assert '"end"' in found
+    assert "light_red" in found
+
+
+def test_a_lost_tag_is_shown_at_the_method(tree: Path) -> None:
+    change(tree, HEADER, "  /// @satisfies FR-15\n", "")
+    (found,) = (one for one in run_checks(*build(tree)).findings if one.check == "suspect-method")
+    assert found.place.file == HEADER
+    assert "has lost its @satisfies FR-15" in found.text
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "name"),
+    [
+        (REASONS, "never stop", "often stop", "the text design/justified.toml method.one.why"),
+        (PAGE, "8 KB", "16 KB", "the numbers and names in the section docs/page.rst Memory"),
+        (OTHERS, "return 1;", "return 2;", f"helper in {OTHERS}"),
+    ],
+)
+def test_a_text_without_a_requirement_has_a_baseline(
+    tree: Path, file: str, old: str, new: str, name: str
+) -> None:
+    for added, text in TEXTS.items():
+        (tree / added).parent.mkdir(parents=True, exist_ok=True)
+        (tree / added).write_text(text)
+    assert review(tree, options(baseline=True)) == 0
+    assert findings(tree, "suspect") == []
+    change(tree, file, old, new)
+    expected = ("suspect-design", f"{name} changed since the baseline")
+    assert findings(tree, "suspect") == [expected]
+    assert review(tree, options("design", baseline=True)) == 0
+    assert findings(tree, "suspect") == []
+
+
+def test_other_words_of_a_page_may_change(tree: Path) -> None:
+    (tree / PAGE).parent.mkdir(exist_ok=True)
+    (tree / PAGE).write_text(TEXTS[PAGE])
+    assert review(tree, options(baseline=True)) == 0
+    change(tree, PAGE, "has", "owns")
     assert findings(tree, "suspect") == []
 
 

@@ -1,0 +1,79 @@
+"""The numbers of the protocol, its worked examples, and forbidden code in the sources."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.python.model.small_tree import write_tree
+from traceability.checks import run_checks
+from traceability.model.build import build
+
+HEADER = "src/main_control/operation_states/Kind.hpp"
+FILES = {
+    HEADER: """\
+#pragma once
+namespace wr {
+/// @brief Kind.
+/// @datatype
+enum class Kind { First, Second = 0x10, Third /* last */ };
+}  // namespace wr
+""",
+    "design/frames.toml": """\
+[[enumeration]]
+name = "kind"
+firmware = "Kind"
+values = [
+  { number = 0, name = "First" },
+  { number = 15, name = "Second" },
+  { number = 17, name = "Third" },
+]
+""",
+    "docs/protocol_examples.txt": """\
+# name; from; body without crc; crc; bytes on the line
+right; pc; 020302; d7ed; 06020302edd700
+wrong sum; pc; 020303; d7ed; 06020303edd700
+wrong line; pc; 020302; d7ed; 06020303edd700
+""",
+    "src/main_control/operation_states/Loop.cpp": """\
+namespace wr {
+// A new line, and delete this.
+int second(int left);
+int first(int left) { return left > 0 ? second(left - 1) : 0; }
+int second(int left) { return first(left); }
+int apart(int left) { return left; }
+int* made() { return new int(3); }
+}  // namespace wr
+""",
+}
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[str, str, int, str]]:
+    root: Path = write_tree(tmp_path_factory.mktemp("tree"))
+    for name, text in FILES.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text)
+    findings = run_checks(*build(root)).findings
+    return [(one.check, Path(one.place.file).name, one.place.line, one.text) for one in findings]
+
+
+@pytest.mark.parametrize(
+    ("check", "places"),
+    [
+        ("doc-frame", [("frames.toml", 6)]),
+        ("doc-example", [("protocol_examples.txt", 3), ("protocol_examples.txt", 4)]),
+        ("exec-heap", [("Loop.cpp", 7)]),
+        ("stack-recursion", [("Loop.cpp", 4), ("Loop.cpp", 5)]),
+    ],
+)
+def test_each_fault_is_found_at_its_line(
+    found: list[tuple[str, str, int, str]], check: str, places: list[tuple[str, int]]
+) -> None:
+    assert [(file, line) for name, file, line, _ in found if name == check] == places
+
+
+def test_the_message_states_both_numbers(found: list[tuple[str, str, int, str]]) -> None:
+    (text,) = (text for check, _, _, text in found if check == "doc-frame")
+    assert text == "Second of Kind is 16, not 15"

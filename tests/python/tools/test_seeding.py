@@ -1,0 +1,61 @@
+"""A fault that hides the others of its group costs few runs more."""
+
+from __future__ import annotations
+
+from tools.seed_faults import Copy
+from traceability.reading.seeded_fault_record import Outcome
+from traceability.reading.seeded_faults import Edit, Fault
+
+
+class Hiding(Copy):
+    """Finds nothing next to the fault ``hides``, and never the fault ``lost``."""
+
+    def __init__(self) -> None:
+        self.runs: list[list[str]] = []
+
+    def _seed(self, faults: list[Fault]) -> list[Outcome]:
+        names = [fault.name for fault in faults]
+        self.runs.append(names)
+        hidden = "hides" in names and len(names) > 1
+        return [
+            Outcome(
+                name=name,
+                check="",
+                says="",
+                file="",
+                line=1,
+                caught=name != "lost" and not hidden,
+                compiles=True,
+                said=[],
+            )
+            for name in names
+        ]
+
+
+def fault(name: str) -> Fault:
+    return Fault(name, "check", "A fault.", [Edit(name, "a", "b")], name)
+
+
+def seeded(*names: str) -> tuple[dict[str, bool], int]:
+    copy = Hiding()
+    outcomes = copy.seed([fault(name) for name in names])
+    assert [one.name for one in outcomes] == list(names)
+    return {one.name: one.caught for one in outcomes}, len(copy.runs)
+
+
+def test_a_group_that_is_found_needs_one_run() -> None:
+    caught, runs = seeded(*"abcdefgh")
+    assert all(caught.values())
+    assert runs == 1
+
+
+def test_a_fault_that_hides_the_others_is_separated_in_halves() -> None:
+    names = [str(number) for number in range(127)]
+    caught, runs = seeded(*names, "hides")
+    assert all(caught.values())
+    assert runs <= 15
+
+
+def test_a_fault_that_no_check_finds_is_missed() -> None:
+    caught, _ = seeded("a", "lost", "b")
+    assert caught == {"a": True, "lost": False, "b": True}

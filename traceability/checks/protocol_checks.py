@@ -1,0 +1,86 @@
+"""doc-frame, doc-example: the table of frames and the worked examples match the code."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from traceability.model.design_model import Model
+from traceability.reading.comments import code_of
+from traceability.reading.source_facts import Facts
+from traceability.schema import Finding, Place
+
+FRAMES = "design/frames.toml"
+EXAMPLES = "docs/protocol_examples.txt"
+ENUMERATOR = re.compile(r"(\w+)\s*(?:=\s*(0[xX][\da-fA-F]+|\d+))?\s*(?:,|$)")
+
+
+def check(_model: Model, facts: Facts) -> list[Finding]:
+    return [*_numbers(facts), *_examples(facts)]
+
+
+def _numbers(facts: Facts) -> Iterator[Finding]:
+    """A value of an enumeration has the number and the name of the enumerator in the firmware."""
+    path = facts.root / FRAMES
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    for table in facts.declared.entries.whole(path).get("enumeration", []):
+        held = _enumerators(str(table.get("firmware", "")), facts)
+        for value in table.get("values", []):
+            name, number = value.get("name"), value.get("number")
+            known = {name, value.get("firmware")} & held.keys()
+            if held and known and held[next(iter(known))] != number:
+                text = f"{name} of {table['firmware']} is {held[next(iter(known))]}, not {number}"
+                written = re.compile(rf'\b{number}, *name *= *"{re.escape(str(name))}"')
+                at = next((n for n, line in enumerate(lines, 1) if written.search(line)), 1)
+                fix = "correct the number; a number on the line never changes its meaning"
+                yield Finding(Place(FRAMES, at), "doc-frame", text, fix)
+
+
+def _enumerators(name: str, facts: Facts) -> dict[str, int]:
+    """Enumerator -> number."""
+    fact = facts.classes.get(name)
+    if fact is None or fact.kind != "enum":
+        return {}
+    lines = (facts.root / fact.place.file).read_text(encoding="utf-8").splitlines()
+    text = code_of("\n".join(lines[fact.place.line - 1 : fact.end]))
+    body = text.partition("{")[2].partition("}")[0]
+    found: dict[str, int] = {}
+    following = 0
+    for written, number in ENUMERATOR.findall(body):
+        found[written] = int(number, 0) if number else following
+        following = found[written] + 1
+    return found
+
+
+def _examples(facts: Facts) -> Iterator[Finding]:
+    """The check sum and the bytes on the line of an example belong to its body."""
+    path = facts.root / EXAMPLES
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    for number, line in enumerate(lines, 1):
+        parts = [part.strip() for part in line.split(";")]
+        if line.startswith("#") or len(parts) != 5:
+            continue
+        body, crc, coded = (bytes.fromhex(part) for part in parts[2:])
+        wrong = [
+            *(["check sum"] if _crc(body).to_bytes(2, "big") != crc else []),
+            *(["bytes on the line"] if _stuffed(body + crc[::-1]) + b"\0" != coded else []),
+        ]
+        if wrong:
+            text = f"the {' and the '.join(wrong)} of this example do not belong to its body"
+            fix = "run tests/python/client/examples.py, which writes the examples"
+            yield Finding(Place(EXAMPLES, number), "doc-example", text, fix)
+
+
+def _crc(data: bytes) -> int:
+    """CRC-16/CCITT-FALSE."""
+    value = 0xFFFF
+    for byte in data:
+        value ^= byte << 8
+        for _ in range(8):
+            value = (value << 1 ^ 0x1021 if value & 0x8000 else value << 1) & 0xFFFF
+    return value
+
+
+def _stuffed(data: bytes) -> bytes:
+    """Consistent overhead byte stuffing of fewer than 254 bytes."""
+    return b"".join(bytes([len(part) + 1]) + part for part in data.split(b"\0"))

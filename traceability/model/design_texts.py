@@ -1,0 +1,101 @@
+"""Sentences of the design, and facts in pages, that no check can compare with the code."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from traceability.schema import Place
+
+# Goals and hazards are texts of the requirements that serve them.
+OF_REQUIREMENTS = ("design/safety_case.toml goal.", "design/safety_case.toml hazard.")
+LABELS = ("id", "name", "pattern", "place", "ask", "register", "object", "kind", "method")
+LISTS = ("names", "methods", "members", "modules", "classes", "paths")
+PAGES = (("docs", "*.rst"), ("", "README.md"))
+TITLE = re.compile(r"^(?:#+ (.+)|(.+)\n[=\-~]{3,})$", re.MULTILINE)
+# A number, a pin, a name in a role of Sphinx, or a word in backticks.
+FACT = re.compile(r"(?<![\w.])-?\d[\w.]*|\bPT[A-E]\d+|:\w+:`[^`]+`|``[^`]+``|(?<!`)`[^`]+`(?!`)")
+WORDS = 3  # a shorter text is a name, which checks compare with the code
+
+
+def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
+    """Name, place and text of each sentence in the files of the design and of the changes."""
+    files = [*(root / "design").glob("*.toml"), *(root / "changes").glob("*/change.toml")]
+    for path in sorted(files):
+        file = str(path.relative_to(root))
+        source = path.read_text(encoding="utf-8")
+        try:
+            content = tomllib.loads(source)
+        except tomllib.TOMLDecodeError:
+            continue  # the check of the file reports it
+        for name, text in _sentences(content):
+            if not f"{file} {name}".startswith(OF_REQUIREMENTS):
+                yield f"{file} {name}", Place(file, _line_of(text, source)), text
+
+
+def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, str]]:
+    """The texts below a table, each with the names of the tables that lead to it.
+
+    The numbers of an entry belong to its texts, which give the reason for them.
+    """
+    numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
+    for key, value in table.items():
+        path = f"{above}{key}"
+        if isinstance(value, Mapping):
+            yield from _sentences(value, f"{path}.")
+        elif isinstance(value, list) and value and isinstance(value[0], Mapping):
+            seen: Counter[str] = Counter()
+            for item in value:
+                label = _label(item)
+                seen[label] += 1
+                number = f" {seen[label]}" if seen[label] > 1 or not label else ""
+                yield from _sentences(item, f"{path}.{label}{number}.")
+        elif key not in LABELS:
+            texts = value if isinstance(value, list) else [value]
+            said = [text for text in texts if isinstance(text, str) and _is_prose(text)]
+            if said:
+                yield path, "\n".join((*said, *numbers))
+
+
+def _label(item: Mapping[str, Any]) -> str:
+    """The name of an entry: its id, or the first of the names that it lists."""
+    names = [item[key] for key in LABELS if isinstance(item.get(key), str)]
+    lists = [item[key] for key in LISTS if isinstance(item.get(key), list)]
+    names += [str(one[0]) for one in lists if one]
+    return names[0] if names else ""
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _is_prose(text: str) -> bool:
+    return len(text.split()) > WORDS
+
+
+def _line_of(text: str, source: str) -> int:
+    """The line of the file in which the text begins."""
+    first = text.split("\n", maxsplit=1)[0].replace('"', '\\"')
+    return source.count("\n", 0, max(source.find(first), 0)) + 1
+
+
+def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
+    """Name, place and facts of each section of a page: its numbers, pins and names, in order.
+
+    Other words of a section may change freely.
+    """
+    for folder, names in PAGES:
+        for path in sorted((root / folder).glob(names)):
+            file = str(path.relative_to(root))
+            source = path.read_text(encoding="utf-8")
+            titles = [*TITLE.finditer(source)]
+            ends = [*(title.start() for title in titles[1:]), len(source)]
+            for title, end in zip(titles, ends, strict=False):
+                found = FACT.findall(source[title.end() : end])
+                if found:
+                    line = source.count("\n", 0, title.start()) + 1
+                    yield f"{file} {title[1] or title[2]}", Place(file, line), "\n".join(found)
