@@ -137,7 +137,7 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "worked_examples": SHOWN,
 }
 RUN_PROGRAMS = ("client", "firmware", "programs")  # folders whose tests run programs that are built
-# Folders whose tests also run the tools as programs; the others use only what they import.
+# Folders whose tests also run the tools as programs; the others use only the files they import.
 RUN_TOOLS = (*RUN_PROGRAMS, "tools", "worked_examples")
 
 
