@@ -42,21 +42,11 @@ def count_coverage(root: Path, log: TextIO) -> str:
 
 
 def remove_stale_notes(root: Path, build: Path, log: TextIO) -> None:
-    """Removes the counters of sources that exist no longer: gcovr fails with them."""
+    """Removes the notes and counters of objects that the build no longer makes."""
+    if (build / "build.ninja").exists():
+        run(log, ["ninja", "-C", build, "-t", "cleandead"])
     for kind in ("gcno", "gcda"):
-        for file in sorted(build.rglob(f"*.cpp.{kind}")):
-            if not any(source.exists() for source in _sources(root, build, file)):
-                log.write(f"{file} has no source any more: removed\n")
+        for file in sorted(build.rglob(f"CMakeFiles/**/*.{kind}")):
+            if not file.with_suffix(".o").exists():
+                log.write(f"{file.relative_to(root)} has no object any more: removed\n")
                 file.unlink()
-
-
-def _sources(root: Path, build: Path, file: Path) -> list[Path]:
-    """The possible places of the source that CMake compiled: in the project, generated, or
-    somewhere else."""
-    parts = file.relative_to(build).with_suffix("").parts
-    if "CMakeFiles" not in parts:
-        return [file]
-    place = parts.index("CMakeFiles")
-    rest = [".." if part == "__" else part for part in parts[place + 2 :]]
-    below = Path(*parts[:place], *rest)
-    return [root / below, build / below, Path("/", *rest)]

@@ -154,6 +154,17 @@ def check_tidy(root: Path, log: TextIO) -> str:
             # The headers of a port are found before those of the design.
             own = [f"-I{folder}" for folder in source.parents if folder.is_relative_to(root)]
             return [*words, "--", *clang_arguments(board=True), *own, *include_options(root)]
+        if source.is_relative_to(root / "sim"):
+            # CMake compiles several of these sources as one, or with parsed headers.
+            rooms = [f"-I{room}" for room in sorted((directory / "rooms").iterdir())]
+            return [
+                *words,
+                "--",
+                "-std=c++20",
+                *rooms,
+                *include_options(root),
+                f"-I{directory}/frames",
+            ]
         return [*words, "-p", str(directory)]
 
     checked = [

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
@@ -15,6 +17,45 @@ from traceability.reading.results import RESULTS
 # Tests that mostly wait for a robot in real time: more of them than processors run in parallel.
 WAITING = "client"
 WAITING_JOBS = "8"
+
+IMPORT = re.compile(
+    r"^\s*(?:from\s+([\w.]+)\s+import\s+(\([^)]*\)|.+)|import\s+([\w.]+))", re.MULTILINE
+)
+IMPORTED_FROM = ("", "site", "client")  # as in pyproject.toml
+
+
+def imported_files(root: Path, folder: str) -> list[str]:
+    """The Python files of the project that the tests of a folder import, directly or not."""
+    tests = root / "tests/python"
+    waiting = [*tests.glob("conftest.py"), *(tests / folder).glob("*.py")]
+    found: set[Path] = set()
+    while waiting:
+        file = waiting.pop()
+        if file not in found:
+            found.add(file)
+            waiting += _imports(root, file)
+    return sorted(str(file.relative_to(root)) for file in found)
+
+
+@functools.cache
+def _imports(root: Path, file: Path) -> tuple[Path, ...]:
+    names: set[str] = set()
+    for source, imported, module in IMPORT.findall(file.read_text(encoding="utf-8")):
+        inner = [word.split()[0] for word in imported.strip("()").split(",") if word.strip()]
+        names.update((source or module, *(f"{source}.{name}" for name in inner)))
+    found = (one for name in sorted(names) for one in _files(root, name))
+    return tuple(dict.fromkeys(found))
+
+
+@functools.cache
+def _files(root: Path, module: str) -> tuple[Path, ...]:
+    """The file of a module, and the ``__init__.py`` of each package around it."""
+    parts = module.split(".")
+    ways = [
+        Path(place, *parts[:count]) for place in IMPORTED_FROM for count in range(1, len(parts) + 1)
+    ]
+    files = [root / one for way in ways for one in (way.with_suffix(".py"), way / "__init__.py")]
+    return tuple(file for file in files if file.is_file())
 
 
 def workers(folder: str) -> list[str | Path]:

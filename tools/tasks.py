@@ -38,7 +38,7 @@ from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
 from tools.proof_runs import missing_program, prove_all
-from tools.python_tests import reported_numbers, run_pytest
+from tools.python_tests import imported_files, reported_numbers, run_pytest
 from tools.sizes import write_products, write_sizes
 from tools.task_graph import Graph, Outcome, Task
 from traceability.model.build import commit
@@ -104,7 +104,8 @@ PROOF_INPUTS = (
     "tests/records/proofs.json",
 )
 SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # inputs of tests and runs
-TOOLS = ("traceability", "site/portal", "tools", "client", "pyproject.toml", "setup/python.lock")
+PYTHON_SETTINGS = ("pyproject.toml", "setup/python.lock", "tools/python_tests.py")
+TOOLS = ("traceability", "site/portal", "tools", "client", *PYTHON_SETTINGS)
 # The seeded faults: the sources, the checks, and the faults.
 SEEDED = (
     *(*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design", "docs", "README.md"),
@@ -119,13 +120,13 @@ SHOWN_RESULTS = (
     *("image_k64.json", "driver_faults.json", "mutation.json", "drift.json"),
     *("trace.cost.json", "plain.cost.json", "live.json", "diff.json"),
 )
-# Each folder of tests/python, and the inputs of its tests in addition to the tools.
+# Each folder of tests/python, and the inputs of its tests in addition to their Python sources.
 PYTHON_TESTS: dict[str, tuple[str, ...]] = {
-    "reading": (*DESIGN, "sim", "design", "tests/support", "tests/usual_design"),
+    "reading": (*DESIGN, "sim", "design", "requirements", "tests/support", "tests/usual_design"),
     "model": ("design", "requirements", "sim/scenario"),
     "checks": ("design",),
-    "exports": (*DESIGN, "sim", "docs"),
-    "portal": ("site", "docs"),
+    "exports": (*DESIGN, "sim", "design", "docs"),
+    "portal": (*DESIGN, "site", "docs", "design", "setup/vendored.txt", "tools/__init__.py"),
     "tools": (
         *("site", "setup", "wr", ".vscode", "tests/drift", "design", *DESIGN, "sim"),
         "tests/usual_design",
@@ -139,6 +140,8 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "worked_examples": SHOWN,
 }
 RUN_PROGRAMS = ("client", "firmware", "programs")  # folders whose tests run programs that are built
+# Folders whose tests also run the tools as programs; the others use only the files they import.
+RUN_TOOLS = (*RUN_PROGRAMS, "tools", "worked_examples")
 
 
 def python_task(folder: str) -> str:
@@ -324,10 +327,12 @@ def checks_of_tools(root: Path) -> list[Task]:
     built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, RECORDED_IMAGES, LIVE_MODULE)
 
     def tests(folder: str, others: tuple[str, ...]) -> Task:
+        tools = TOOLS if folder in RUN_TOOLS else PYTHON_SETTINGS
+        inputs = {*tools, *others, *imported_files(root, folder), f"tests/python/{folder}"}
         return Task(
             python_task(folder),
             lambda log: run_pytest(root, folder, log),
-            (*TOOLS, *others, f"tests/python/{folder}"),
+            tuple(sorted(inputs)),
             (f"{RESULTS}/pytest_{folder}.xml",),
             inputs_from=built if folder in RUN_PROGRAMS else (),
         )

@@ -6,7 +6,7 @@ namespace wr::board_robot {
 
 namespace {
 
-constexpr std::uint32_t kFirstInterrupt = 16;
+constexpr std::uint32_t kFirstRanked = 16;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ CallTimeline::CallTimeline(BoardSession& robot, const std::filesystem::path& elf
 
 void CallTimeline::take(const emulator::Event& event) {
   const bool entered = event.kind == emulator::Event::Kind::ExceptionEntered;
-  const bool ranked = entered && event.number >= kFirstInterrupt;
+  const bool ranked = entered && event.number >= kFirstRanked;
   write(emulator::nameOf(event.kind), event.number,
         ranked ? robot_.board.priority(event.number) : event.value);
 }

@@ -7,7 +7,7 @@ namespace wr::gdb {
 namespace {
 
 constexpr const char* kTrap = "05";
-constexpr const char* kInterrupt = "02";
+constexpr const char* kInterruptSignal = "02";
 constexpr const char* kBeginning = "05replaylog:begin;";
 // Number of instructions between two reads of the line: far less than 1 ms of the machine.
 constexpr std::uint32_t kLook = 4096;
@@ -85,7 +85,7 @@ void Debugger::lookAhead(std::uint64_t position) {
                                                  port_->read(emulator::DebugPort::kPc))))) {
     stop(kTrap);
   } else if (wantsStop()) {
-    stop(kInterrupt);
+    stop(kInterruptSignal);
   }
 }
 

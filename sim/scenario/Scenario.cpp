@@ -5,13 +5,14 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/plant/Plant.hpp"
+
 namespace wr::scenario {
 
 namespace {
 
 using Time = Scenario::Time;
 
-constexpr std::size_t kWheels = 4;
 constexpr Time kCycle{100};
 constexpr Time kToFirstOrder{200};  // from Hello: Welcome and Confirm take two cycles
 constexpr int kNeutralOrders =
@@ -36,7 +37,7 @@ void readWheels(Words& words, std::uint8_t quantity, PcOrder& order) {
   if (!words.nextIsNumber()) {
     return;
   }
-  for (std::size_t wheel = 1; wheel < kWheels; ++wheel) {
+  for (std::size_t wheel = 1; wheel < plant::kWheels; ++wheel) {
     order.wheels[wheel].value = words.value();
   }
 }

@@ -4,11 +4,11 @@
 #include <optional>
 #include <sstream>
 
+#include "sim/plant/Plant.hpp"
+
 namespace wr::scenario {
 
 namespace {
-
-constexpr std::size_t kWheels = 4;
 
 // Returns the number of a word, if it is a number. A number may begin with its base.
 template <class Number, class... Form>
@@ -88,7 +88,7 @@ double Words::number(const std::string& name) {
 std::size_t Words::wheel() {
   const std::string word = take("the number of a wheel");
   const auto number = parse<std::size_t>(word);
-  if (!number || *number >= kWheels) {
+  if (!number || *number >= plant::kWheels) {
     throw ScenarioError("'" + word + "' is no wheel from 0 to 3");
   }
   return *number;

@@ -8,16 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "services/SystemConstants.hpp"
 #include "sim/emulator/Image.hpp"
 #include "support/SignedLine.hpp"
 #include "support/image.hpp"
+#include "support/waitingCycles.hpp"
 #include "system/SteppedRobot.hpp"
 
 namespace wr::test {
 namespace {
 
-constexpr int kN = SystemConstants::instance().waitingCycles();
 constexpr int kBluetooth = 2;
 constexpr int kWaitingK = 4;
 constexpr int kBluetoothPort = 4;
@@ -33,7 +32,7 @@ class ProductRobot : public SteppedRobot {
 
   // Cycles without orders, until the robot reads in a mode.
   void waitForMode(int mode) {
-    for (int cycles = 0; cycles < 2 * (kN + 2) && report().mode != mode; ++cycles) {
+    for (int cycles = 0; cycles < 2 * (kWaitingCycles + 2) && report().mode != mode; ++cycles) {
       silentCycle();
     }
     ASSERT_EQ(report().mode, mode);
@@ -200,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(Products, Product,
 TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
   ProductRobot robot("weeding_robot_pc");
   robot.connect();
-  for (int cycles = 0; cycles < 3 * kN; ++cycles) {
+  for (int cycles = 0; cycles < 3 * kWaitingCycles; ++cycles) {
     robot.silentCycle();
     EXPECT_EQ(robot.report().mode, kPc);
   }
@@ -215,12 +214,12 @@ TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {
   robot.connectBoth();
   robot.waitForMode(kBluetooth);
   robot.waitForMode(kPc);
-  for (int order = 0; order < kN; ++order) {
+  for (int order = 0; order < kWaitingCycles; ++order) {
     robot.deviceOrder({.id = static_cast<std::uint16_t>(900 + order), .steering = -50});
     robot.silentCycle();
   }
   EXPECT_EQ(robot.report().source, kBluetooth);
-  EXPECT_EQ(robot.report().orderId, 900 + kN - 1);
+  EXPECT_EQ(robot.report().orderId, 900 + kWaitingCycles - 1);
   EXPECT_EQ(robot.report().steeringSetPoint, -50);
 }
 
@@ -229,7 +228,7 @@ TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {
 TEST(ProductWithBluetooth, FR262_UnsignedOrderIsNotRead) {
   RobotWithDevice robot;
   robot.connectBoth();
-  for (int cycles = 0; cycles < 3 * kN; ++cycles) {
+  for (int cycles = 0; cycles < 3 * kWaitingCycles; ++cycles) {
     robot.unsignedOrder({.id = 900, .stop = true});
     robot.silentCycle();
     EXPECT_FALSE(robot.report().orderRead());
@@ -245,7 +244,7 @@ TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
   robot.connectBoth();
   robot.waitForMode(kBluetooth);
   scenario::Bytes order;
-  for (int tries = 0; tries < kN && robot.report().source != kBluetooth; ++tries) {
+  for (int tries = 0; tries < kWaitingCycles && robot.report().source != kBluetooth; ++tries) {
     order = robot.signedOrder({.id = 900});
     static_cast<void>(robot.reads(order));
   }
@@ -267,7 +266,7 @@ TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
 TEST(ProductWithBluetooth, FR151_StopOfTheDeviceActsInTheModePc) {
   RobotWithDevice robot;
   robot.connectBoth();
-  for (int cycles = 0; cycles < 2 * kN; ++cycles) {
+  for (int cycles = 0; cycles < 2 * kWaitingCycles; ++cycles) {
     robot.order({.id = 1});
     robot.cycle();
   }
@@ -291,7 +290,7 @@ TEST(ProductThatWarns, FR152_RedLightIsTheWarning) {
   robot.commandByPc();
   EXPECT_FALSE(robot.redLight());
   int warned = 0;
-  for (int cycles = 0; cycles < kN + 2; ++cycles) {
+  for (int cycles = 0; cycles < kWaitingCycles + 2; ++cycles) {
     robot.silentCycle();
     robot.wait(microseconds(50000));
     const bool warns = robot.report().state == kWaitingK;

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "services/SystemConstants.hpp"
 #include "sim/emulator/EventTrace.hpp"
 #include "sim/emulator/Image.hpp"
 #include "sim/emulator/Symbols.hpp"
@@ -20,6 +19,7 @@
 #include "sim/scenario/ScenarioPlayer.hpp"
 #include "support/image.hpp"
 #include "support/scenarios.hpp"
+#include "support/waitingCycles.hpp"
 #include "system/SteppedRobot.hpp"
 
 namespace wr::test {
@@ -29,8 +29,6 @@ using std::chrono::milliseconds;
 
 const std::string kProduct = "weeding_robot";
 const auto kFolder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/safety";
-const int kN = SystemConstants::instance().waitingCycles();
-
 // The image with safety functions. A reset is a part of some scenarios: it does not stop the board.
 std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
   return switchProductOn(kProduct, emulator::readImage(imageOf(kProduct)),
@@ -196,7 +194,7 @@ const auto kSituations = std::to_array<Situation>({
     {"ThePcMissesManyCycles", kPc, kWaitingN,
      [](SafeBoard& robot) {
        robot.letThePcDrive();
-       robot.silentCycles(kN);
+       robot.silentCycles(kWaitingCycles);
      }},
     {"TheRcDrives", kRc, kWorking,
      [](SafeBoard& robot) {
@@ -241,12 +239,12 @@ INSTANTIATE_TEST_SUITE_P(Situations, SwitchOfTheRemoteControl, testing::ValuesIn
 TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
   SafeBoard robot;
   robot.letThePcDrive();
-  robot.silentCycles(kN + 2);
+  robot.silentCycles(kWaitingCycles + 2);
   ASSERT_EQ(robot.report().state, kReconnecting);
   robot.enable(plant::EnablePosition::Stop);
   robot.silentCycles(2);
   EXPECT_TRUE(robot.report().stop());
-  robot.driveByPc(1000, 2 * kN);
+  robot.driveByPc(1000, 2 * kWaitingCycles);
   EXPECT_TRUE(robot.report().stop());
   EXPECT_TRUE(robot.physics().braking());
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +11,13 @@ namespace wr::test {
 
 /// @brief Bytes of a frame, encoded and decoded without the code under test.
 using Bytes = std::vector<std::uint8_t>;
+
+/// @brief Bytes that count from 0.
+inline Bytes counting(std::size_t count) {
+  Bytes bytes(count);
+  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
+  return bytes;
+}
 
 /// @brief CRC-16/CCITT-FALSE by polynomial division of the message, one bit at a time.
 inline std::uint16_t referenceCrc(const Bytes& bytes) {

@@ -2,13 +2,11 @@
 
 #include <cstdint>
 
-#include "services/SystemConstants.hpp"
+#include "support/waitingCycles.hpp"
 #include "system/SteppedRobot.hpp"
 
 namespace wr::test {
 namespace {
-
-const int kN = SystemConstants::instance().waitingCycles();
 
 class OperationStatesOfRobot : public testing::Test {
  protected:
@@ -27,7 +25,7 @@ TEST(OperationStatesAfterStart, FR10_FailedReadsAreCountedFromWorking) {
   SteppedRobot robot;
   robot.connect();
   ASSERT_EQ(robot.report().cycle, 2U);
-  while (robot.report().cycle < static_cast<std::uint32_t>(kN)) {
+  while (robot.report().cycle < static_cast<std::uint32_t>(kWaitingCycles)) {
     EXPECT_EQ(robot.report().state, kWaiting) << robot.report().cycle;
     robot.silentCycle();
   }
@@ -48,7 +46,7 @@ TEST_F(OperationStatesOfRobot, FR15_FirstFailedReadSetsWaiting) {
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {
-  for (int failed = 1; failed < kN; ++failed) {
+  for (int failed = 1; failed < kWaitingCycles; ++failed) {
     robot.silentCycle();
     EXPECT_EQ(robot.report().state, kWaiting) << failed;
   }
@@ -63,11 +61,11 @@ TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {
 /// @brief After a message has ended a wait, the next failed read begins a new wait.
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
-  robot.silentCycles(kN - 1);
+  robot.silentCycles(kWaitingCycles - 1);
   robot.order({.id = 2});
   robot.cycle();
   EXPECT_EQ(robot.report().state, kWorking);
-  robot.silentCycles(kN - 1);
+  robot.silentCycles(kWaitingCycles - 1);
   EXPECT_EQ(robot.report().state, kWaiting);
   robot.silentCycle();
   EXPECT_EQ(robot.report().state, kWaitingN);
@@ -76,7 +74,7 @@ TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
 /// @brief In each state a message is read and sets Working.
 /// @verifies FR-13
 TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
-  for (int failed = 0; failed <= kN + 1; ++failed) {
+  for (int failed = 0; failed <= kWaitingCycles + 1; ++failed) {
     robot.silentCycles(failed);
     robot.order({.id = static_cast<std::uint16_t>(10 + failed)});
     robot.cycle();
@@ -89,7 +87,7 @@ TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
 /// @brief In the waiting states the control systems follow the set-points that were read last.
 /// @verifies FR-14
 TEST_F(OperationStatesOfRobot, FR14_WaitingStatesFollowTheLastSetPoints) {
-  for (int failed = 1; failed <= kN; ++failed) {
+  for (int failed = 1; failed <= kWaitingCycles; ++failed) {
     robot.silentCycle();
     EXPECT_EQ(robot.report().setPoint[0], 500);
     EXPECT_EQ(robot.report().steeringSetPoint, 200);
@@ -100,7 +98,7 @@ TEST_F(OperationStatesOfRobot, FR14_WaitingStatesFollowTheLastSetPoints) {
 /// @brief Each failed read in Reconnecting changes the reading mode.
 /// @verifies FR-17
 TEST_F(OperationStatesOfRobot, FR17_ReconnectingAlternatesTheMode) {
-  robot.silentCycles(kN + 1);
+  robot.silentCycles(kWaitingCycles + 1);
   int mode = kPc;
   for (int i = 0; i < 6; ++i) {
     robot.silentCycle();
@@ -113,7 +111,7 @@ TEST_F(OperationStatesOfRobot, FR17_ReconnectingAlternatesTheMode) {
 /// @brief In Reconnecting the wheels are halted and the steering is held, until an order is read.
 /// @verifies FR-18
 TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
-  robot.silentCycles(kN + 1);
+  robot.silentCycles(kWaitingCycles + 1);
   for (int i = 0; i < 3; ++i) {
     EXPECT_TRUE(robot.report().held());
     robot.silentCycle();
@@ -130,7 +128,7 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
 /// @brief The state after the read of a cycle controls and reports in this cycle.
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
-  robot.silentCycles(kN);
+  robot.silentCycles(kWaitingCycles);
   EXPECT_EQ(robot.report().state, kWaitingN);
   EXPECT_FALSE(robot.report().held());
   robot.silentCycle();

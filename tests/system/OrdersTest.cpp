@@ -3,13 +3,11 @@
 #include <cstdint>
 #include <span>
 
-#include "services/SystemConstants.hpp"
+#include "support/waitingCycles.hpp"
 #include "system/SteppedRobot.hpp"
 
 namespace wr::test {
 namespace {
-
-const int kN = SystemConstants::instance().waitingCycles();
 
 class OrdersOfRobot : public testing::Test {
  protected:
@@ -37,7 +35,7 @@ TEST_F(OrdersOfRobot, FR17_PcThatConnectsAtPowerUpCommandsSoon) {
   robot.connect();
   int cycles = 0;
   while (robot.report().mode != kPc || robot.report().state != kWorking) {
-    ASSERT_LT(cycles, kN + 4);
+    ASSERT_LT(cycles, kWaitingCycles + 4);
     robot.order({.id = 7});
     robot.cycle();
     ++cycles;
@@ -64,7 +62,7 @@ TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
 /// @brief An order that waits for the mode PC is read when its last byte came 199 ms before the clock pulse.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
-  connectAndFail(kN);
+  connectAndFail(kWaitingCycles);
   robot.silentCycle();
   EXPECT_EQ(robot.report().state, kReconnecting);
   EXPECT_EQ(robot.report().mode, kRc);
@@ -79,7 +77,7 @@ TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
 /// @brief An order whose last byte came 201 ms before the clock pulse is not a message.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
-  connectAndFail(kN);
+  connectAndFail(kWaitingCycles);
   robot.arriveBeforePulse(robot.pc.order({.id = 30}), std::chrono::milliseconds(1));
   robot.cycle();
   EXPECT_EQ(robot.report().mode, kRc);
@@ -159,7 +157,7 @@ TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
   robot.cycle();
   EXPECT_EQ(robot.report().state, kWorking);
   EXPECT_TRUE(robot.report().orderRead());
-  for (int i = 0; i < kN + 2; ++i) {
+  for (int i = 0; i < kWaitingCycles + 2; ++i) {
     EXPECT_TRUE(robot.report().stop());
     EXPECT_TRUE(robot.report().held());
     robot.keepAlive();
@@ -195,7 +193,7 @@ TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
 /// @verifies FR-306
 TEST_F(OrdersOfRobot, FR22_RobotIsHeldBeforeTheFirstOrder) {
   robot.connect();
-  for (int i = 0; i < kN + 3; ++i) {
+  for (int i = 0; i < kWaitingCycles + 3; ++i) {
     EXPECT_TRUE(robot.report().held());
     EXPECT_EQ(robot.report().source, kNobody);
     EXPECT_FALSE(robot.report().orderRead());
@@ -207,13 +205,13 @@ TEST_F(OrdersOfRobot, FR22_RobotIsHeldBeforeTheFirstOrder) {
 /// @brief The order of a PC that is not connected is not a message.
 /// @verifies FR-36
 TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
-  for (int i = 0; i < kN + 6; ++i) {
+  for (int i = 0; i < kWaitingCycles + 6; ++i) {
     robot.order({.id = 50});
     robot.cycle();
   }
   robot.connect();
   EXPECT_EQ(robot.report().source, kNobody);
-  EXPECT_EQ(robot.report().unexpected, kN + 6);
+  EXPECT_EQ(robot.report().unexpected, kWaitingCycles + 6);
 }
 
 /// @brief An order that arrived is no longer a message when the connection ends before it is read.

@@ -2,13 +2,11 @@
 
 #include <cstdint>
 
-#include "services/SystemConstants.hpp"
+#include "support/waitingCycles.hpp"
 #include "system/SteppedRobot.hpp"
 
 namespace wr::test {
 namespace {
-
-const int kN = SystemConstants::instance().waitingCycles();
 
 class ReportsOfRobot : public testing::Test {
  protected:
@@ -49,7 +47,7 @@ TEST_F(ReportsOfRobot, FR35_LinkIsServedInBothModes) {
   robot.connect();
   int cyclesInRc = 0;
   int cyclesInPc = 0;
-  for (int i = 0; i < kN + 40; ++i) {
+  for (int i = 0; i < kWaitingCycles + 40; ++i) {
     robot.keepAlive();
     robot.cycle();
     ASSERT_TRUE(robot.reported());

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import html
+import os
 import pickle
 import posixpath
 import re
@@ -81,9 +82,9 @@ def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
         known |= {name: (states[name], page) for name, page in zip(changed, read, strict=True)}
     known = {name: known[name] for name in names}
     cache.parent.mkdir(parents=True, exist_ok=True)
-    with cache.open("wb") as stream:
-        pickle.dump(code, stream)
-        pickle.dump(known, stream)
+    new = cache.with_suffix(f".{os.getpid()}")  # another process may read the cache
+    new.write_bytes(pickle.dumps(code) + pickle.dumps(known))
+    new.replace(cache)
     return {name: page for name, (_, page) in known.items()}
 
 

@@ -16,7 +16,6 @@ CODE = re.compile(r"^// code: (.+)$")
 APART = ("// environment", "// observer")
 NUMBER = re.compile(r"^#define (\w+) (\d+)\s+// ([\w:]+)(?: / ([\w:]+))?$")
 WORD = re.compile(r"[a-z_]\w*")
-LTL = {"ltl", "always", "eventually", "until"}
 
 
 @dataclass

@@ -6,11 +6,10 @@
 #include "main_control/operation_states/WaitingN.hpp"
 #include "main_control/operation_states/Working.hpp"
 #include "services/SystemConstants.hpp"
+#include "support/waitingCycles.hpp"
 
 namespace wr::test {
 namespace {
-
-const int kN = SystemConstants::instance().waitingCycles();
 
 // Each state has fake successors, whose steps show whether they are current.
 class OperationStateTest : public ControllerFixture {
@@ -60,7 +59,7 @@ TEST_F(OperationStateTest, FR15_WorkingSetsWaiting) {
 TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
   Waiting waiting(state, other, SystemConstants::instance().waitingCycles());
   enter(waiting);
-  for (int failed = 2; failed < kN; ++failed) {
+  for (int failed = 2; failed < kWaitingCycles; ++failed) {
     read(false);
     EXPECT_TRUE(noneIsCurrent()) << failed;
   }
@@ -79,7 +78,7 @@ TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
   EXPECT_EQ(first.reads, 1);
   EXPECT_TRUE(isCurrent(state));
   enter(waiting);
-  for (int failed = 2; failed < kN; ++failed) {
+  for (int failed = 2; failed < kWaitingCycles; ++failed) {
     read(false);
   }
   EXPECT_TRUE(noneIsCurrent());
@@ -93,7 +92,7 @@ TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterItsEnd) {
   Waiting waiting(state, other, SystemConstants::instance().waitingCycles());
   for (int round = 0; round < 2; ++round) {
     enter(waiting);
-    for (int failed = 2; failed < kN; ++failed) {
+    for (int failed = 2; failed < kWaitingCycles; ++failed) {
       read(false);
       EXPECT_TRUE(noneIsCurrent());
     }

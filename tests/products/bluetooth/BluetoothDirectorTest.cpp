@@ -1,13 +1,12 @@
 #include "bluetooth/BluetoothDirector.hpp"
 
 #include "products/ProductFixture.hpp"
-#include "services/SystemConstants.hpp"
 #include "support/SignedLine.hpp"
+#include "support/waitingCycles.hpp"
 
 namespace wr::test {
 namespace {
 
-const int kN = SystemConstants::instance().waitingCycles();
 constexpr int kPc = 1;
 constexpr int kBluetooth = 2;
 
@@ -52,7 +51,7 @@ class BluetoothRobot : public ProductFixture {
   void waitForMode(int mode) {
     int cycles = 0;
     while (cycleWithPc().mode != mode) {
-      ASSERT_LT(++cycles, 2 * (kN + 2));
+      ASSERT_LT(++cycles, 2 * (kWaitingCycles + 2));
     }
   }
 
@@ -104,20 +103,20 @@ TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
 /// device does, and when the device is silent the PC does again.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {
-  for (std::uint16_t order = 1; order <= 3 * kN; ++order) {
+  for (std::uint16_t order = 1; order <= 3 * kWaitingCycles; ++order) {
     pcOrder(order);
     bluetoothOrder(900);
     const scenario::PcReport report = cycle();
     EXPECT_EQ(report.source, kPc);
     EXPECT_EQ(report.orderId, order);
   }
-  for (int cycles = 0; cycles < kN + 2; ++cycles) {
+  for (int cycles = 0; cycles < kWaitingCycles + 2; ++cycles) {
     bluetoothOrder(901);
     cycleWithPc();
   }
   bluetoothOrder(902);
   EXPECT_EQ(cycleWithPc().orderId, 902);
-  for (int cycles = 0; cycles < kN + 2; ++cycles) {
+  for (int cycles = 0; cycles < kWaitingCycles + 2; ++cycles) {
     pcOrder(3);
     cycle();
   }
@@ -180,7 +179,7 @@ class BluetoothRobotAfterAStop : public BluetoothRobot {
 /// @brief A stop of the device lasts over the reset: orders of the PC do not move the robot.
 /// @verifies FR-290
 TEST_F(BluetoothRobotAfterAStop, FR290_OrderOfThePcDoesNotEndIt) {
-  for (std::uint16_t order = 1; order <= 2 * kN; ++order) {
+  for (std::uint16_t order = 1; order <= 2 * kWaitingCycles; ++order) {
     pcOrder(order);
     EXPECT_TRUE(cycle().stop());
     EXPECT_EQ(spy.calls, kHeld);
@@ -191,7 +190,7 @@ TEST_F(BluetoothRobotAfterAStop, FR290_OrderOfThePcDoesNotEndIt) {
 /// @brief A neutral order of the device, once it is read, ends the stop from before the reset.
 /// @verifies FR-290
 TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
-  for (std::uint16_t order = 1; order <= 3 * kN; ++order) {
+  for (std::uint16_t order = 1; order <= 3 * kWaitingCycles; ++order) {
     bluetoothOrder(order);
     cycleWithPc();
   }
@@ -224,7 +223,7 @@ TEST_F(BluetoothRobot, FR262_ReplayedOrderIsNotRead) {
   const scenario::Bytes recorded = device.sign(frames.order({.id = 31}));
   devicePort.arrive(recorded);
   EXPECT_EQ(cycleWithPc().orderId, 31);
-  for (int cycles = 0; cycles < kN + 1; ++cycles) {
+  for (int cycles = 0; cycles < kWaitingCycles + 1; ++cycles) {
     devicePort.arrive(recorded);
     EXPECT_FALSE(cycleWithPc().orderRead());
   }

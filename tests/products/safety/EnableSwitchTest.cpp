@@ -11,9 +11,10 @@
 namespace wr::test {
 namespace {
 
-constexpr int kStop = 1100;
-constexpr int kPc = 1500;
-constexpr int kDrive = 1900;
+// Lengths of the pulse at the positions of the switch [us].
+constexpr int kStopPulse = 1100;
+constexpr int kPcPulse = 1500;
+constexpr int kDrivePulse = 1900;
 
 /// The enable switch of a remote control whose signals a test sets.
 class EnableSwitchTest : public ControllerFixture {
@@ -67,13 +68,13 @@ TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
   for (const int width : {1350, 1650, 1750, 2100}) {
-    signals(kPc);
+    signals(kPcPulse);
     signals(width);
     EXPECT_FALSE(mode.stopOrdered()) << width;
     signals(1249);
     EXPECT_TRUE(mode.stopOrdered()) << width;
   }
-  signals(kPc);
+  signals(kPcPulse);
   signals(1250);
   EXPECT_FALSE(mode.stopOrdered());
 }
@@ -81,7 +82,7 @@ TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
 /// @brief A pulse is valid for 200 ms. Afterwards the remote control orders a stop.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_SilenceStops) {
-  signals(kDrive);
+  signals(kDrivePulse);
   time.advance(milliseconds(200));
   mode.serve();
   EXPECT_FALSE(mode.stopOrdered());
@@ -93,7 +94,7 @@ TEST_F(EnableSwitchTest, FR285_SilenceStops) {
 /// @brief The stop of the wrapped mode is also a stop, and the wrapped mode is served.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
-  signals(kDrive);
+  signals(kDrivePulse);
   EXPECT_EQ(source.served, 1);
   source.stop = true;
   EXPECT_TRUE(mode.stopOrdered());
@@ -104,17 +105,17 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
-  signals(kDrive);
-  signals(kDrive, 3000);
+  signals(kDrivePulse);
+  signals(kDrivePulse, 3000);
   EXPECT_FALSE(mode.stopOrdered());
   stop.write(Microseconds(1100), time.now());
-  signals(kDrive, 3000);
+  signals(kDrivePulse, 3000);
   EXPECT_TRUE(mode.stopOrdered());
-  signals(kDrive, 3000);
+  signals(kDrivePulse, 3000);
   EXPECT_TRUE(mode.stopOrdered());
-  signals(kDrive, 0);
+  signals(kDrivePulse, 0);
   EXPECT_FALSE(mode.stopOrdered());
-  signals(kDrive, 3000);
+  signals(kDrivePulse, 3000);
   EXPECT_FALSE(mode.stopOrdered());
 }
 
@@ -123,7 +124,7 @@ TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
 TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
   signals(1300);
   EXPECT_TRUE(mode.stopOrdered());
-  signals(kPc);
+  signals(kPcPulse);
   signals(1349);
   EXPECT_FALSE(mode.newMessage());
   signals(1651);
@@ -141,16 +142,16 @@ TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
 /// @brief A stop lasts until the switch has left "stop" and the velocity stick is centred.
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR286_TheStopLastsUntilTheStickIsCentred) {
-  signals(kStop);
+  signals(kStopPulse);
   for (int cycles = 0; cycles < 50; ++cycles) {
-    signals(kDrive, 1);
+    signals(kDrivePulse, 1);
     EXPECT_TRUE(mode.stopOrdered());
-    signals(kPc, -1);
+    signals(kPcPulse, -1);
     EXPECT_TRUE(mode.stopOrdered());
   }
-  signals(kDrive, 0);
+  signals(kDrivePulse, 0);
   EXPECT_FALSE(mode.stopOrdered());
-  signals(kDrive, 3000);
+  signals(kDrivePulse, 3000);
   EXPECT_FALSE(mode.stopOrdered());
 }
 
@@ -158,13 +159,13 @@ TEST_F(EnableSwitchTest, FR286_TheStopLastsUntilTheStickIsCentred) {
 /// stick cannot order a motion.
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
-  signals(kStop, 3000);
+  signals(kStopPulse, 3000);
   time.advance(milliseconds(150));
-  enable.write(Microseconds(kPc), time.now());
+  enable.write(Microseconds(kPcPulse), time.now());
   mode.serve();
   EXPECT_TRUE(mode.stopOrdered());
   time.advance(milliseconds(51));
-  enable.write(Microseconds(kPc), time.now());
+  enable.write(Microseconds(kPcPulse), time.now());
   mode.serve();
   EXPECT_FALSE(mode.stopOrdered());
 }
@@ -173,14 +174,14 @@ TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
 /// order.
 /// @verifies FR-287
 TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
-  signals(kDrive);
+  signals(kDrivePulse);
   EXPECT_TRUE(mode.newMessage());
   source.message = false;
   EXPECT_FALSE(mode.newMessage());
   source.message = true;
-  signals(kPc);
+  signals(kPcPulse);
   EXPECT_FALSE(mode.newMessage());
-  signals(kStop);
+  signals(kStopPulse);
   EXPECT_TRUE(mode.newMessage());
 }
 
@@ -188,9 +189,9 @@ TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   source.order.orderId = 9;
-  signals(kStop);
-  signals(kPc);
-  signals(kDrive);
+  signals(kStopPulse);
+  signals(kPcPulse);
+  signals(kDrivePulse);
   for (int order = 0; order < 3; ++order) {
     EXPECT_TRUE(acknowledges());
     EXPECT_EQ(data.setPoints()->orderId, 9);
@@ -201,11 +202,11 @@ TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
 /// @brief With a deflected stick nothing is acknowledged until it is centred.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
-  signals(kStop);
-  signals(kPc, 100);
-  signals(kDrive, 100);
+  signals(kStopPulse);
+  signals(kPcPulse, 100);
+  signals(kDrivePulse, 100);
   EXPECT_FALSE(acknowledges());
-  signals(kDrive, 0);
+  signals(kDrivePulse, 0);
   EXPECT_TRUE(acknowledges());
 }
 
@@ -213,20 +214,20 @@ TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
 /// switch.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
-  signals(kPc);
-  signals(kDrive);
+  signals(kPcPulse);
+  signals(kDrivePulse);
   while (acknowledges()) {
   }
   time.advance(milliseconds(5000));
   mode.serve();
   EXPECT_TRUE(mode.stopOrdered());
-  signals(kDrive);
+  signals(kDrivePulse);
   EXPECT_FALSE(acknowledges());
-  signals(kStop);  // a receiver with a preset fail-safe
-  signals(kDrive);
+  signals(kStopPulse);  // a receiver with a preset fail-safe
+  signals(kDrivePulse);
   EXPECT_FALSE(acknowledges());
-  signals(kPc);
-  signals(kDrive);
+  signals(kPcPulse);
+  signals(kDrivePulse);
   EXPECT_FALSE(acknowledges());
 }
 
@@ -234,36 +235,36 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
 /// not earlier.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
-  signals(kDrive, 0);
+  signals(kDrivePulse, 0);
   for (int cycles = 0; cycles <= 20; ++cycles) {
-    signals(kDrive, cycles % 2 == 0 ? 1500 : 1548);  // 8 us
+    signals(kDrivePulse, cycles % 2 == 0 ? 1500 : 1548);  // 8 us
     EXPECT_FALSE(mode.stopOrdered()) << cycles;
   }
-  signals(kDrive, 1500);
+  signals(kDrivePulse, 1500);
   EXPECT_TRUE(mode.stopOrdered());
   for (int cycles = 0; cycles < 50; ++cycles) {
-    signals(kDrive, 1500);
+    signals(kDrivePulse, 1500);
     EXPECT_TRUE(mode.stopOrdered());
   }
-  signals(kDrive, 0);
+  signals(kDrivePulse, 0);
   EXPECT_FALSE(mode.stopOrdered());
 }
 
 /// @brief A change of more than 8 us of any channel restarts the 2 s.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
-  signals(kDrive, 0);
+  signals(kDrivePulse, 0);
   for (int cycles = 0; cycles < 200; ++cycles) {
     const bool changed = cycles / 20 % 2 == 1;
     switch (cycles / 60 % 3) {
       case 0:
-        signals(kDrive, changed ? 1554 : 1500);  // 9 us
+        signals(kDrivePulse, changed ? 1554 : 1500);  // 9 us
         break;
       case 1:
-        signals(kDrive, 1500, changed ? 60 : 0);  // 9 us
+        signals(kDrivePulse, 1500, changed ? 60 : 0);  // 9 us
         break;
       default:
-        signals(changed ? kDrive + 9 : kDrive, 1500);
+        signals(changed ? kDrivePulse + 9 : kDrivePulse, 1500);
         break;
     }
     EXPECT_FALSE(mode.stopOrdered()) << cycles;
@@ -274,7 +275,7 @@ TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ACentredStickNeedsNoChange) {
   for (int cycles = 0; cycles < 200; ++cycles) {
-    signals(kDrive, 0);
+    signals(kDrivePulse, 0);
     EXPECT_FALSE(mode.stopOrdered());
   }
 }

@@ -576,10 +576,9 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
 /// In a curve of 5 degrees the limit is 270.0 rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
-  constexpr WheelQuantity kCurrent = WheelQuantity::Current;
   const auto at = [&](int velocity) {
     spy.measured.wheels[2].velocity = Velocity(velocity);
-    order(ramp, alike(1000, kCurrent));
+    order(ramp, alike(1000, WheelQuantity::Current));
     return first();
   };
   EXPECT_EQ(at(1000), 1000);
@@ -589,13 +588,13 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   EXPECT_EQ(at(1701), 950);
   spy.measured.wheels[2].velocity = Velocity(3100);
   for (int cycles = 0; cycles < 10; ++cycles) {
-    order(ramp, alike(1000, kCurrent));
+    order(ramp, alike(1000, WheelQuantity::Current));
   }
   EXPECT_EQ(first(), 980);
   EXPECT_EQ(at(3101), 920);
   EXPECT_EQ(at(3101), 860);
   for (int cycles = 0; cycles < 50; ++cycles) {
-    order(ramp, alike(1000, kCurrent));
+    order(ramp, alike(1000, WheelQuantity::Current));
   }
   EXPECT_EQ(first(), 100);
   order(ramp, alike(2000));

@@ -1,13 +1,12 @@
 #include "warning/WarningDirector.hpp"
 
 #include "products/ProductFixture.hpp"
-#include "services/SystemConstants.hpp"
 #include "sim/host/HostDigitalOutput.hpp"
+#include "support/waitingCycles.hpp"
 
 namespace wr::test {
 namespace {
 
-const int kN = SystemConstants::instance().waitingCycles();
 constexpr int kWorking = 0;
 constexpr int kWaiting = 1;
 constexpr int kWaitingN = 2;
@@ -20,7 +19,7 @@ class WarningRobot : public ProductFixture {
   WarningRobot() {
     begin(director);
     connect();
-    for (int cycles = 0; cycles < kN + 3 && order().state != kWorking; ++cycles) {
+    for (int cycles = 0; cycles < kWaitingCycles + 3 && order().state != kWorking; ++cycles) {
     }
   }
 
@@ -38,7 +37,7 @@ class WarningRobot : public ProductFixture {
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_EQ(order(8).orderId, 8);
-  for (int failed = 1; failed < kN - 1; ++failed) {
+  for (int failed = 1; failed < kWaitingCycles - 1; ++failed) {
     EXPECT_EQ(cycleWithPc().state, kWaiting) << failed;
     EXPECT_FALSE(warning.isOn()) << failed;
   }
@@ -56,7 +55,7 @@ TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_MessageEndsTheWarning) {
   for (int round = 0; round < 2; ++round) {
-    for (int failed = 1; failed < kN; ++failed) {
+    for (int failed = 1; failed < kWaitingCycles; ++failed) {
       cycleWithPc();
     }
     EXPECT_TRUE(warning.isOn());
@@ -73,7 +72,7 @@ TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
   port.arrive(pc.order({.id = 9, .stop = true}));
   EXPECT_TRUE(cycle().stop());
   bool passed = false;
-  for (int failed = 0; failed < kN + 2; ++failed) {
+  for (int failed = 0; failed < kWaitingCycles + 2; ++failed) {
     const scenario::PcReport report = cycleWithPc();
     passed = passed || report.state == kWaitingK;
     EXPECT_TRUE(report.stop());
@@ -85,7 +84,7 @@ TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
 /// @brief The remote control commands this robot as well.
 /// @verifies FR-17
 TEST_F(WarningRobot, FR17_RemoteControlFollowsThePc) {
-  for (int failed = 0; failed < kN + 1; ++failed) {
+  for (int failed = 0; failed < kWaitingCycles + 1; ++failed) {
     cycleWithPc();
   }
   scenario::PcReport report;

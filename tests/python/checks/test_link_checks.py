@@ -39,6 +39,14 @@ def test_a_style_sheet_names_files_that_exist(tmp_path: Path) -> None:
     assert [link for _, _, link, _ in dead_links(tmp_path)] == ["none.svg"]
 
 
+def test_a_changed_page_is_read_again(tmp_path: Path) -> None:
+    site = tmp_path / "site"
+    write(site, {"index.html": '<a href="other.html#a">a</a>', "other.html": '<b id="a">A</b>'})
+    assert dead_links(site) == []
+    write(site, {"other.html": '<b id="else">A</b>'})
+    assert [link for _, _, link, _ in dead_links(site)] == ["other.html#a"]
+
+
 @pytest.mark.parametrize(
     ("source", "text", "place"),
     [

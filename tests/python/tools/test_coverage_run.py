@@ -65,6 +65,7 @@ def test_another_program_of_the_same_folder_does_not_count(root: Path) -> None:
     folder = "build/trace/tests/CMakeFiles/usual_design_tests.dir"
     (root / folder).mkdir(parents=True)
     run_program(root, "src/other.cpp", folder)
+    (root / folder / "program-other.o").touch()
     count(root)
     (file,) = json.loads((root / COVERAGE_LINES).read_text())["files"]
     assert file["file"] == "src/choose.cpp"
@@ -80,12 +81,11 @@ def test_a_run_without_a_line_of_the_design_is_a_failure(root: Path) -> None:
     assert coverage(root) == {}
 
 
-def test_notes_of_a_deleted_source_are_removed(root: Path) -> None:
+def test_notes_of_an_object_that_is_no_longer_made_are_removed(root: Path) -> None:
     objects = root / "build/trace/src/CMakeFiles/firmware.dir"
-    kept = [objects / "choose.cpp.gcno", objects / "__/generated/Identity.cpp.gcno"]
-    stale = [objects / "gone.cpp.gcno", objects / "gone.cpp.gcda"]
-    generated = root / "build/trace/generated/Identity.cpp"
-    for file in [*kept, *stale, generated]:
+    kept = [objects / "choose.cpp.gcno", objects / "Unity/unity_0_cxx.cxx.gcda"]
+    stale = [objects / "gone.cpp.gcno", objects / "Unity/unity_1_cxx.cxx.gcda"]
+    for file in [*kept, *(one.with_suffix(".o") for one in kept), *stale]:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_bytes(b"")
     with (root / "log").open("w") as log:

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <functional>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "sim/host/HostTimebase.hpp"
 #include "sim/host/HostTimer.hpp"
 #include "sim/scenario/PcFrames.hpp"
+#include "support/LineBytes.hpp"
 
 namespace wr::test {
 namespace {
@@ -122,12 +122,6 @@ TEST(HostTimebaseTest, SteppedTimePassesByHand) {
   EXPECT_EQ(time.now(), Instant(0));
   time.advance(milliseconds(3));
   EXPECT_EQ(time.now(), Instant(3000));
-}
-
-scenario::Bytes counting(std::size_t count) {
-  scenario::Bytes bytes(count);
-  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
-  return bytes;
 }
 
 // All bytes that a port has received.

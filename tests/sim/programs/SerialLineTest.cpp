@@ -9,25 +9,16 @@
 
 #include <chrono>
 #include <cstdint>
-#include <numeric>
 #include <string>
 #include <thread>
-#include <vector>
 
 #include "sim/programs/PseudoTerminal.hpp"
 #include "sim/programs/TcpLine.hpp"
 #include "sim/programs/signals.hpp"
+#include "support/LineBytes.hpp"
 
 namespace wr::test {
 namespace {
-
-using Bytes = std::vector<std::uint8_t>;
-
-Bytes counting(std::size_t count) {
-  Bytes bytes(count);
-  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
-  return bytes;
-}
 
 // Reads until so many bytes have come; gives up after a second.
 Bytes readAll(programs::SerialLine& line, std::size_t count) {

@@ -1,12 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "services/SystemConstants.hpp"
+#include "support/waitingCycles.hpp"
 #include "system/host/HostSteppedRobot.hpp"
 
 namespace wr::test {
 namespace {
-
-const int kN = SystemConstants::instance().waitingCycles();
 
 class OperationStatesOfRobotOnHost : public testing::Test {
  protected:
@@ -34,7 +32,7 @@ TEST_F(OperationStatesOfRobotOnHost, FR10_BeginsInWorkingAndModeRc) {
 /// @brief In the waiting states the control systems follow the set-points that were read last.
 /// @verifies FR-14
 TEST_F(OperationStatesOfRobotOnHost, FR14_WaitingStatesFollowTheLastSetPoints) {
-  for (int failed = 1; failed <= kN; ++failed) {
+  for (int failed = 1; failed <= kWaitingCycles; ++failed) {
     robot.silentCycle();
     EXPECT_EQ(robot.system.calls, kControlled) << failed;
     EXPECT_EQ(robot.system.applied.wheels[0].value, 500);
@@ -46,7 +44,7 @@ TEST_F(OperationStatesOfRobotOnHost, FR14_WaitingStatesFollowTheLastSetPoints) {
 /// @brief In Reconnecting the wheels are halted and the steering is held, until an order is read.
 /// @verifies FR-18
 TEST_F(OperationStatesOfRobotOnHost, FR18_ReconnectingHoldsTheRobot) {
-  robot.silentCycles(kN + 1);
+  robot.silentCycles(kWaitingCycles + 1);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(robot.system.calls, kHeld);
     EXPECT_TRUE(robot.report().held());

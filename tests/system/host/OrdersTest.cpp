@@ -1,12 +1,10 @@
 #include <gtest/gtest.h>
 
-#include "services/SystemConstants.hpp"
+#include "support/waitingCycles.hpp"
 #include "system/host/HostSteppedRobot.hpp"
 
 namespace wr::test {
 namespace {
-
-const int kN = SystemConstants::instance().waitingCycles();
 
 class OrdersOfRobotOnHost : public testing::Test {
  protected:
@@ -77,7 +75,7 @@ TEST_F(OrdersOfRobotOnHost, FR12_ModePcReadsNoOrderOfTheRemoteControl) {
 TEST_F(OrdersOfRobotOnHost, FR19_SourceIsThatOfTheSetPointsInForce) {
   commandByRc();
   EXPECT_EQ(robot.report().source, kRc);
-  for (int i = 0; i < kN + 2; ++i) {
+  for (int i = 0; i < kWaitingCycles + 2; ++i) {
     robot.keepAlive();
     robot.cycle();
   }
