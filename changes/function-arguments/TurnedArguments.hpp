@@ -14,13 +14,14 @@ class TurnedArguments final : public ArgumentsDecorator {
   TurnedArguments(const Arguments& wrapped, std::int32_t turned)
       : ArgumentsDecorator(wrapped), turned_(turned) {}
 
-  /// @brief Adds the angle to the raw value at zero; returns the other arguments unchanged.
-  /// @param id name of the argument
-  /// @return its value, nothing when there is none
+  /// @brief Writes the wrapped arguments, with the angle added to the raw value at zero.
+  /// @param values receives the values
   /// @isr{yes}
-  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override {
-    const std::optional<std::int32_t> known = ArgumentsDecorator::value(id);
-    return known && id == ArgumentId::Offset ? *known + turned_ : known;
+  void fill(ArgumentValues& values) const override {
+    ArgumentsDecorator::fill(values);
+    if (values.has(ArgumentId::Offset)) {
+      values.set(ArgumentId::Offset, values[ArgumentId::Offset] + turned_);
+    }
   }
 
  private:

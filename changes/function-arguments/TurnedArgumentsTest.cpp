@@ -9,16 +9,22 @@
 namespace wr::test {
 namespace {
 
+ArgumentValues valuesOf(const Arguments& arguments) {
+  ArgumentValues values;
+  arguments.fill(values);
+  return values;
+}
+
 /// @brief Only the raw value at zero changes; a missing argument stays missing.
 TEST(TurnedArguments, MovesZeroOnly) {
   const BaseArguments base(17, Microseconds(8000));
   const TurnedArguments without(base, 100);
-  EXPECT_EQ(without.value(ArgumentId::Offset), std::nullopt);
+  EXPECT_FALSE(valuesOf(without).has(ArgumentId::Offset));
   const ScaleArguments scaled(base, 3, 4, 50);
-  const TurnedArguments arguments(scaled, 100);
-  EXPECT_EQ(arguments.value(ArgumentId::Offset), 150);
-  EXPECT_EQ(arguments.value(ArgumentId::Raw), 17);
-  EXPECT_EQ(arguments.value(ArgumentId::Scale), 3);
+  const ArgumentValues values = valuesOf(TurnedArguments(scaled, 100));
+  EXPECT_EQ(values[ArgumentId::Offset], 150);
+  EXPECT_EQ(values[ArgumentId::Raw], 17);
+  EXPECT_EQ(values[ArgumentId::Scale], 3);
 }
 
 int steeringAtRest(const char* image) {

@@ -56,19 +56,19 @@ void ProtectiveStop::examine(const SetPoints* followed) {
   if (emergencyStop_.opened()) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
-  Measurements measurements;
-  Outputs outputs;
-  OrderStageDecorator::collect(measurements, outputs);
-  if (measurements.steeringState == SteeringState::Fault) {
+  measurements_.clear();
+  outputs_.clear();
+  OrderStageDecorator::collect(measurements_, outputs_);
+  if (measurements_.steeringState == SteeringState::Fault) {
     latch(StopCause::SteeringFault, Protection::kNoWheel);
   }
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     const StopCause cause =
-        wheels_[wheel].examine(measurements.wheels[wheel], outputs.tensions[wheel],
+        wheels_[wheel].examine(measurements_.wheels[wheel], outputs_.tensions[wheel],
                                followed == nullptr ? nullptr : &followed->wheels[wheel]);
     latch(cause, static_cast<std::uint8_t>(wheel));
   }
-  compareWheels(measurements, followed != nullptr);
+  compareWheels(measurements_, followed != nullptr);
 }
 
 void ProtectiveStop::compareWheels(const Measurements& measurements, bool following) {

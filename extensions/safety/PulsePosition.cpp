@@ -3,12 +3,12 @@
 namespace wr {
 
 std::optional<std::int32_t> PulsePosition::calculate(const Arguments& arguments) const {
-  const std::optional<std::int32_t> width = arguments.value(ArgumentId::Raw);
-  const std::optional<std::int32_t> middle = arguments.value(ArgumentId::Offset);
-  if (!width || !middle) {
+  ArgumentValues values;
+  arguments.fill(values);
+  if (!values.has(ArgumentId::Raw, ArgumentId::Offset)) {
     return std::nullopt;
   }
-  return *width - *middle;
+  return values[ArgumentId::Raw] - values[ArgumentId::Offset];
 }
 
 }  // namespace wr

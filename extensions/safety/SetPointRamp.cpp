@@ -71,14 +71,14 @@ Tension ramped(Tension order, Tension applied) {
 SetPointRamp::SetPointRamp(OrderStage& wrapped) : OrderStageDecorator(wrapped) {}
 
 void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
-  Measurements measurements;
-  Outputs outputs;
-  collect(measurements, outputs);
+  measurements_.clear();
+  outputs_.clear();
+  collect(measurements_, outputs_);
   const std::int32_t most =
-      greatestAt(std::max(std::abs(measurements.steering.value_or(Angle()).count()),
+      greatestAt(std::max(std::abs(measurements_.steering.value_or(Angle()).count()),
                           std::abs(setPoints.steering.count())));
-  followMeasured(setPoints, measurements, outputs);
-  lowerWhenFast(measurements, most + kOverspeedMargin);
+  followMeasured(setPoints, measurements_, outputs_);
+  lowerWhenFast(measurements_, most + kOverspeedMargin);
   SetPoints limited = setPoints;
   limit(limited, most);
   const std::int32_t greatest = greatestChange(limited);
@@ -90,7 +90,7 @@ void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
           greatest > kMaxChangePerCycle ? change * kMaxChangePerCycle / greatest : change;
       setPoint.value = static_cast<std::int16_t>(ramped_[wheel]);
     } else if (setPoint.quantity == WheelQuantity::Tension) {
-      const Tension applied = outputs.tensions[wheel].value_or(Tension());
+      const Tension applied = outputs_.tensions[wheel].value_or(Tension());
       setPoint.value = static_cast<std::int16_t>(ramped(Tension(setPoint.value), applied).count());
     }
   }

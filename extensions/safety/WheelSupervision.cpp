@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <span>
 #include <utility>
 
 #include "services/SystemConstants.hpp"
@@ -68,11 +67,6 @@ Tension across(Current current) {
   return Tension(kWinding * current.count() / kThousand);
 }
 
-// Part of a voltage that neither the velocity nor the current explains.
-Tension residual(Tension tension, Velocity velocity, Current current) {
-  return tension - induced(velocity) - across(current);
-}
-
 Tension part(Tension tension, std::int32_t percent) {
   return magnitude(tension) * percent / kPercent;
 }
@@ -93,9 +87,10 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   const bool both = measured.velocity && measured.current;
   const Velocity velocity = measured.velocity.value_or(Velocity());
   const bool missing = lasts(following_ && !both, missing_, kMissingCycles);
-  const bool opposing = lasts(opposes(measured), opposing_, kOpposingCycles);
+  const std::optional<Balance> balance = balanceOf(measured);
+  const bool opposing = lasts(balance && opposes(*balance), opposing_, kOpposingCycles);
   const bool tooFast = lasts(exceedsReference(velocity), tooFast_, kTooFastCycles);
-  const bool deviating = lasts(deviates(measured), deviating_, kDeviatingCycles);
+  const bool deviating = lasts(balance && deviates(*balance), deviating_, kDeviatingCycles);
   const bool rejecting = rejectsEdges(measured);
   const bool swapped = leads_.swapped(measured, tension_);
   velocity_ = velocity;
@@ -141,45 +136,53 @@ void WheelSupervision::reset() {
   leads_.reset();
 }
 
+std::optional<WheelSupervision::Balance> WheelSupervision::balanceOf(
+    const WheelMeasurements& measured) const {
+  if (!tension_ || !measured.velocity || !measured.current) {
+    return std::nullopt;
+  }
+  const Tension ofVelocity = induced(*measured.velocity);
+  const Tension ofCurrent = across(*measured.current);
+  return Balance{.velocity = *measured.velocity,
+                 .tension = *tension_,
+                 .induced = ofVelocity,
+                 .winding = ofCurrent,
+                 .residual = *tension_ - ofVelocity - ofCurrent};
+}
+
 // A slope or the other wheels can drag a wheel against its voltage: its velocity then explains its
 // current. A wheel that its own motor turns the wrong way draws less current.
-bool WheelSupervision::opposes(const WheelMeasurements& measured) const {
-  if (!tension_ || !measured.velocity || !measured.current) {
+bool WheelSupervision::opposes(const Balance& balance) {
+  const bool forwards = balance.tension > Tension();
+  const bool driven = magnitude(balance.tension) > kDriving;
+  const bool against = (balance.velocity > Velocity()) != forwards;
+  if (!driven || !against || magnitude(balance.velocity) <= kOpposingVelocity) {
     return false;
   }
-  const Velocity velocity = *measured.velocity;
-  const bool driven = magnitude(*tension_) > kDriving;
-  const bool against = (velocity > Velocity()) != (*tension_ > Tension());
-  const Tension unexplained = residual(*tension_, velocity, *measured.current);
   const Tension bound =
-      part(induced(velocity), kOpposingPercent) + part(*tension_, kDrivingPercent);
-  const bool powered = (*tension_ > Tension() ? unexplained : -unexplained) > bound;
-  return driven && against && magnitude(velocity) > kOpposingVelocity && powered;
+      part(balance.induced, kOpposingPercent) + part(balance.tension, kDrivingPercent);
+  return (forwards ? balance.residual : -balance.residual) > bound;
 }
 
 bool WheelSupervision::exceedsReference(Velocity velocity) const {
-  Velocity greatest;
-  for (const std::optional<Velocity>& reference : references_) {
-    if (!reference) {
-      return false;
-    }
-    greatest = std::max(greatest, *reference);
-  }
-  const bool brakes = magnitude(velocity) + kSlower < magnitude(velocity_);
-  return !brakes && magnitude(velocity) > greatest + greatest / kMarginShare + kMargin;
+  const Velocity speed = magnitude(velocity);
+  const bool brakes = speed + kSlower < magnitude(velocity_);
+  return !brakes && std::ranges::all_of(references_, [speed](std::optional<Velocity> reference) {
+    return reference && speed > *reference + *reference / kMarginShare + kMargin;
+  });
 }
 
-bool WheelSupervision::deviates(const WheelMeasurements& measured) const {
-  if (!tension_ || !measured.velocity || !measured.current) {
-    return false;
+bool WheelSupervision::deviates(const Balance& balance) {
+  const bool driven = magnitude(balance.tension) > kDriving;
+  const bool atRest = balance.tension == Tension() && balance.velocity == Velocity();
+  const Tension offset = driven ? kResidual : kMaxIdleTension;
+  const Tension deviation = magnitude(balance.residual);
+  if (atRest || deviation <= offset) {
+    return deviation > offset;
   }
-  const Tension shares = part(*tension_, kSupplyPercent) +
-                         part(across(*measured.current), kWindingPercent) +
-                         part(induced(*measured.velocity), kInducedPercent);
-  const bool driven = magnitude(*tension_) > kDriving;
-  const bool atRest = *tension_ == Tension() && *measured.velocity == Velocity();
-  const Tension bound = (driven ? kResidual : kMaxIdleTension) + (atRest ? Tension() : shares);
-  return magnitude(residual(*tension_, *measured.velocity, *measured.current)) > bound;
+  return deviation > offset + part(balance.tension, kSupplyPercent) +
+                         part(balance.winding, kWindingPercent) +
+                         part(balance.induced, kInducedPercent);
 }
 
 bool WheelSupervision::rejectsEdges(const WheelMeasurements& measured) {
@@ -207,10 +210,11 @@ bool WheelSupervision::staysEqual(std::optional<Current> current) {
 void WheelSupervision::record(std::optional<Tension> applied, const WheelSetPoint* followed) {
   tension_ = applied;
   following_ = followed != nullptr;
-  std::ranges::copy(std::span(references_).subspan<1>(), references_.begin());
-  references_.back().reset();
+  std::optional<Velocity>& oldest = references_[oldest_];
+  oldest_ = oldest_ + 1 == references_.size() ? 0 : oldest_ + 1;
+  oldest.reset();
   if (followed != nullptr && followed->quantity == WheelQuantity::Velocity) {
-    references_.back() = magnitude(Velocity(followed->value));
+    oldest = magnitude(Velocity(followed->value));
   }
 }
 

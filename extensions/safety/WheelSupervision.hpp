@@ -51,9 +51,20 @@ class WheelSupervision final {
  private:
   static constexpr std::size_t kReferences = 10;  // number of stored set-points
 
-  [[nodiscard]] bool opposes(const WheelMeasurements& measured) const;
+  // The voltage of a wheel, and the parts of it that its velocity and its current explain.
+  struct Balance {
+    Velocity velocity;
+    Tension tension;
+    Tension induced;
+    Tension winding;
+    Tension residual;  // that neither explains
+  };
+
+  // Nothing while the voltage or a measurement is missing.
+  [[nodiscard]] std::optional<Balance> balanceOf(const WheelMeasurements& measured) const;
+  [[nodiscard]] static bool opposes(const Balance& balance);
   [[nodiscard]] bool exceedsReference(Velocity velocity) const;
-  [[nodiscard]] bool deviates(const WheelMeasurements& measured) const;
+  [[nodiscard]] static bool deviates(const Balance& balance);
   [[nodiscard]] bool rejectsEdges(const WheelMeasurements& measured);
   [[nodiscard]] bool staysEqual(std::optional<Current> current);
   void record(std::optional<Tension> applied, const WheelSetPoint* followed);
@@ -64,6 +75,7 @@ class WheelSupervision final {
   std::optional<Current> current_;         // of the previous cycle
   std::uint8_t equalCycles_ = 0;
   std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
+  std::size_t oldest_ = 0;  // place of the oldest one, which the next one replaces
   bool following_ = false;
   std::uint8_t opposing_ = 0;  // half cycles
   std::uint8_t tooFast_ = 0;

@@ -11,7 +11,9 @@ constexpr std::int32_t kMiddleHalfWidth = 20;  // to each side [us]
 }  // namespace
 
 std::optional<std::int32_t> RcDirection::calculate(const Arguments& arguments) const {
-  return deflected(arguments, kMiddleHalfWidth);
+  ArgumentValues values;
+  arguments.fill(values);
+  return deflected(values, kMiddleHalfWidth);
 }
 
 }  // namespace wr

@@ -5,7 +5,9 @@
 namespace wr {
 
 std::optional<std::int32_t> SampledAngle::calculate(const Arguments& arguments) const {
-  return scaled(arguments);
+  ArgumentValues values;
+  arguments.fill(values);
+  return scaled(values);
 }
 
 }  // namespace wr

@@ -5,8 +5,10 @@
 namespace wr {
 
 std::optional<std::int32_t> SampledCurrent::calculate(const Arguments& arguments) const {
-  const std::optional<std::int32_t> current = scaled(arguments);
-  return current && accepted(arguments, *current) ? current : std::nullopt;
+  ArgumentValues values;
+  arguments.fill(values);
+  const std::optional<std::int32_t> current = scaled(values);
+  return current && accepted(values, *current) ? current : std::nullopt;
 }
 
 }  // namespace wr

@@ -15,6 +15,15 @@ std::int64_t divided(std::int64_t dividend, std::int64_t divisor) {
   return dividend / divisor;
 }
 
+bool hasScaledRaw(const ArgumentValues& values) {
+  return values.has(ArgumentId::Raw, ArgumentId::Offset, ArgumentId::Scale, ArgumentId::Divisor);
+}
+
+// Distance of the raw value from that of zero.
+std::int64_t distance(const ArgumentValues& values) {
+  return std::int64_t{values[ArgumentId::Raw]} - values[ArgumentId::Offset];
+}
+
 }  // namespace
 
 std::optional<std::int32_t> quotient(std::int64_t dividend, std::int64_t divisor) {
@@ -29,38 +38,31 @@ std::optional<std::int32_t> quotient(std::int64_t dividend, std::int64_t divisor
   return static_cast<std::int32_t>(result);
 }
 
-bool accepted(const Arguments& arguments, std::int32_t value) {
-  return value >= arguments.value(ArgumentId::Lowest).value_or(value) &&
-         value <= arguments.value(ArgumentId::Highest).value_or(value);
+bool accepted(const ArgumentValues& values, std::int32_t value) {
+  return (!values.has(ArgumentId::Lowest) || value >= values[ArgumentId::Lowest]) &&
+         (!values.has(ArgumentId::Highest) || value <= values[ArgumentId::Highest]);
 }
 
-std::optional<std::int32_t> scaled(const Arguments& arguments) {
-  const std::optional<std::int32_t> raw = arguments.value(ArgumentId::Raw);
-  const std::optional<std::int32_t> offset = arguments.value(ArgumentId::Offset);
-  const std::optional<std::int32_t> scale = arguments.value(ArgumentId::Scale);
-  const std::optional<std::int32_t> divisor = arguments.value(ArgumentId::Divisor);
-  if (!raw || !offset || !scale || !divisor) {
+std::optional<std::int32_t> scaled(const ArgumentValues& values) {
+  if (!hasScaledRaw(values)) {
     return std::nullopt;
   }
-  return quotient((std::int64_t{*raw} - *offset) * *scale, *divisor);
+  return quotient(distance(values) * values[ArgumentId::Scale], values[ArgumentId::Divisor]);
 }
 
-std::optional<std::int32_t> deflected(const Arguments& arguments, std::int32_t middle) {
-  const std::optional<std::int32_t> raw = arguments.value(ArgumentId::Raw);
-  const std::optional<std::int32_t> offset = arguments.value(ArgumentId::Offset);
-  const std::optional<std::int32_t> scale = arguments.value(ArgumentId::Scale);
-  const std::optional<std::int32_t> divisor = arguments.value(ArgumentId::Divisor);
-  if (!raw || !offset || !scale || !divisor || !accepted(arguments, *raw)) {
+std::optional<std::int32_t> deflected(const ArgumentValues& values, std::int32_t middle) {
+  if (!hasScaledRaw(values) || !accepted(values, values[ArgumentId::Raw])) {
     return std::nullopt;
   }
-  const std::int64_t distance = std::int64_t{*raw} - *offset;
-  if (distance >= -middle && distance <= middle) {
+  const std::int64_t deflection = distance(values);
+  if (deflection >= -middle && deflection <= middle) {
     return 0;
   }
-  const std::int64_t full = distance < 0 ? -std::int64_t{*divisor} : *divisor;
-  const std::int64_t deflection =
-      distance < 0 ? std::max(distance, full) : std::min(distance, full);
-  return quotient(deflection * *scale, *divisor);
+  const std::int32_t divisor = values[ArgumentId::Divisor];
+  const std::int64_t full = deflection < 0 ? -std::int64_t{divisor} : divisor;
+  const std::int64_t limited =
+      deflection < 0 ? std::max(deflection, full) : std::min(deflection, full);
+  return quotient(limited * values[ArgumentId::Scale], divisor);
 }
 
 }  // namespace wr

@@ -14,25 +14,25 @@ namespace wr {
 /// @return the quotient; nothing unless the divisor is greater than 0 and the quotient has 32 bits
 [[nodiscard]] std::optional<std::int32_t> quotient(std::int64_t dividend, std::int64_t divisor);
 
-/// @brief Returns whether a value is in the range that the arguments define. A missing bound does
+/// @brief Returns whether a value is in the range that the values define. A missing bound does
 /// not limit the value.
-/// @param arguments contain Lowest and Highest
+/// @param values contain Lowest and Highest
 /// @param value the value
 /// @return true when it is in the range
-[[nodiscard]] bool accepted(const Arguments& arguments, std::int32_t value);
+[[nodiscard]] bool accepted(const ArgumentValues& values, std::int32_t value);
 
 /// @brief Calculates (Raw - Offset) * Scale / Divisor.
-/// @param arguments contain the four values
+/// @param values contain the four values
 /// @return the result, rounded to the nearest number; nothing when a value is missing
-[[nodiscard]] std::optional<std::int32_t> scaled(const Arguments& arguments);
+[[nodiscard]] std::optional<std::int32_t> scaled(const ArgumentValues& values);
 
 /// @brief Calculates the value of a lever of the remote control: (Raw - Offset) * Scale / Divisor,
 /// where Raw - Offset is limited to Divisor on either side.
-/// @param arguments contain the four values, and the range of Raw
+/// @param values contain the four values, and the range of Raw
 /// @param middle up to this distance of Raw from Offset the result is 0
 /// @return the result, rounded to the nearest number; nothing when a value is missing or Raw is out
 /// of its range
-[[nodiscard]] std::optional<std::int32_t> deflected(const Arguments& arguments,
+[[nodiscard]] std::optional<std::int32_t> deflected(const ArgumentValues& values,
                                                     std::int32_t middle);
 
 }  // namespace wr

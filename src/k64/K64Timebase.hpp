@@ -78,10 +78,10 @@ class K64Timebase final : public Timebase {
 
     /// @brief Returns a later time.
     [[nodiscard]] constexpr Time after(std::uint32_t later) const {
-      const std::uint32_t left = ticks + later % K64Board::kTicksPerMicrosecond;
-      return {microseconds +
-                  (later / K64Board::kTicksPerMicrosecond + left / K64Board::kTicksPerMicrosecond),
-              left % K64Board::kTicksPerMicrosecond};
+      constexpr std::uint32_t kWhole = K64Board::kTicksPerMicrosecond;
+      const std::uint32_t left = ticks + later % kWhole;
+      const std::uint32_t carry = static_cast<std::uint32_t>(left >= kWhole);
+      return {microseconds + (later / kWhole + carry), left - carry * kWhole};
     }
 
     /// @brief Returns the time after one more period of the counter.

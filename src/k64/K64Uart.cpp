@@ -129,20 +129,26 @@ void K64Uart::send() {
 }
 
 std::size_t K64Uart::read(std::span<std::uint8_t> bytes) {
-  const std::size_t most = std::min(bytes.size(), received_.count());
+  const std::span<const std::uint8_t> waiting = received_.front();
+  const std::size_t most = std::min(bytes.size(), waiting.size());
   std::size_t count = 0;
-  bool ended = false;
+  std::uint8_t byte = lastRead_;
+  std::uint8_t before = byte;
   // bound: 1; the caller counts bytes, so that on average a call takes one of those that it counts
-  while (count != most && !ended) {
-    const std::uint8_t byte = received_.take();
+  while (count != most) {
+    before = byte;
+    byte = waiting[count];
     bytes[count] = byte;
     ++count;
-    ended = byte == 0;
-    if (ended && lastRead_ != 0) {
-      receivedAt_ = endings_.take();
+    if (byte == 0) {
+      break;
     }
-    lastRead_ = byte;
   }
+  if (count != 0 && byte == 0 && before != 0) {
+    receivedAt_ = endings_.take();
+  }
+  received_.drop(count);
+  lastRead_ = byte;
   return count;
 }
 

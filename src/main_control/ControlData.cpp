@@ -5,21 +5,22 @@
 namespace wr {
 
 void ControlData::beginCycle(Instant clockPulse) {
-  ++cycle_;
-  clockPulse_ = clockPulse;
-  stopSources_ = 0;
-  orderRead_ = false;
-  held_ = false;
-  overran_ = false;
-  measurements_ = {};
-  outputs_ = {};
+  ++report_.cycle;
+  report_.time = clockPulse;
+  report_.stopSources = 0;
+  report_.orderRead = false;
+  report_.held = false;
+  report_.overran = false;
+  report_.measurements.clear();
+  report_.outputs.clear();
   if (setPoints_) {
     setPoints_->repeated = true;
   }
 }
 
 void ControlData::saveStart(std::uint32_t pulse, std::uint32_t start) {
-  costs_ = {.report = reported_, .awake = pulse - pulse_.value_or(pulse), .start = start - pulse};
+  report_.costs = {
+      .report = reported_, .awake = pulse - pulse_.value_or(pulse), .start = start - pulse};
   pulse_ = pulse;
   reported_ = 0;
 }
@@ -34,22 +35,22 @@ void ControlData::saveModeId(ModeId source) {
 
 void ControlData::saveSetPoints(const SetPoints& setPoints) {
   setPoints_ = setPoints;
-  source_ = readSource_;
-  orderRead_ = true;
+  report_.source = static_cast<std::uint8_t>(readSource_);
+  report_.orderRead = true;
 }
 
 void ControlData::saveStop(std::uint8_t sources) {
-  stopSources_ = sources;
+  report_.stopSources = sources;
 }
 
 void ControlData::saveHeld(bool held) {
-  held_ = held;
+  report_.held = held;
 }
 
 void ControlData::saveOverrun() {
-  overran_ = true;
-  if (overruns_ < std::numeric_limits<std::uint16_t>::max()) {
-    ++overruns_;
+  report_.overran = true;
+  if (report_.overruns < std::numeric_limits<std::uint16_t>::max()) {
+    ++report_.overruns;
   }
 }
 
@@ -58,41 +59,32 @@ const std::optional<SetPoints>& ControlData::setPoints() const {
 }
 
 bool ControlData::stopped() const {
-  return stopSources_ != 0;
+  return report_.stopSources != 0;
 }
 
 std::uint32_t ControlData::cycle() const {
-  return cycle_;
+  return report_.cycle;
 }
 
 Measurements& ControlData::measurements() {
-  return measurements_;
+  return report_.measurements;
 }
 
 Outputs& ControlData::outputs() {
-  return outputs_;
+  return report_.outputs;
 }
 
-ReportData ControlData::report(OperationStateId state, ModeId mode,
-                               const LinkCounts& counts) const {
+ReportData& ControlData::report(OperationStateId state, ModeId mode, const LinkCounts& counts) {
   const Inhibit why = inhibit(state);
-  ReportData data{.cycle = cycle_,
-                  .time = clockPulse_,
-                  .operationState = static_cast<std::uint8_t>(state),
-                  .readingMode = static_cast<std::uint8_t>(mode),
-                  .source = static_cast<std::uint8_t>(source_),
-                  .stopSources = stopSources_,
-                  .orderRead = orderRead_,
-                  .held = held_ || why != Inhibit::None,
-                  .overran = overran_,
-                  .setPoints = setPoints_.value_or(SetPoints{}),
-                  .measurements = measurements_,
-                  .outputs = outputs_,
-                  .overruns = overruns_,
-                  .link = counts,
-                  .costs = costs_};
-  data.measurements.protection.inhibit = why;
-  return data;
+  report_.operationState = static_cast<std::uint8_t>(state);
+  report_.readingMode = static_cast<std::uint8_t>(mode);
+  report_.held = report_.held || why != Inhibit::None;
+  report_.measurements.protection.inhibit = why;
+  report_.link = counts;
+  if (setPoints_) {
+    report_.setPoints = *setPoints_;
+  }
+  return report_;
 }
 
 Inhibit ControlData::inhibit(OperationStateId state) const {
@@ -102,7 +94,7 @@ Inhibit ControlData::inhibit(OperationStateId state) const {
   if (!setPoints_ || state == OperationStateId::Reconnecting) {
     return Inhibit::NoOrder;
   }
-  return measurements_.protection.inhibit;
+  return report_.measurements.protection.inhibit;
 }
 
 }  // namespace wr

@@ -106,11 +106,12 @@ class ControlData {
   /// @satisfies FR-94
   [[nodiscard]] Outputs& outputs();
 
-  /// @brief Returns the content of the report of this cycle.
+  /// @brief Completes and returns the content of the report of this cycle.
   /// @param state operation state to report
   /// @param mode reading mode to report
   /// @param counts counts of the link
-  /// @return content of the report.
+  /// @pre It is called once in a cycle, after the measurements are complete.
+  /// @return content of the report, until the next cycle begins.
   /// @satisfies FR-61
   /// @satisfies FR-175
   /// @satisfies FR-305
@@ -118,8 +119,7 @@ class ControlData {
   /// @satisfies FR-242
   /// @satisfies FR-249
   /// @isr{no}
-  [[nodiscard]] ReportData report(OperationStateId state, ModeId mode,
-                                  const LinkCounts& counts) const;
+  [[nodiscard]] ReportData& report(OperationStateId state, ModeId mode, const LinkCounts& counts);
 
  private:
   /// @brief Returns the reason why the set-points are not followed in this cycle.
@@ -127,20 +127,10 @@ class ControlData {
   [[nodiscard]] Inhibit inhibit(OperationStateId state) const;
 
   std::optional<SetPoints> setPoints_;
-  ModeId source_ = ModeId::None;
   ModeId readSource_ = ModeId::None;
-  std::uint16_t overruns_ = 0;
-  std::uint32_t cycle_ = 0;
-  Instant clockPulse_{0};
-  std::uint8_t stopSources_ = 0;  // bit n: the source with the mode id n orders stop
-  bool orderRead_ = false;
-  bool held_ = false;
-  bool overran_ = false;
-  Measurements measurements_;
-  Outputs outputs_;
+  ReportData report_;                   // of the present cycle
   std::optional<std::uint32_t> pulse_;  // count of processor cycles at the clock pulse
   std::uint32_t reported_ = 0;          // cycles from the clock pulse to the report
-  CycleCosts costs_;
 };
 
 }  // namespace wr

@@ -44,12 +44,10 @@ WheelController::WheelController(const Parts& parts)
       stop_(parts.stop),
       stopWheel_(parts.stopWheel) {}
 
-void WheelController::control(const WheelSetPoint& setPoint, HallCount position) {
-  watchMotion(setPoint, position);
-  const std::optional<Velocity> measuredVelocity = velocity();
-  const std::optional<Current> measuredCurrent = current();
-  if (measuredVelocity && measuredCurrent && !blind_ && !reversalLate_) {
-    follow(setPoint, {.velocity = *measuredVelocity, .current = *measuredCurrent});
+void WheelController::control(const WheelSetPoint& setPoint, const WheelMeasurements& measured) {
+  watchMotion(setPoint, measured);
+  if (measured.velocity && measured.current && !blind_ && !reversalLate_) {
+    follow(setPoint, {.velocity = *measured.velocity, .current = *measured.current});
   } else {
     lower();
   }
@@ -101,7 +99,9 @@ bool WheelController::reversalLate() const {
 
 // A wheel that is ordered to stand still may keep its voltage without motion, on a slope. A motor
 // that turns undetected draws less current than a motor that its load keeps at rest.
-void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount position) {
+void WheelController::watchMotion(const WheelSetPoint& setPoint,
+                                  const WheelMeasurements& measured) {
+  const HallCount position = measured.position.value_or(HallCount());
   const std::int32_t tension = std::abs(applied_.value_or(Tension()).count());
   if (std::abs(position.count() - seen_.count()) > kJitter) {
     seen_ = position;
@@ -110,24 +110,24 @@ void WheelController::watchMotion(const WheelSetPoint& setPoint, HallCount posit
              setPoint == WheelSetPoint::velocity(Velocity(0))) {
     effort_ = std::max(effort_ - kMinEffortTension.count(), std::int32_t{0});
   } else {
-    effort_ += effort(setPoint, Tension(tension));
+    effort_ += effort(setPoint, Tension(tension), measured.current.value_or(Current()));
   }
   blind_ = blind_ || effort_ >= kMaxEffort;
 }
 
 // Returns the counted part of a voltage while the wheel does not move.
-std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension) const {
+std::int32_t WheelController::effort(const WheelSetPoint& setPoint, Tension tension,
+                                     Current current) const {
   const bool faint = setPoint.quantity == WheelQuantity::Tension && tension <= kMovingTension;
-  if (faint || !isHeld()) {
+  if (faint || !isHeld(current)) {
     return tension.count();
   }
   return tension.count() / (tension <= kStartingTension ? kWeakShare : kStrongShare);
 }
 
-bool WheelController::isHeld() const {
+bool WheelController::isHeld(Current current) const {
   const Tension applied = applied_.value_or(Tension());
-  const Tension winding(SystemConstants::instance().winding() *
-                        current().value_or(Current()).count() / kThousand);
+  const Tension winding(SystemConstants::instance().winding() * current.count() / kThousand);
   return applied > Tension() ? winding * 2 > applied : winding * 2 < applied;
 }
 

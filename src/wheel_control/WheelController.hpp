@@ -6,6 +6,7 @@
 
 #include "devices/Timebase.hpp"
 #include "services/Pipe.hpp"
+#include "units/Measurements.hpp"
 #include "units/SetPoints.hpp"
 #include "units/quantities.hpp"
 #include "wheel_control/algorithms/WheelAlgorithm.hpp"
@@ -53,7 +54,7 @@ class WheelController final {
   /// current is
   /// missing, that shows no motion or whose reversal is late is stopped.
   /// @param setPoint target of the wheel
-  /// @param position position of the wheel
+  /// @param measured measured values of the wheel in this cycle
   /// @satisfies FR-80
   /// @satisfies FR-86
   /// @satisfies FR-301
@@ -61,7 +62,7 @@ class WheelController final {
   /// @satisfies FR-91
   /// @satisfies FR-222
   /// @isr{no}
-  void control(const WheelSetPoint& setPoint, HallCount position);
+  void control(const WheelSetPoint& setPoint, const WheelMeasurements& measured);
 
   /// @brief Stops the wheel for one cycle. Latched faults stay.
   /// @satisfies FR-88
@@ -116,9 +117,10 @@ class WheelController final {
   [[nodiscard]] bool reversalLate() const;
 
  private:
-  void watchMotion(const WheelSetPoint& setPoint, HallCount position);
-  [[nodiscard]] std::int32_t effort(const WheelSetPoint& setPoint, Tension tension) const;
-  [[nodiscard]] bool isHeld() const;
+  void watchMotion(const WheelSetPoint& setPoint, const WheelMeasurements& measured);
+  [[nodiscard]] std::int32_t effort(const WheelSetPoint& setPoint, Tension tension,
+                                    Current current) const;
+  [[nodiscard]] bool isHeld(Current current) const;
   void watchReversal(const WheelSetPoint& setPoint, Tension demand);
   void follow(const WheelSetPoint& setPoint, const WheelFeedback& feedback);
   void lower();

@@ -26,7 +26,7 @@ void WheelSystem::collect(Measurements& measurements, Outputs& outputs) const {
 }
 
 void WheelSystem::measure() {
-  work_ = {};
+  work_.clear();
   count_ = 0;
   note(parts_.readVelocity);
   note(parts_.registerPosition);

@@ -139,7 +139,8 @@ TEST(Layout, FR170_OrderAndReportAreWrittenAsInTheTable) {
   ASSERT_TRUE(OrderMessage().writeTo(order));
   EXPECT_EQ(order.types, typesOf("Order"));
   TypesWriter report;
-  ASSERT_TRUE(ReportMessage().writeTo(report));
+  ReportData data;
+  ASSERT_TRUE(ReportMessage(data).writeTo(report));
   EXPECT_EQ(report.types, typesOf("Report"));
 }
 

@@ -26,8 +26,12 @@ constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
 struct Given : Arguments {
   virtual ~Given() = default;
 
-  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override {
-    return values.at(static_cast<std::size_t>(id));
+  void fill(ArgumentValues& filled) const override {
+    for (std::size_t id = 0; id < values.size(); ++id) {
+      if (values[id]) {
+        filled.set(static_cast<ArgumentId>(id), *values[id]);
+      }
+    }
   }
 
   Given& with(ArgumentId id, std::optional<std::int32_t> number) {

@@ -108,7 +108,8 @@ class Link {
 
  private:
   void report() {
-    const bool sent = connection_.sendReport(ReportMessage(ReportData{}));
+    ReportData data;
+    const bool sent = connection_.sendReport(ReportMessage(data));
     expect(!sent || oracle_.connected(), "only a connected PC gets reports");
     reportsLost_ += !sent && oracle_.connected() ? 1U : 0U;
     expect(takeSent(kReport).has_value() == sent, "a report is sent whole or not at all");

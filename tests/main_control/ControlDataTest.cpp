@@ -7,7 +7,7 @@ namespace {
 
 class ControlDataTest : public testing::Test {
  protected:
-  [[nodiscard]] ReportData report() const {
+  [[nodiscard]] ReportData report() {
     return data.report(OperationStateId::Waiting, ModeId::PC, {.damaged = 5});
   }
 
@@ -109,9 +109,11 @@ TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
   data.beginCycle(Instant(1));
   EXPECT_EQ(report().measurements.protection.inhibit, Inhibit::NoOrder);
   EXPECT_TRUE(report().held);
+  data.beginCycle(Instant(2));
   data.saveSetPoints({.orderId = 1});
   EXPECT_EQ(report().measurements.protection.inhibit, Inhibit::None);
   EXPECT_FALSE(report().held);
+  data.beginCycle(Instant(3));
   const ReportData reconnecting = data.report(OperationStateId::Reconnecting, ModeId::RC, {});
   EXPECT_EQ(reconnecting.measurements.protection.inhibit, Inhibit::NoOrder);
   EXPECT_TRUE(reconnecting.held);

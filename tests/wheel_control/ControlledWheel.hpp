@@ -78,7 +78,13 @@ class ControlledWheel {
                Current current = Current()) {
     measure(velocity, current);
     position = position + HallCount(2);
-    controller.control(setPoint, position);
+    controller.control(setPoint, measured());
+  }
+
+  /// The values that the controller measures, and the position.
+  [[nodiscard]] WheelMeasurements measured() const {
+    return {
+        .velocity = controller.velocity(), .current = controller.current(), .position = position};
   }
 
   /// Output of the driver to the motor.

@@ -15,7 +15,7 @@ class WheelControllerTest : public testing::Test, protected ControlledWheel {
   /// A cycle in which the wheel does not turn.
   void controlStanding(const WheelSetPoint& setPoint) {
     measure(Velocity(), Current());
-    controller.control(setPoint, position);
+    controller.control(setPoint, measured());
   }
 };
 
@@ -99,7 +99,7 @@ TEST_F(WheelControllerTest, FR90_WithoutVelocityItIsStopped) {
   for (const int left : {2600, 200, 0, 0}) {
     time.advance(milliseconds(200));
     currents.write(Current(), time.now());
-    controller.control(tensionOf(5000), position);
+    controller.control(tensionOf(5000), measured());
     EXPECT_EQ(controller.applied(), Tension(left));
   }
 }
@@ -112,7 +112,7 @@ TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
   control(velocityOf(1500), Velocity(100));
   time.advance(milliseconds(200));
   velocities.write(Velocity(500), time.now());
-  controller.control(velocityOf(1500), position);
+  controller.control(velocityOf(1500), measured());
   EXPECT_LT(controller.applied(), Tension(7854));
   control(velocityOf(1500), Velocity(500));
   EXPECT_EQ(controller.applied(), Tension(7854));
@@ -121,7 +121,7 @@ TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
 /// @brief A wheel that was never measured gets no voltage.
 /// @verifies FR-90
 TEST_F(WheelControllerTest, FR90_UnmeasuredWheelGetsNoTension) {
-  controller.control(tensionOf(5000), position);
+  controller.control(tensionOf(5000), measured());
   EXPECT_EQ(controller.applied(), Tension(0));
   EXPECT_EQ(output(), Tension(0));
 }
@@ -178,7 +178,7 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
     one.control(tensionOf(0));
     const auto stand = [&one, applied = tensionOf(tension)] {
       one.measure(Velocity(), Current());
-      one.controller.control(applied, one.position);
+      one.controller.control(applied, one.measured());
     };
     for (int i = 0; i < 3 && one.controller.applied() != Tension(tension); ++i) {
       stand();
@@ -215,7 +215,7 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
     int needed = 0;
     while (!one.controller.blind() && needed < 1000) {
       one.measure(Velocity(), Current(current));
-      one.controller.control(tensionOf(tension), one.position);
+      one.controller.control(tensionOf(tension), one.measured());
       ++needed;
     }
     EXPECT_NEAR(needed, cycles, 1) << tension << " " << current;
@@ -287,7 +287,7 @@ TEST_F(WheelControllerTest, FR91_StandingStillOnASlopeIsNoFault) {
   }
   for (int cycle = 0; cycle < 100; ++cycle) {
     measure(Velocity(), Current(3000));
-    controller.control(velocityOf(0), position);
+    controller.control(velocityOf(0), measured());
     EXPECT_GT(controller.applied(), Tension(3000));
   }
   EXPECT_FALSE(controller.blind());

@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <cstring>
 
 namespace wr {
 
@@ -25,19 +26,46 @@ consteval std::array<std::uint16_t, kBytes> remainders() {
 
 constexpr std::array<std::uint16_t, kBytes> kRemainders = remainders();
 
+// Remainder of each byte that is followed by another byte.
+consteval std::array<std::uint16_t, kBytes> remaindersBeforeByte() {
+  std::array<std::uint16_t, kBytes> table{};
+  for (std::size_t byte = 0; byte < kBytes; ++byte) {
+    const std::uint32_t value = kRemainders[byte];
+    table[byte] = static_cast<std::uint16_t>((value >> 8U) ^ kRemainders[value & 0xFFU]);
+  }
+  return table;
+}
+
+constexpr std::array<std::uint16_t, kBytes> kRemaindersBeforeByte = remaindersBeforeByte();
+
+static_assert(std::endian::native == std::endian::little, "the first byte is the lower one");
+
+// Adds two bytes to a check sum.
+std::uint32_t afterTwo(std::uint32_t value, const std::uint8_t* bytes) {
+  std::uint16_t both = 0;
+  std::memcpy(&both, bytes, sizeof(both));
+  value ^= both;
+  return std::uint32_t{kRemaindersBeforeByte[value & 0xFFU]} ^ kRemainders[value >> 8U];
+}
+
 }  // namespace
 
 void Crc16::add(std::span<const std::uint8_t> bytes) {
-  if (bytes.empty()) {
-    return;
-  }
   std::uint32_t value = swapped_;
-  auto next = bytes.begin();
-  do {
-    // bound: kMaxBody
+  const std::uint8_t* next = bytes.data();
+  // bound: kMaxBody / 4
+  for (std::size_t rounds = bytes.size() / 4; rounds != 0; --rounds) {
+    value = afterTwo(value, next);
+    value = afterTwo(value, next + 2);
+    next += 4;
+  }
+  if (bytes.size() % 4 >= 2) {
+    value = afterTwo(value, next);
+    next += 2;
+  }
+  if (bytes.size() % 2 != 0) {
     value = (value >> 8U) ^ kRemainders[(value ^ *next) & 0xFFU];
-    ++next;
-  } while (next != bytes.end());
+  }
   swapped_ = static_cast<std::uint16_t>(value);
 }
 

@@ -8,7 +8,8 @@ namespace wr {
 
 /// @brief Check sum of the bytes of a frame.
 /// @function Computes the number that shows whether a frame is damaged.
-/// @secret The algorithm of the check sum: CRC-16/CCITT-FALSE, computed byte by byte with a table.
+/// @secret The algorithm of the check sum: CRC-16/CCITT-FALSE, computed with tables, two bytes
+/// at a time.
 class Crc16 final {
  public:
   /// @brief Constructs the check sum of zero bytes.

@@ -8,10 +8,12 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kVersionAt = 0;
-constexpr std::size_t kTypeAt = 1;
-constexpr std::size_t kSequenceAt = 2;
-constexpr std::size_t kPayloadAt = 3;
+// The body follows the first code.
+constexpr std::size_t kBodyAt = 1;
+constexpr std::size_t kVersionAt = kBodyAt;
+constexpr std::size_t kTypeAt = kBodyAt + 1;
+constexpr std::size_t kSequenceAt = kBodyAt + 2;
+constexpr std::size_t kPayloadAt = kBodyAt + 3;
 
 }  // namespace
 
@@ -56,25 +58,23 @@ Decoded FrameDecoder::end() {
 }
 
 bool FrameDecoder::removeStuffing() {
-  std::size_t distance = bytes_[0];
+  std::size_t code = bytes_[0];
   // bound: kMaxBytesPerService in all
-  for (std::size_t i = 1; i < count_; ++i) {
-    const std::uint8_t byte = bytes_[i];
-    --distance;
-    bytes_[i - 1] = distance == 0 ? 0 : byte;
-    if (distance == 0) {
-      distance = byte;
-    }
+  for (std::size_t codes = 0; codes < count_ && code < count_; ++codes) {
+    const std::size_t distance = bytes_[code];
+    bytes_[code] = 0;
+    code += distance;
   }
-  return distance == 1;
+  return code == count_;
 }
 
 bool FrameDecoder::crcIsRight() const {
+  const auto body = std::span(bytes_).subspan(kBodyAt, length_);
   const std::size_t checked = length_ - 2;
   Crc16 crc;
   // bound: kMaxBytesPerService in all
-  crc.add(std::span(bytes_).first(checked));
-  return bytes_[checked] == (crc.value() & 0xFFU) && bytes_[checked + 1] == crc.value() >> 8U;
+  crc.add(body.first(checked));
+  return body[checked] == (crc.value() & 0xFFU) && body[checked + 1] == crc.value() >> 8U;
 }
 
 }  // namespace wr

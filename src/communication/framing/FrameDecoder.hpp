@@ -53,7 +53,7 @@ class FrameDecoder final {
   /// @satisfies FR-43
   Decoded end();
 
-  /// @brief Decodes the bytes in place, into the body.
+  /// @brief Replaces each code by the zero that it encodes: the body is then in place.
   /// @return false when the COBS is bad
   /// @satisfies FR-41
   bool removeStuffing();
@@ -64,7 +64,7 @@ class FrameDecoder final {
   [[nodiscard]] bool crcIsRight() const;
 
   std::array<std::uint8_t, kMaxBody + 1> bytes_{};  // coded bytes; after the end of the frame, the
-                                                    // body
+                                                    // first code and the body
   std::size_t count_ = 0;                           // coded bytes since the last zero
   std::size_t length_ = 0;                          // of the last complete body
 };

@@ -230,11 +230,11 @@ std::uint8_t PcConnection::nextSession() const {
 }
 
 void PcConnection::writeIdentity() {
-  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 0}, firmwareIdentity.major);
-  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 1}, firmwareIdentity.minor);
-  writer_.writeU8({.name = FieldName::FirmwareVersion, .index = 2}, firmwareIdentity.patch);
+  writer_.writeU8({.name = FieldName::FirmwareVersion}, firmwareIdentity.major);
+  writer_.writeU8({.name = FieldName::FirmwareVersion}, firmwareIdentity.minor);
+  writer_.writeU8({.name = FieldName::FirmwareVersion}, firmwareIdentity.patch);
   for (std::size_t i = 0; i < firmwareIdentity.buildId.size(); ++i) {
-    writer_.writeU8({.name = FieldName::BuildId, .index = i},
+    writer_.writeU8({.name = FieldName::BuildId},
                     static_cast<std::uint8_t>(firmwareIdentity.buildId[i]));
   }
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 namespace wr {
@@ -69,9 +68,7 @@ enum class FieldName : std::uint8_t {
 /// @brief Name of one field.
 /// @datatype
 struct Field {
-  FieldName name{};       ///< meaning of the field
-  std::size_t index = 0;  ///< number of the wheel, or of the element in a field with several
-                          ///< elements
+  FieldName name{};  ///< meaning of the field; fields of several wheels or elements share it
 };
 
 }  // namespace wr

@@ -49,10 +49,9 @@ bool OrderMessage::readFrom(Reader& reader) {
   setPoints_.sentAt = reader.readU32({.name = FieldName::SentAt});
   setPoints_.steering = Angle(reader.readI16({.name = FieldName::Steering}));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    setPoints_.wheels[wheel].quantity = static_cast<WheelQuantity>(
-        reader.readU8({.name = FieldName::WheelQuantity, .index = wheel}));
-    setPoints_.wheels[wheel].value =
-        reader.readI16({.name = FieldName::WheelValue, .index = wheel});
+    setPoints_.wheels[wheel].quantity =
+        static_cast<WheelQuantity>(reader.readU8({.name = FieldName::WheelQuantity}));
+    setPoints_.wheels[wheel].value = reader.readI16({.name = FieldName::WheelValue});
   }
   commands_ = reader.readU8({.name = FieldName::Commands});
   setPoints_.acknowledge = (commands_ & kAcknowledge) != 0;
@@ -65,10 +64,9 @@ bool OrderMessage::writeTo(Writer& writer) const {
   writer.writeI16({.name = FieldName::Steering},
                   static_cast<std::int16_t>(setPoints_.steering.count()));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    writer.writeU8({.name = FieldName::WheelQuantity, .index = wheel},
+    writer.writeU8({.name = FieldName::WheelQuantity},
                    static_cast<std::uint8_t>(setPoints_.wheels[wheel].quantity));
-    writer.writeI16({.name = FieldName::WheelValue, .index = wheel},
-                    setPoints_.wheels[wheel].value);
+    writer.writeI16({.name = FieldName::WheelValue}, setPoints_.wheels[wheel].value);
   }
   writer.writeU8({.name = FieldName::Commands}, commands_);
   return writer.finish();

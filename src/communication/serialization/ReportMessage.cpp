@@ -108,9 +108,9 @@ void writeSetPoints(Writer& writer, const SetPoints& setPoints) {
   writer.writeU16({.name = FieldName::OrderId}, setPoints.orderId);
   writer.writeI16({.name = FieldName::Steering}, nearestI16(setPoints.steering.count()));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    writer.writeU8({.name = FieldName::WheelQuantity, .index = wheel},
+    writer.writeU8({.name = FieldName::WheelQuantity},
                    static_cast<std::uint8_t>(setPoints.wheels[wheel].quantity));
-    writer.writeI16({.name = FieldName::WheelValue, .index = wheel}, setPoints.wheels[wheel].value);
+    writer.writeI16({.name = FieldName::WheelValue}, setPoints.wheels[wheel].value);
   }
 }
 
@@ -118,9 +118,9 @@ void readSetPoints(Reader& reader, SetPoints& setPoints) {
   setPoints.orderId = reader.readU16({.name = FieldName::OrderId});
   setPoints.steering = Angle(reader.readI16({.name = FieldName::Steering}));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    setPoints.wheels[wheel].quantity = static_cast<WheelQuantity>(
-        reader.readU8({.name = FieldName::WheelQuantity, .index = wheel}));
-    setPoints.wheels[wheel].value = reader.readI16({.name = FieldName::WheelValue, .index = wheel});
+    setPoints.wheels[wheel].quantity =
+        static_cast<WheelQuantity>(reader.readU8({.name = FieldName::WheelQuantity}));
+    setPoints.wheels[wheel].value = reader.readI16({.name = FieldName::WheelValue});
   }
 }
 
@@ -129,12 +129,9 @@ void writeMeasurements(Writer& writer, const Measurements& measurements) {
                   nearestI16(countOrZero(measurements.steering)));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
     const WheelMeasurements& measured = measurements.wheels[wheel];
-    writer.writeI16({.name = FieldName::WheelVelocity, .index = wheel},
-                    nearestI16(countOrZero(measured.velocity)));
-    writer.writeI16({.name = FieldName::WheelCurrent, .index = wheel},
-                    nearestI16(countOrZero(measured.current)));
-    writer.writeI32({.name = FieldName::WheelPosition, .index = wheel},
-                    countOrZero(measured.position));
+    writer.writeI16({.name = FieldName::WheelVelocity}, nearestI16(countOrZero(measured.velocity)));
+    writer.writeI16({.name = FieldName::WheelCurrent}, nearestI16(countOrZero(measured.current)));
+    writer.writeI32({.name = FieldName::WheelPosition}, countOrZero(measured.position));
   }
   writer.writeU16({.name = FieldName::Measured}, measuredBits(measurements));
 }
@@ -148,9 +145,9 @@ void readMeasurements(Reader& reader, Measurements& measurements) {
   std::array<Raw, kWheelCount> raw{};
   const std::int16_t steering = reader.readI16({.name = FieldName::SteeringPosition});
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    raw[wheel].velocity = reader.readI16({.name = FieldName::WheelVelocity, .index = wheel});
-    raw[wheel].current = reader.readI16({.name = FieldName::WheelCurrent, .index = wheel});
-    raw[wheel].position = reader.readI32({.name = FieldName::WheelPosition, .index = wheel});
+    raw[wheel].velocity = reader.readI16({.name = FieldName::WheelVelocity});
+    raw[wheel].current = reader.readI16({.name = FieldName::WheelCurrent});
+    raw[wheel].position = reader.readI32({.name = FieldName::WheelPosition});
   }
   const std::uint32_t bits = reader.readU16({.name = FieldName::Measured});
   measurements.steering = validIf<Angle>((bits & kSteeringBit) != 0, steering);
@@ -164,7 +161,7 @@ void readMeasurements(Reader& reader, Measurements& measurements) {
 
 void writeOutputs(Writer& writer, const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    writer.writeI16({.name = FieldName::WheelTension, .index = wheel},
+    writer.writeI16({.name = FieldName::WheelTension},
                     nearestI16(countOrZero(outputs.tensions[wheel])));
   }
   writer.writeU8({.name = FieldName::Turn}, static_cast<std::uint8_t>(outputs.turn.value_or(0)));
@@ -174,7 +171,7 @@ void writeOutputs(Writer& writer, const Outputs& outputs) {
 void readOutputs(Reader& reader, Outputs& outputs) {
   std::array<std::int16_t, kWheelCount> tensions{};
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    tensions[wheel] = reader.readI16({.name = FieldName::WheelTension, .index = wheel});
+    tensions[wheel] = reader.readI16({.name = FieldName::WheelTension});
   }
   const auto turn = static_cast<std::int8_t>(reader.readU8({.name = FieldName::Turn}));
   const std::uint32_t bits = reader.readU8({.name = FieldName::Applied});
@@ -239,8 +236,7 @@ void writeConditions(Writer& writer, const Measurements& measurements) {
   writer.writeU8({.name = FieldName::BlindWheels},
                  wheelBits(measurements, &WheelMeasurements::blind));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    writer.writeU16({.name = FieldName::RejectedEdges, .index = wheel},
-                    measurements.wheels[wheel].rejectedEdges);
+    writer.writeU16({.name = FieldName::RejectedEdges}, measurements.wheels[wheel].rejectedEdges);
   }
 }
 
@@ -254,8 +250,7 @@ void readConditions(Reader& reader, Measurements& measurements) {
   setMarks(measurements, &WheelMeasurements::blind,
            reader.readU8({.name = FieldName::BlindWheels}));
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
-    measurements.wheels[wheel].rejectedEdges =
-        reader.readU16({.name = FieldName::RejectedEdges, .index = wheel});
+    measurements.wheels[wheel].rejectedEdges = reader.readU16({.name = FieldName::RejectedEdges});
   }
 }
 
@@ -289,7 +284,7 @@ void readStop(Reader& reader, ReportData& data) {
 
 }  // namespace
 
-ReportMessage::ReportMessage(const ReportData& data) : data_(data) {}
+ReportMessage::ReportMessage(ReportData& data) : data_(data) {}
 
 bool ReportMessage::readFrom(Reader& reader) {
   readCycle(reader, data_);

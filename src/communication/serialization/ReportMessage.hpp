@@ -6,23 +6,14 @@
 namespace wr {
 
 /// @brief One report: the results of one control cycle.
-/// @function Stores a report for the PC and marks the values that are missing.
+/// @function Writes the data of a report for the PC, and marks the values that are missing.
 /// @secret The fields of a report, and how a missing value is marked.
 /// @role{serializer, Concrete Element}
 class ReportMessage final : public Serializable {
  public:
-  /// @brief Constructs a report in which all values are zero or missing.
-  ReportMessage() = default;
-
-  /// @brief Constructs a report.
-  /// @param data values of the report
-  explicit ReportMessage(const ReportData& data);
-
-  /// @brief Returns the values of the report.
-  /// @return the data of the report
-  /// @satisfies FR-170
-  /// @isr{yes}
-  [[nodiscard]] const ReportData& data() const { return data_; }
+  /// @brief Binds the report to its data.
+  /// @param data values of the report; they live as long as the report
+  explicit ReportMessage(ReportData& data);
 
   [[nodiscard]] bool readFrom(Reader& reader) override;
 
@@ -45,7 +36,7 @@ class ReportMessage final : public Serializable {
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 
  private:
-  ReportData data_{};
+  ReportData& data_;
 };
 
 }  // namespace wr

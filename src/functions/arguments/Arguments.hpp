@@ -1,7 +1,8 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <optional>
 
 namespace wr {
 
@@ -17,8 +18,47 @@ enum class ArgumentId : std::uint8_t {
   Highest   ///< greatest value that is accepted
 };
 
+/// @brief Values of arguments by name. Each may be missing.
+/// @datatype
+class ArgumentValues {
+ public:
+  /// @brief Sets the value of an argument.
+  /// @param id name of the argument
+  /// @param value its value
+  /// @isr{yes}
+  constexpr void set(ArgumentId id, std::int32_t value) {
+    values_[static_cast<std::size_t>(id)] = value;
+    present_ |= bit(id);
+  }
+
+  /// @brief Returns whether all these arguments have a value.
+  /// @param ids names of the arguments
+  /// @isr{yes}
+  template <class... Ids>
+  [[nodiscard]] constexpr bool has(Ids... ids) const {
+    const std::uint32_t wanted = (bit(ids) | ...);
+    return (present_ & wanted) == wanted;
+  }
+
+  /// @brief Returns the value of an argument.
+  /// @param id name of the argument
+  /// @pre has(id)
+  /// @isr{yes}
+  [[nodiscard]] constexpr std::int32_t operator[](ArgumentId id) const {
+    return values_[static_cast<std::size_t>(id)];
+  }
+
+ private:
+  static constexpr std::size_t kCount = static_cast<std::size_t>(ArgumentId::Highest) + 1;
+
+  static constexpr std::uint32_t bit(ArgumentId id) { return 1U << static_cast<std::uint32_t>(id); }
+
+  std::array<std::int32_t, kCount> values_;  // without initialization: only present values are read
+  std::uint32_t present_ = 0;                // a bit for each argument that has a value
+};
+
 /// @brief The arguments of a function.
-/// @function Returns the value of each argument by name.
+/// @function Writes the value of each argument that it has.
 /// @secret The arguments of a calculation.
 /// @role{function-arguments, Component}
 ///
@@ -32,11 +72,10 @@ class Arguments {
   Arguments(const Arguments&) = delete;
   Arguments& operator=(const Arguments&) = delete;
 
-  /// @brief Returns the value of an argument.
-  /// @param id name of the argument
-  /// @return its value; nothing when it is missing
+  /// @brief Writes the values of these arguments, and no others.
+  /// @param values receives the values
   /// @isr{yes}
-  [[nodiscard]] virtual std::optional<std::int32_t> value(ArgumentId id) const = 0;
+  virtual void fill(ArgumentValues& values) const = 0;
 
  protected:
   Arguments() = default;

@@ -4,8 +4,8 @@ namespace wr {
 
 ArgumentsDecorator::ArgumentsDecorator(const Arguments& wrapped) : wrapped_(wrapped) {}
 
-std::optional<std::int32_t> ArgumentsDecorator::value(ArgumentId id) const {
-  return wrapped_.value(id);
+void ArgumentsDecorator::fill(ArgumentValues& values) const {
+  wrapped_.fill(values);
 }
 
 }  // namespace wr

@@ -1,20 +1,16 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
-
 #include "functions/arguments/Arguments.hpp"
 
 namespace wr {
 
 /// @brief Arguments that extend other arguments.
-/// @function Returns the values of the wrapped arguments. Subclasses return the values that they
-/// add.
-/// @secret How the arguments that contain a value are found.
+/// @function Writes the values of the wrapped arguments. Subclasses write the values that they add.
+/// @secret The order in which values are written, so that the outermost value of a name counts.
 /// @role{function-arguments, Decorator}
 class ArgumentsDecorator : public Arguments {
  public:
-  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override;
+  void fill(ArgumentValues& values) const override;
 
  protected:
   /// @brief Binds the decorator to the arguments that it extends.

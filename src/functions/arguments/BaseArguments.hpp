@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "functions/arguments/Arguments.hpp"
 #include "units/quantities.hpp"
@@ -19,12 +18,11 @@ class BaseArguments final : public Arguments {
   /// @param elapsed time that belongs to it [us]; limited to 0 to 2147483647
   BaseArguments(std::int32_t raw, Microseconds elapsed);
 
-  /// @brief Returns Raw and Elapsed.
-  /// @param id name of the argument
-  /// @return its value; nothing for any other name
+  /// @brief Writes Raw and Elapsed.
+  /// @param values receives the values
   /// @isr{yes}
   /// @satisfies FR-120
-  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override;
+  void fill(ArgumentValues& values) const override;
 
  private:
   std::int32_t raw_;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "functions/arguments/ArgumentsDecorator.hpp"
 
@@ -19,12 +18,11 @@ class RangeArguments final : public ArgumentsDecorator {
   /// @param highest greatest accepted value, in the same unit
   RangeArguments(const Arguments& wrapped, std::int32_t lowest, std::int32_t highest);
 
-  /// @brief Returns Lowest and Highest, and the values of the wrapped arguments.
-  /// @param id name of the argument
-  /// @return its value; nothing when it is missing
+  /// @brief Writes Lowest and Highest, and the other values of the wrapped arguments.
+  /// @param values receives the values
   /// @isr{yes}
   /// @satisfies FR-124
-  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override;
+  void fill(ArgumentValues& values) const override;
 
  private:
   std::int32_t lowest_;

@@ -6,17 +6,11 @@ ScaleArguments::ScaleArguments(const Arguments& wrapped, std::int32_t scale, std
                                std::int32_t offset)
     : ArgumentsDecorator(wrapped), scale_(scale), divisor_(divisor), offset_(offset) {}
 
-std::optional<std::int32_t> ScaleArguments::value(ArgumentId id) const {
-  switch (id) {
-    case ArgumentId::Scale:
-      return scale_;
-    case ArgumentId::Divisor:
-      return divisor_;
-    case ArgumentId::Offset:
-      return offset_;
-    default:
-      return ArgumentsDecorator::value(id);
-  }
+void ScaleArguments::fill(ArgumentValues& values) const {
+  ArgumentsDecorator::fill(values);
+  values.set(ArgumentId::Scale, scale_);
+  values.set(ArgumentId::Divisor, divisor_);
+  values.set(ArgumentId::Offset, offset_);
 }
 
 }  // namespace wr

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "functions/arguments/ArgumentsDecorator.hpp"
 
@@ -22,12 +21,11 @@ class ScaleArguments final : public ArgumentsDecorator {
   ScaleArguments(const Arguments& wrapped, std::int32_t scale, std::int32_t divisor,
                  std::int32_t offset);
 
-  /// @brief Returns Scale, Divisor and Offset, and the values of the wrapped arguments.
-  /// @param id name of the argument
-  /// @return its value; nothing when it is missing
+  /// @brief Writes Scale, Divisor and Offset, and the other values of the wrapped arguments.
+  /// @param values receives the values
   /// @isr{yes}
   /// @satisfies FR-120
-  [[nodiscard]] std::optional<std::int32_t> value(ArgumentId id) const override;
+  void fill(ArgumentValues& values) const override;
 
  private:
   std::int32_t scale_;

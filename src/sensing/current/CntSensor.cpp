@@ -24,7 +24,7 @@ CntSensor::CntSensor(ValueCollector& collector, const Function& function, Pipe<C
     : collector_(collector), function_(function), pipe_(current) {}
 
 void CntSensor::measure() {
-  const CurrentRecord record = collector_.record();
+  const CurrentRecord& record = collector_.record();
   const auto sum = static_cast<std::int32_t>(record.sum - before_.sum);
   const auto number = static_cast<std::int32_t>(record.number - before_.number);
   const Microseconds elapsed = record.at - before_.at;

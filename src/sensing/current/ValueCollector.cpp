@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 
 #include "devices/AnalogInput.hpp"
 
@@ -37,9 +36,10 @@ void ValueCollector::collect(std::uint16_t raw) {
   }
 }
 
-CurrentRecord ValueCollector::record() {
-  const std::optional<Stamped<CurrentRecord>> newest = record_.read();
-  return newest ? newest->value : CurrentRecord();
+const CurrentRecord& ValueCollector::record() {
+  static constexpr CurrentRecord kEmpty{};
+  const Stamped<CurrentRecord>* const newest = record_.newest();
+  return newest != nullptr ? newest->value : kEmpty;
 }
 
 void ValueCollector::publish() {

@@ -58,11 +58,12 @@ class ValueCollector final {
   void collect(std::uint16_t raw);
 
   /// @brief Returns the record of the samples, up to the last complete group of 8.
-  /// @return the record; empty before the eighth sample after the zero
+  /// @return the record, unchanged until the next call; empty before the eighth sample after the
+  /// zero
   /// @pre No other call of record() is active: only the thread of the wheel calls it.
   /// @isr{no}
   /// @satisfies FR-125
-  [[nodiscard]] CurrentRecord record();
+  [[nodiscard]] const CurrentRecord& record();
 
  private:
   /// @brief Adds a sample to the zero, during its calibration.

@@ -39,9 +39,10 @@ void SensorCollector::collect(std::uint8_t phase, Instant at) {
   record_.write(newest_, at);
 }
 
-HallRecord SensorCollector::record() {
+const HallRecord& SensorCollector::record() {
+  static constexpr HallRecord kEmpty{};
   const Stamped<HallRecord>* const newest = record_.newest();
-  return newest != nullptr ? newest->value : HallRecord();
+  return newest != nullptr ? newest->value : kEmpty;
 }
 
 void SensorCollector::step(std::int8_t direction, bool rising, Instant at) {

@@ -48,11 +48,11 @@ class SensorCollector final {
   void collect(std::uint8_t phase, Instant at);
 
   /// @brief Returns the record of the edges, up to the last one.
-  /// @return the record; empty before the first edge
+  /// @return the record, unchanged until the next call; empty before the first edge
   /// @pre No other call of record() is active: only the thread of the wheel calls it.
   /// @isr{no}
   /// @satisfies FR-120
-  [[nodiscard]] HallRecord record();
+  [[nodiscard]] const HallRecord& record();
 
  private:
   /// @brief Records a step.

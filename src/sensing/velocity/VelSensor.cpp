@@ -23,8 +23,11 @@ constexpr Velocity kMoving{300};
 // Implausible edges in a cycle: one short disturbance of a line causes two.
 constexpr std::uint32_t kMaxImplausible = 3;
 
-// One turn in one microsecond [0.1 rpm].
+// One turn in one microsecond is 600000000 [0.1 rpm]. One edge in one microsecond is a part of it.
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;
+constexpr std::int32_t kEdgesPerTurn = SystemConstants::instance().hallEdgesPerTurn();
+constexpr std::int32_t kEdgePerMicrosecond = kTurnPerMicrosecond / kEdgesPerTurn;
+static_assert(kEdgePerMicrosecond * kEdgesPerTurn == kTurnPerMicrosecond, "the part is exact");
 
 // A wheel without an edge for this time counts as being at rest.
 constexpr Microseconds kStandstill = milliseconds(500);
@@ -43,32 +46,35 @@ VelSensor::VelSensor(SensorCollector& collector, const Function& function, const
     : collector_(collector), function_(function), timebase_(timebase), pipe_(velocity) {}
 
 void VelSensor::measure() {
-  const HallRecord before = record_;
-  record_ = collector_.record();
-  const Instants& instants = record_.instants;
+  const HallRecord& record = collector_.record();
+  const Instants& instants = record.instants;
   const Instant now = timebase_.now();
   const std::optional<Velocity> measured =
       instants.last == edge_ ? withoutEdges(now) : withEdges(instants, now);
+  const bool sufficient = plausible(record);
   measuredAt_ = now;
-  if (measured && plausible(before)) {
+  position_ = HallCount(instants.count);
+  unclear_ = record.unclear;
+  reversals_ = record.reversals;
+  if (measured && sufficient) {
     velocity_ = *measured;
     pipe_.write(*measured, now);
   }
 }
 
 HallCount VelSensor::position() const {
-  return HallCount(record_.instants.count);
+  return position_;
 }
 
 std::uint16_t VelSensor::rejectedEdges() const {
   constexpr std::uint32_t kMaxCount = std::numeric_limits<std::uint16_t>::max();
-  return static_cast<std::uint16_t>(std::min(record_.unclear + record_.reversals, kMaxCount));
+  return static_cast<std::uint16_t>(std::min(unclear_ + reversals_, kMaxCount));
 }
 
-bool VelSensor::plausible(const HallRecord& before) const {
+bool VelSensor::plausible(const HallRecord& record) const {
   const bool moving = velocity_ >= kMoving || velocity_ <= -kMoving;
-  const std::uint32_t reversals = moving ? record_.reversals - before.reversals : 0;
-  return record_.unclear - before.unclear + reversals <= kMaxImplausible;
+  const std::uint32_t reversals = moving ? record.reversals - reversals_ : 0;
+  return record.unclear - unclear_ + reversals <= kMaxImplausible;
 }
 
 std::optional<Velocity> VelSensor::withEdges(const Instants& instants, Instant now) {
@@ -93,14 +99,18 @@ Velocity VelSensor::withoutEdges(Instant now) {
 }
 
 Velocity VelSensor::bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const {
-  const std::optional<Velocity> bound = velocity(std::abs(edges) + 1, elapsed);
+  const std::int32_t most = std::abs(edges) + 1;
+  // A value below the bound needs no division.
+  if (std::abs(value.count()) * elapsed.count() <= std::int64_t{most} * kEdgePerMicrosecond) {
+    return value;
+  }
+  const std::optional<Velocity> bound = velocity(most, elapsed);
   return bound ? std::clamp(value, -*bound, *bound) : value;
 }
 
 std::optional<Velocity> VelSensor::velocity(std::int32_t edges, Microseconds elapsed) const {
   const BaseArguments base(edges, elapsed);
-  const ScaleArguments scaled(base, kTurnPerMicrosecond,
-                              SystemConstants::instance().hallEdgesPerTurn(), 0);
+  const ScaleArguments scaled(base, kEdgePerMicrosecond, 1, 0);
   const RangeArguments arguments(scaled, -kMaxVelocity.count(), kMaxVelocity.count());
   const std::optional<std::int32_t> value = function_.calculate(arguments);
   return value ? std::optional(Velocity(*value)) : std::nullopt;

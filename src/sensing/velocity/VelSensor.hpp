@@ -60,8 +60,9 @@ class VelSensor final {
   [[nodiscard]] std::uint16_t rejectedEdges() const;
 
  private:
-  /// @brief Checks whether the edges since a record are sufficient to measure a velocity.
-  [[nodiscard]] bool plausible(const HallRecord& before) const;
+  /// @brief Checks whether the edges of a record since the previous measurement are sufficient to
+  /// measure a velocity.
+  [[nodiscard]] bool plausible(const HallRecord& record) const;
 
   /// @brief Returns the velocity of a number of edges in a time, if the function returns one.
   [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
@@ -86,11 +87,13 @@ class VelSensor final {
   const Function& function_;
   const Timebase& timebase_;
   Pipe<Velocity>& pipe_;
-  HallRecord record_{};          // of the last measurement
   bool standing_ = true;         // no edge for so long that the wheel counts as being at rest
   Instant measuredAt_{};         // time of the previous measurement
   std::optional<Instant> edge_;  // newest edge at the previous measurement
   std::int32_t count_ = 0;       // count of edges at the previous measurement
+  HallCount position_{};         // at the last measurement
+  std::uint32_t unclear_ = 0;    // unclear edges at the previous measurement
+  std::uint32_t reversals_ = 0;  // reversals at the previous measurement
   Velocity velocity_{};          // velocity of the previous measurement
 };
 

@@ -9,7 +9,7 @@ void ApplyControl::execute(WheelWork& work) {
   if (wheel_.isCutOff()) {
     controller_.driverOff();
   } else {
-    controller_.control(work.setPoint, work.measured.position.value_or(HallCount()));
+    controller_.control(work.setPoint, work.measured);
   }
   work.measured.cutOff = wheel_.isCutOff();
   work.measured.blind = controller_.blind();

@@ -15,6 +15,14 @@ struct WheelWork {
   WheelMeasurements measured{};    ///< measured values of the wheel
   std::optional<Tension> applied;  ///< voltage of the wheel; nothing while none is applied
   bool release = false;            ///< the order releases latched faults of the wheel
+
+  /// @brief Clears each value in its place.
+  constexpr void clear() {
+    setPoint = {};
+    measured.clear();
+    applied.reset();
+    release = false;
+  }
 };
 
 /// @brief An order that a wheel system can execute.

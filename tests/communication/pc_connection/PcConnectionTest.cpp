@@ -795,7 +795,8 @@ TEST_F(PcConnectionTest, FR37_AFrameTakesEffectWhenItIsWhole) {
 /// @brief A report is sent only while the PC is connected.
 /// @verifies FR-60
 TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
-  const ReportMessage report;
+  ReportData data;
+  const ReportMessage report(data);
   EXPECT_FALSE(connection.sendReport(report));
   send(kHello);
   EXPECT_FALSE(connection.sendReport(report));
@@ -814,13 +815,14 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
 /// @verifies FR-252
 TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
   handshake();
+  ReportData data;
   const std::size_t before = port.sent.size();
   port.room = reportBody() + 1;
   expectCounted(&LinkCounts::reportsNotSent, 1,
-                [&] { EXPECT_FALSE(connection.sendReport(ReportMessage())); });
+                [&] { EXPECT_FALSE(connection.sendReport(ReportMessage(data))); });
   EXPECT_EQ(port.sent.size(), before);
   port.room = reportBody() + 2;
-  EXPECT_TRUE(connection.sendReport(ReportMessage()));
+  EXPECT_TRUE(connection.sendReport(ReportMessage(data)));
   EXPECT_EQ(sent().back()[2], 1);
 }
 
@@ -885,8 +887,9 @@ TEST_F(PcConnectionTest, FR247_WithoutRoomNoZeroByteIsSent) {
 /// @verifies FR-252
 TEST_F(PcConnectionTest, FR252_SentFramesAreNumbered) {
   handshake();
+  ReportData data;
   for (int i = 1; i <= 260; ++i) {
-    connection.sendReport(ReportMessage());
+    connection.sendReport(ReportMessage(data));
     ASSERT_EQ(sent().back()[2], i % 256);
   }
 }
@@ -1056,7 +1059,7 @@ ReportData reportOfCycle8() {
 TEST_F(PcConnectionTest, FR61_TheReportsAgreeWithTheExamples) {
   handshake();
   std::vector<Bytes> made;
-  for (const ReportData& data : {reportOfCycle7(), reportOfCycle8()}) {
+  for (ReportData data : {reportOfCycle7(), reportOfCycle8()}) {
     ASSERT_TRUE(connection.sendReport(ReportMessage(data)));
     made.push_back(sent().back());
   }

@@ -111,11 +111,11 @@ TEST_F(BufferReaderTest, FR51_SignalsAreLimited) {
 TEST_F(BufferReaderTest, FR51_AnOrderHoldsOneValueOfEachSignal) {
   velocitySignal(1);
   directionSignal(1);
-  EXPECT_EQ(reader.readI16({FieldName::WheelValue, 0}), 1);
+  EXPECT_EQ(reader.readI16({FieldName::WheelValue}), 1);
   tick();
   velocitySignal(2);
   directionSignal(2);
-  EXPECT_EQ(reader.readI16({FieldName::WheelValue, 1}), 1);
+  EXPECT_EQ(reader.readI16({FieldName::WheelValue}), 1);
   EXPECT_EQ(reader.readI16({FieldName::Steering}), 1);
   EXPECT_TRUE(reader.finish());
   EXPECT_TRUE(reader.available());

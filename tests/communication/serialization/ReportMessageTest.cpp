@@ -45,7 +45,7 @@ class BytesReader final : public Reader {
   std::size_t position_ = 0;
 };
 
-Bytes written(const ReportData& data) {
+Bytes written(ReportData data) {
   SerialWriter writer;
   EXPECT_TRUE(ReportMessage(data).writeTo(writer));
   return {writer.bytes().begin(), writer.bytes().end()};
@@ -388,9 +388,9 @@ TEST(ReportMessage, IsReadAsItWasWritten) {
   for (int i = 0; i < 1000; ++i) {
     const ReportData data = randomData(random);
     BytesReader reader(written(data));
-    ReportMessage copy;
-    ASSERT_TRUE(copy.readFrom(reader));
-    ASSERT_EQ(copy.data(), data);
+    ReportData copy;
+    ASSERT_TRUE(ReportMessage(copy).readFrom(reader));
+    ASSERT_EQ(copy, data);
   }
 }
 
@@ -400,16 +400,17 @@ TEST(ReportMessage, AnIncompleteReportIsNotRead) {
   Bytes bytes = written({});
   bytes.pop_back();
   BytesReader reader(bytes);
-  ReportMessage report;
-  EXPECT_FALSE(report.readFrom(reader));
+  ReportData data;
+  EXPECT_FALSE(ReportMessage(data).readFrom(reader));
 }
 
 /// @brief The writer returns false for a report for which there is no space.
 /// @verifies FR-64
 TEST(ReportMessage, AReportWithoutRoomIsTold) {
   SerialWriter writer;
-  ASSERT_TRUE(ReportMessage().writeTo(writer));
-  EXPECT_FALSE(ReportMessage().writeTo(writer));
+  ReportData data;
+  ASSERT_TRUE(ReportMessage(data).writeTo(writer));
+  EXPECT_FALSE(ReportMessage(data).writeTo(writer));
 }
 
 }  // namespace

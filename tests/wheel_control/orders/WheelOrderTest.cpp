@@ -208,7 +208,7 @@ TEST_F(WheelOrderTest, FR91_FR222_OnlyAnAcknowledgementReleasesTheFaults) {
   }
   for (int cycle = 0; cycle < 30; ++cycle) {
     ControlledWheel::measure(Velocity(600), Current());
-    controller.control(tensionOf(-5000), position);
+    controller.control(tensionOf(-5000), measured());
   }
   EXPECT_TRUE(work.measured.blind);
   haltWheel.execute(work);
