@@ -23,7 +23,7 @@ from traceability.reading.prose_record import read_prose
 from traceability.reading.release_record import release_metrics
 from traceability.reading.results import read_recording_factor, read_totals
 from traceability.reading.traces import nodes_of
-from traceability.schema import HOST, Clause, Proofs, Requirement, SafetyCase
+from traceability.schema import HOST, Clause, Proofs, Requirement, SafetyCase, TimeProof
 from traceability.sources import file_hash
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # of verification
@@ -156,6 +156,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
             round(model.times.cycle_ms, 3) if model.times and model.times.proven else None
         ),
         "bench.seen_cycle_ms": model.times.seen_ms if model.times else None,
+        **_proven_times(model.times),
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
         "proofs.properties": len(model.proofs.properties),
@@ -177,6 +178,23 @@ def recorded_metric(proofs: Proofs) -> dict[str, Any]:
     first = proofs.recorded[0]
     record = {"command": PROVE, "commit": first.recorded, "date": first.recorded_on}
     return {"proofs.proven": {**record, "value": len(proofs.recorded)}}
+
+
+def _proven_times(proof: TimeProof | None) -> dict[str, Any]:
+    """The bounds with noise, and those of the paths, each with the time that a run has shown."""
+    proven = proof if proof and proof.proven else None
+    return {
+        "bench.wcet_cycle_with_noise_ms": round(proven.noise_ms, 3) if proven else None,
+        "bench.paths_ms": {
+            path.name: {
+                "bound": round(path.ms, 3),
+                "seen": None if path.seen_ms is None else round(path.seen_ms, 3),
+            }
+            for path in proven.paths
+        }
+        if proven
+        else None,
+    }
 
 
 def _is_executed(requirement: Requirement) -> bool:

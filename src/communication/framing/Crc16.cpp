@@ -37,6 +37,7 @@ void Crc16::add(std::span<const std::uint8_t> bytes) {
     // bound: kMaxBody
     value = (value >> 8U) ^ kRemainders[(value ^ *next) & 0xFFU];
     ++next;
+    // counts: checked
   } while (next != bytes.end());
   swapped_ = static_cast<std::uint16_t>(value);
 }

@@ -40,15 +40,15 @@ Decoded FrameDecoder::end() {
   if (count_ == 0) {
     return Decoded::Nothing;
   }
+  // counts: ends
   if (count_ > bytes_.size()) {
     return Decoded::TooLong;
   }
   length_ = count_ - 1;
-  // passes: kMaxBytesPerService / 2
   if (length_ < kMinBody) {
     return Decoded::Damaged;
   }
-  // passes: kMaxBytesPerService / (kMinBody + 2)
+  // counts: bodies
   if (!removeStuffing() || !crcIsRight()) {
     return Decoded::Damaged;
   }
@@ -59,6 +59,7 @@ bool FrameDecoder::removeStuffing() {
   std::size_t distance = bytes_[0];
   // bound: kMaxBytesPerService in all
   for (std::size_t i = 1; i < count_; ++i) {
+    // counts: stuffed
     const std::uint8_t byte = bytes_[i];
     --distance;
     bytes_[i - 1] = distance == 0 ? 0 : byte;
