@@ -19,7 +19,7 @@ from traceability.model.stack import Prover, read_declared
 from traceability.model.time_bounds import DeclaredFacts, Limit, Spread, Times
 from traceability.reading.call_record import BYTE_RECEIVED, read_recordings
 from traceability.reading.chains import Chain, declared_chains, follow, frames_in
-from traceability.reading.flow_facts import read_inequality
+from traceability.reading.flow_facts import Inequality, read_inequality
 from traceability.reading.loop_bounds import Bounds
 from traceability.reading.results import numbers_reported
 from traceability.reading.source_facts import Facts
@@ -79,17 +79,30 @@ def declared_times(
     once = [name for entry in declared["once"] for name in entry["methods"]]
     bounds = Bounds(root, values)
     limits = [Limit(one["method"], one["within"], one["counter"]) for one in declared["limited"]]
-    flows = {
-        one["method"]: [
-            read_inequality(text, one["counters"], bounds.value) for text in one["facts"]
-        ]
-        for one in declared["flow"]
-    }
     spread = [
         Spread(one["method"], one["within"], bounds.value(one["rounds"]))
         for one in declared["spread"]
     ]
-    return Times(image.program, bounds, prover, DeclaredFacts(once, limits, spread, flows))
+    flows, wrong = _flows(declared["flow"], bounds)
+    times = Times(image.program, bounds, prover, DeclaredFacts(once, limits, spread, flows))
+    times.unbound |= {(method, (str(DECLARED_IN), 1)) for method in wrong}
+    return times
+
+
+def _flows(
+    declared: Iterable[Mapping[str, Any]], bounds: Bounds
+) -> tuple[dict[str, list[Inequality]], list[str]]:
+    """The facts about each method, and the methods with a fact that cannot be read."""
+    flows: dict[str, list[Inequality]] = {}
+    wrong = []
+    for entry in declared:
+        try:
+            flows[entry["method"]] = [
+                read_inequality(text, entry["counters"], bounds.value) for text in entry["facts"]
+            ]
+        except (KeyError, SyntaxError, ValueError):
+            wrong.append(entry["method"])
+    return flows, wrong
 
 
 def _of_context(

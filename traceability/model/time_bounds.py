@@ -47,7 +47,7 @@ class Spread:
 
 @dataclass(frozen=True)
 class DeclaredFacts:
-    """What the design declares about the paths through the code."""
+    """The declared facts about the paths through the code."""
 
     once: Sequence[str] = ()  # methods that a function calls once for each object
     limited: Sequence[Limit] = ()
@@ -191,7 +191,7 @@ class Times:
         return self.prover.targets(function, SourcePlace(*place))
 
     def _never(self, code: Code, block: Block) -> bool:
-        """Whether a block only calls what the compiler has also inlined at this place.
+        """Whether a block only calls a method that the compiler has also inlined at this place.
 
         The compiler compares the target of the call with the method that it expects. When no other
         method is possible, the call behind the comparison is never executed.
