@@ -30,7 +30,7 @@ DECLARED_IN = Path("design/times.toml")
 ENTRY_AND_EXIT = 12 + 10 + 6  # cycles of the hardware for an interrupt, including the change to a
 # following one
 RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt causes to repeat
-CYCLE_TIMER = "cycle-timer"
+CYCLE_TIMER, TICK_TIMER = "cycle-timer", "tick-timer"
 MOST_ROUNDS = 100
 CLOCK = 120_000  # cycles in a tick of 1 ms
 NANOSECONDS = 1_000_000  # in a millisecond
@@ -183,7 +183,13 @@ def _response(
         and other.priority <= one.priority
     ]
     own = one.cycles + sum(other.cycles for other in above if other.entries is None)
-    return _busy(own, [other for other in above if other.entries is not None], waits, noise=noise)
+    interrupts = [other for other in above if other.entries is not None]
+    if noise and one.context == TICK_TIMER:
+        # No input gets more edges before the handler of the tick permits them.
+        limited = [other for other in interrupts if other.noise is not None]
+        own += sum((other.noise or 0) * (other.cycles + RETRY) for other in limited)
+        interrupts = [other for other in interrupts if other.noise is None]
+    return _busy(own, interrupts, waits, noise=noise)
 
 
 def _busy(
@@ -194,18 +200,23 @@ def _busy(
     for _ in range(MOST_ROUNDS):
         now = own
         for one in interrupts:
-            now += _entries(one, found + waits[one.context] * CLOCK, noise) * (one.cycles + RETRY)
+            now += _entries(one, found, waits, noise=noise) * (one.cycles + RETRY)
         if now == found:
             return found
         found = now
     return float("inf")
 
 
-def _entries(one: TimeBound, cycles: int, noise: bool) -> int:
-    """The requests of an interrupt in a time."""
+def _entries(one: TimeBound, cycles: int, waits: Mapping[str, int], *, noise: bool) -> int:
+    """The entries of an interrupt in a time, with those whose requests wait when it begins.
+
+    With noise an input gets its edges once more after each tick in this time, and the handler of
+    the first one may be late.
+    """
     assert one.entries is not None
-    entries, ticks = (one.noise, 1) if noise and one.noise else (one.entries, one.ticks)
-    return -(-cycles // (CLOCK * ticks)) * entries
+    if noise and one.noise is not None:
+        return -(-(cycles + (1 + waits.get(TICK_TIMER, 1)) * CLOCK) // CLOCK) * one.noise
+    return -(-(cycles + waits[one.context] * CLOCK) // (CLOCK * one.ticks)) * one.entries
 
 
 def _paths(

@@ -57,7 +57,7 @@ Decoded FrameDecoder::end() {
 
 bool FrameDecoder::removeStuffing() {
   std::size_t distance = bytes_[0];
-  // bound: kMaxBytesPerService in all
+  // bound: kMaxBytesPerService + kMaxBody + 1 in all; a frame may have begun in the cycle before
   for (std::size_t i = 1; i < count_; ++i) {
     // counts: stuffed
     const std::uint8_t byte = bytes_[i];
@@ -73,7 +73,7 @@ bool FrameDecoder::removeStuffing() {
 bool FrameDecoder::crcIsRight() const {
   const std::size_t checked = length_ - 2;
   Crc16 crc;
-  // bound: kMaxBytesPerService in all
+  // bound: kMaxBytesPerService + kMaxBody + 1 in all; a frame may have begun in the cycle before
   crc.add(std::span(bytes_).first(checked));
   return bytes_[checked] == (crc.value() & 0xFFU) && bytes_[checked + 1] == crc.value() >> 8U;
 }

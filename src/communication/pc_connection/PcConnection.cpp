@@ -142,7 +142,7 @@ void PcConnection::receive(std::uint8_t byte) {
     case Decoded::Nothing:
       break;
     case Decoded::Whole:
-      // passes: kMaxBytesPerService / (kMinBody + 2)
+      // passes: (kMaxBytesPerService + kMaxBody + 1) / (kMinBody + 2)
       handle(decoder_.frame());
       break;
     case Decoded::Damaged:

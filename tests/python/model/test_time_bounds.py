@@ -169,7 +169,8 @@ def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() 
     contexts = [context("thread", CLOCK, 12), context("edge", 1_000, 1, entries=2)]
     # The cycle lasts more than a tick: three windows with the one in which requests wait.
     assert cycle_response(contexts, noise=False) == CLOCK + 3 * 2 * (1_000 + RETRY)
-    assert cycle_response(contexts, noise=True) == CLOCK + 3 * 4 * (1_000 + RETRY)
+    # With noise the handler of the first tick may be late.
+    assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
 
 
 def test_a_busy_loop_in_a_thread_moves_the_cycle_and_no_interrupt() -> None:
