@@ -6,7 +6,6 @@ import json
 from pathlib import Path
 from typing import TextIO
 
-from portal.chains import declared_chains, first_missing, follow
 from tools.cmake_build import BOARD_PROGRAM
 from tools.steps import FailureError, run
 from traceability.reading.call_record import (
@@ -20,6 +19,7 @@ from traceability.reading.call_record import (
     recording_of,
     reduced,
 )
+from traceability.reading.chains import declared_chains, first_missing, follow
 from traceability.reading.traces import read_symbols
 
 SECONDS = 300  # for one scenario

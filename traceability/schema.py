@@ -850,11 +850,29 @@ class TimeBound:
     context: str
     name: str
     cycles: int
-    # The context is entered at most this often in `ticks` ticks of 1 ms; None: once in a control
-    # cycle.
+    # An interrupt is entered at most this often in any window of `ticks` ms; None: once in a
+    # control cycle.
     entries: int | None
     ticks: int
+    noise: int | None  # entries in a tick of 1 ms with noise at all inputs, if these are more
+    priority: int | None
     why: str
+    response_ms: float | None = None  # of an interrupt: from its request to the end of its handler
+
+
+@dataclass(frozen=True)
+class PathBound:
+    """The greatest time from an input to its effect: the sum of its parts [ms]."""
+
+    name: str
+    title: str
+    parts: Sequence[tuple[str, float]]
+    seen_ms: float | None  # in the recording of its chain
+    why: str
+
+    @property
+    def ms(self) -> float:
+        return sum(part for _, part in self.parts)
 
 
 @dataclass(frozen=True)
@@ -863,7 +881,9 @@ class TimeProof:
 
     contexts: Sequence[TimeBound]
     cycle_ms: float  # from the clock pulse to the end of the main thread, with all interrupts
+    noise_ms: float  # the same with noise at all inputs
     seen_ms: float | None  # the longest time to the report in a run of the bench
+    paths: Sequence[PathBound]
     unbound: Sequence[tuple[str, Place]]  # loops and copies: function, place
     unresolved: Sequence[tuple[str, Place]]  # calls: function, place
 

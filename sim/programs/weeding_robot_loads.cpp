@@ -33,12 +33,35 @@ constexpr int kLineBytes = 1152;                // that the line of the PC bring
 constexpr int kMostPayload = 200;               // bytes of a frame
 constexpr int kUpsets = 6;
 
+// The inputs whose edges interrupt: the Hall sensors, and the signals of the remote control.
+struct EdgePin {
+  char port;
+  int number;
+};
+constexpr std::array<EdgePin, 11> kEdgePins{{{'D', 0},
+                                             {'D', 1},
+                                             {'D', 2},
+                                             {'D', 3},
+                                             {'D', 4},
+                                             {'D', 5},
+                                             {'D', 6},
+                                             {'D', 7},
+                                             {'B', 18},
+                                             {'B', 19},
+                                             {'B', 23}}};
+constexpr nanoseconds kCyclePeriod = std::chrono::milliseconds(100);
+constexpr nanoseconds kNoiseBefore = std::chrono::milliseconds(2);  // the pulse
+constexpr nanoseconds kNoiseAfter = std::chrono::milliseconds(8);
+constexpr int kShortestLevel = 20;  // [us]
+constexpr int kLongestLevel = 240;  // [us] of noise that reaches the limit of FR-201 in each tick
+
 // A robot that gets random orders, bytes and surroundings.
 class LoadedRobot {
  public:
   LoadedRobot(const CampaignOptions& settings, std::uint64_t seed)
       : random_(seed),
-        style_(random_.below(5)),
+        style_(random_.below(kStyles)),
+        noisy_(random_.below(4) == 0),
         session_(emulator::readImage(settings.image), optionsOf(settings)) {
     session_.onEvent([this](const emulator::Event& event) { measure(event); });
     session_.robot().setSeed(static_cast<std::uint32_t>(seed));
@@ -54,6 +77,9 @@ class LoadedRobot {
     if (number > kNeutral && random_.below(4) == 0) {
       upset();
     }
+    if (noisy_ && number > kConnected && random_.below(2) == 0) {
+      disturb();
+    }
     if (!session_.runThroughPulse()) {
       throw std::runtime_error(session_.finding().value().text);
     }
@@ -63,9 +89,21 @@ class LoadedRobot {
   // The longest time from a clock pulse to the end of the main thread, in the drive.
   [[nodiscard]] nanoseconds longest() const { return longest_; }
 
+  // Whether the inputs have noise in the drive.
+  [[nodiscard]] bool noisy() const { return noisy_; }
+
  private:
   // How the PC loads its line.
-  enum Style : std::uint32_t { Quiet, Hellos, SmallFrames, BigFrames, Bytes };
+  enum Style : std::uint32_t {
+    Quiet,
+    Hellos,
+    KeepAlives,
+    Orders,
+    SmallFrames,
+    BigFrames,
+    Bytes,
+    kStyles
+  };
 
   static emulator::Options optionsOf(const CampaignOptions& settings) {
     emulator::Options options;
@@ -113,10 +151,39 @@ class LoadedRobot {
     }
     scenario::Bytes bytes;
     while (bytes.size() < static_cast<std::size_t>(kLineBytes)) {
-      const scenario::Bytes frame = style_ == Hellos ? pc_.hello() : someFrame();
+      const scenario::Bytes frame = nextFrame();
       bytes.insert(bytes.end(), frame.begin(), frame.end());
     }
     session_.send(bytes);
+  }
+
+  scenario::Bytes nextFrame() {
+    switch (style_) {
+      case Hellos:
+        return pc_.hello();
+      case KeepAlives:
+        return pc_.keepAlive();
+      case Orders:
+        ++order_.id;
+        return pc_.order(order_);
+      default:
+        return someFrame();
+    }
+  }
+
+  // Edges at all inputs around the next clock pulse, more than may interrupt.
+  void disturb() {
+    const nanoseconds pulse =
+        session_.pulses().empty() ? session_.now() : session_.pulses().back() + kCyclePeriod;
+    for (const EdgePin& pin : kEdgePins) {
+      bool level = false;
+      nanoseconds at = std::max<nanoseconds>(pulse - kNoiseBefore, session_.now());
+      while (at < pulse + kNoiseAfter) {
+        session_.board.driveAt(at, pin.port, pin.number, level);
+        level = !level;
+        at += std::chrono::microseconds(random_.between(kShortestLevel, kLongestLevel));
+      }
+    }
   }
 
   scenario::Bytes someFrame() {
@@ -172,6 +239,7 @@ class LoadedRobot {
 
   faults::Random random_;
   std::uint32_t style_;
+  bool noisy_;
   board_robot::BoardSession session_;
   scenario::PcSender pc_;
   scenario::PcOrder order_;
@@ -189,8 +257,8 @@ Exit run(const CampaignOptions& settings) {
     for (int cycle = 0; cycle < kCycles; ++cycle) {
       robot.cycle(cycle);
     }
-    std::printf("{\"seed\": %u, \"longest_ns\": %lld}\n", seed,
-                static_cast<long long>(robot.longest().count()));
+    std::printf("{\"seed\": %u, \"noise\": %s, \"longest_ns\": %lld}\n", seed,
+                robot.noisy() ? "true" : "false", static_cast<long long>(robot.longest().count()));
   }
   return Exit::Done;
 }

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from portal.chains import Chain, Step, declared_chains, first_missing, follow
 from portal.portal import Portal
 from portal.recorded_calls import (
     COMMAND,
@@ -18,6 +17,7 @@ from portal.recorded_calls import (
     windows_of,
 )
 from traceability.reading.call_record import Recording, Span
+from traceability.reading.chains import Chain, Step, declared_chains, first_missing, follow
 
 SHOWN = 4  # requirements of a step
 

@@ -12,7 +12,6 @@ from typing import Any
 
 from markupsafe import Markup
 
-from portal.chains import frames_in
 from portal.diagrams import MARKERS, Diagram, draw, preamble
 from portal.links import Links
 from portal.portal import Portal
@@ -25,6 +24,7 @@ from portal.recorded_calls import (
     windows_of,
 )
 from traceability.reading.call_record import DECLARED, Recording, Window
+from traceability.reading.chains import frames_in
 from traceability.reading.toml_reader import Entries, Keys
 from traceability.schema import Place
 

@@ -16,7 +16,8 @@ class SerialPort {
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /// @brief Reads received bytes, oldest first, up to and including the first zero byte. Never waits.
+  /// @brief Reads received bytes, oldest first, at most up to and including the first zero byte that
+  /// follows another byte. Never waits.
   /// @param bytes receives the bytes
   /// @return number of stored bytes; 0 only when no byte was received, or when the buffer of the
   /// caller is empty

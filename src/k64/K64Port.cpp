@@ -28,6 +28,7 @@ bool K64Port::acknowledge() {
   const auto flags = port::ISFR.at(static_cast<std::uint32_t>(port_) * port::kPortDistance);
   const bool edge = (flags.read().value >> number_ & 1U) != 0;
   if (edge) {
+    // counts: acknowledged
     flags.write(port::ISFR.bit(number_));
     const InterruptLock lock;  // the tick writes the same register
     ++edges_;

@@ -82,6 +82,7 @@ void K64Uart::receive() {
       // The receiver waits after a wrong stop bit, so this byte is the last one in the FIFO.
       untilBroken = uart::RCFIFO.at(offset()).read().value;
     }
+    // counts: received
     const bool noisy = (uart::ED.at(offset()).read() & uart::ED_NOISY).any();
     const std::uint8_t byte = uart::D.at(offset()).read().value;
     lost += (status & uart::S1_OR).any() ? 1U : 0U;
@@ -120,6 +121,7 @@ void K64Uart::send() {
   std::size_t waiting = toSend_.count();
   // bound: 1; on average an interrupt has one byte to send
   for (std::size_t i = used; i < places && waiting != 0; ++i) {
+    // counts: sent
     uart::D.at(offset()).write({toSend_.take()});
     --waiting;
   }
@@ -129,26 +131,20 @@ void K64Uart::send() {
 }
 
 std::size_t K64Uart::read(std::span<std::uint8_t> bytes) {
-  const std::span<const std::uint8_t> waiting = received_.front();
-  const std::size_t most = std::min(bytes.size(), waiting.size());
+  const std::size_t most = std::min(bytes.size(), received_.count());
   std::size_t count = 0;
-  std::uint8_t byte = lastRead_;
-  std::uint8_t before = byte;
-  // bound: 1; the caller counts bytes, so that on average a call takes one of those that it counts
-  while (count != most) {
-    before = byte;
-    byte = waiting[count];
+  bool ended = false;
+  while (count != most && !ended) {
+    const std::uint8_t byte = received_.take();
     bytes[count] = byte;
     ++count;
-    if (byte == 0) {
-      break;
+    ended = byte == 0 && lastRead_ != 0;
+    if (ended) {
+      // passes: 1
+      receivedAt_ = endings_.take();
     }
+    lastRead_ = byte;
   }
-  if (count != 0 && byte == 0 && before != 0) {
-    receivedAt_ = endings_.take();
-  }
-  received_.drop(count);
-  lastRead_ = byte;
   return count;
 }
 

@@ -74,13 +74,6 @@ class K64Uart final : public SerialPort {
       elements_[at % kSize] = element;
       store(written_, at + 1);
     }
-    // The oldest elements, up to the end of the buffer: the rest is in front after these are
-    // dropped.
-    [[nodiscard]] std::span<const Element> front() const {
-      const std::size_t at = load(read_) % kSize;
-      return std::span(elements_).subspan(at, std::min(count(), kSize - at));
-    }
-    void drop(std::size_t number) { store(read_, load(read_) + number); }
     Element take() {  // only with elements
       const std::size_t at = load(read_);
       const Element element = elements_[at % kSize];

@@ -10,7 +10,7 @@ void RcPin::start() {
 
 void RcPin::serve() {
   if (input_.acknowledge()) {
-    // passes: 1; further edges that one interrupt serves count as separate interrupts
+    // counts: edges
     command_.execute();
   }
 }

@@ -13,11 +13,14 @@ LISTED = 10  # longest drives in the record
 def summarise(_root: Path, cases: Sequence[dict[str, Any]]) -> dict[str, Any]:
     """The longest control cycles of all drives."""
     longest = sorted(cases, key=lambda case: (-case["longest_ns"], case["seed"]))
-    times = [case["longest_ns"] for case in longest]
+    quiet = [case["longest_ns"] for case in longest if not case["noise"]]
+    noisy = [case["longest_ns"] for case in longest if case["noise"]]
     return {
         "outcomes": {
-            "longest_ms": round(times[0] / 1e6, 4),
-            "median_ms": round(times[len(times) // 2] / 1e6, 4),
+            "longest_ms": round(quiet[0] / 1e6, 4),
+            "median_ms": round(quiet[len(quiet) // 2] / 1e6, 4),
+            "noise_ms": round(noisy[0] / 1e6, 4) if noisy else None,
+            "noisy": len(noisy),
         },
         "longest": longest[:LISTED],
     }

@@ -446,7 +446,7 @@ _FIXED = [
         "No run needs more time than the bound",
         "The longest time to the report in the runs of the bench, and to the end of the main "
         "thread in the published record of random drives, is at most the bound of the control "
-        "cycle.",
+        "cycle. The time of each path in its recording is at most the bound of the path.",
         "interrupts that come more often than in design/times.toml.",
         "correct the bound that is too small.",
     ),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from traceability.model.design_model import Model
-from traceability.model.time_bounds import DECLARED_IN
+from traceability.model.response_times import DECLARED_IN
 from traceability.reading.fault_record import LOADS
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place, TimeProof
@@ -15,11 +15,21 @@ def check(model: Model, _facts: Facts) -> list[Finding]:
     if model.times is None:
         return []
     loads = model.campaigns.get(LOADS)
-    random = loads.result["outcomes"]["longest_ms"] if loads else None
+    outcomes = loads.result["outcomes"] if loads else {}
+    cycle_ms, noise_ms = model.times.cycle_ms, model.times.noise_ms
+    seen = [
+        ("a control cycle", model.times.seen_ms, cycle_ms),
+        ("a control cycle of a random drive", outcomes.get("longest_ms"), cycle_ms),
+        ("a control cycle of a random drive with noise", outcomes.get("noise_ms"), noise_ms),
+        *((f"the path '{path.title}'", path.seen_ms, path.ms) for path in model.times.paths),
+    ]
     return [
         *_loops(model.times),
-        *_seen(model.times, "a control cycle", model.times.seen_ms),
-        *_seen(model.times, "a control cycle of a random drive", random),
+        *(
+            one
+            for what, seen_ms, bound_ms in seen
+            for one in _seen(model.times, what, seen_ms, bound_ms)
+        ),
     ]
 
 
@@ -38,9 +48,9 @@ def _loops(proof: TimeProof) -> list[Finding]:
     ]
 
 
-def _seen(proof: TimeProof, what: str, seen_ms: float | None) -> list[Finding]:
-    if not proof.proven or seen_ms is None or seen_ms <= proof.cycle_ms:
+def _seen(proof: TimeProof, what: str, seen_ms: float | None, bound_ms: float) -> list[Finding]:
+    if not proof.proven or seen_ms is None or seen_ms <= bound_ms:
         return []
-    text = f"{what} took {seen_ms} ms, more than the bound of {proof.cycle_ms:.3f} ms"
+    text = f"{what} took {seen_ms:.3f} ms, more than the bound of {bound_ms:.3f} ms"
     fix = f"find the bound of a loop, or the number in {DECLARED_IN}, that is too small"
     return [Finding(DECLARATION, "time-seen", text, fix)]

@@ -20,12 +20,12 @@ from traceability.model.metrics import read_measured
 from traceability.model.orphan_methods import justify
 from traceability.model.pattern_price import prices
 from traceability.model.promela import proofs_of
+from traceability.model.response_times import prove_times
 from traceability.model.reviews import with_reviews
 from traceability.model.safety_case import safety_of
 from traceability.model.stack import prove
 from traceability.model.state_machines import machines_of
 from traceability.model.tests import with_board_findings, with_executed_modules, with_tests
-from traceability.model.time_bounds import prove_times
 from traceability.model.trees import with_trees
 from traceability.model.verification import with_verification
 from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact

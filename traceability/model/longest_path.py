@@ -8,12 +8,20 @@ bound greater.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import highspy
 
 from traceability.reading.loop_bounds import Bound
 from traceability.reading.machine_code import REFILL, Code, Loop
+
+
+@dataclass(frozen=True)
+class FlowFact:
+    """A sum of executions of blocks, each with its factor, that does not exceed a number."""
+
+    factors: Mapping[int | str, int]  # block, or name of a callee that is counted apart -> factor
+    most: int
 
 
 @dataclass
@@ -24,6 +32,8 @@ class Problem:
     cost: Mapping[int, int]  # of each block
     rounds: Iterable[tuple[Loop, Bound]]
     counted: Iterable[tuple[int, int]]  # block, and the greatest number of its executions
+    facts: Iterable[FlowFact] = field(default_factory=list)
+    apart: Mapping[str, int] = field(default_factory=dict)  # callee that facts count -> its cost
 
     def solve(self) -> int | None:
         """The greatest cost of a path; nothing when it has no bound, or no path has an end."""
@@ -45,26 +55,35 @@ class Problem:
                 out[begin].append(variable)
         for start, variable in ends.items():
             out[start].append(variable)
-        times = {start: solver.qsum(variables) for start, variables in into.items()}
+        times: dict[int | str, highspy.highs.highs_linear_expression] = {
+            start: solver.qsum(variables) for start, variables in into.items()
+        }
         for start in self.code.blocks:
             solver.addConstr(times[start] == solver.qsum(out[start]))
         for loop, bound in self.rounds:
             inside = [ways[begin, loop.head] for begin in loop.back]
-            # A loop with its condition at the end jumps back once less than the number of rounds.
+            outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
             exits = self.code.blocks[loop.head].exits()
             leaves = loop.head not in loop.back and any(one not in loop.blocks for one in exits)
-            jumps = bound.rounds if leaves or bound.in_all else max(bound.rounds - 1, 0)
-            outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
-            most = jumps * (1 if bound.in_all else solver.qsum(outside))
-            solver.addConstr(solver.qsum(inside) <= most)
+            # A loop with its condition at the end has a round before its first jump back.
+            first = 0 if leaves else solver.qsum(outside)
+            entered = 1 if bound.in_all else solver.qsum(outside)
+            solver.addConstr(solver.qsum(inside) + first <= bound.rounds * entered)
         for start, most in self.counted:
             solver.addConstr(times[start] <= most)
+        calls = {name: solver.addVariable(lb=0) for name in self.apart}
+        counts = dict(times)
+        counts.update(calls)
+        for fact in self.facts:
+            parts = [factor * counts[name] for name, factor in fact.factors.items()]
+            solver.addConstr(solver.qsum(parts) <= fact.most)
         taken = [
             REFILL * ways[block.start, block.jump]
             for block in self.code.blocks.values()
             if block.jump is not None
         ]
         spent = [self.cost[start] * times[start] for start in self.code.blocks]
+        spent += [self.apart[name] * variable for name, variable in calls.items()]
         solver.maximize(solver.qsum([*spent, *taken]))
         if solver.getModelStatus() != highspy.HighsModelStatus.kOptimal:
             return None

@@ -12,8 +12,8 @@ from traceability.model.design_model import Model
 from traceability.model.made_changes import proven
 from traceability.model.report import Report
 from traceability.reading.bench_record import IMAGE, MANUAL, bench_metrics
+from traceability.reading.fault_record import LOADS, campaign_metrics
 from traceability.reading.fault_record import METRICS as CAMPAIGNS
-from traceability.reading.fault_record import campaign_metrics
 from traceability.reading.image_record import read_image
 from traceability.reading.live_record import KEYS as LIVE
 from traceability.reading.live_record import live_metrics
@@ -156,6 +156,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
             round(model.times.cycle_ms, 3) if model.times and model.times.proven else None
         ),
         "bench.seen_cycle_ms": model.times.seen_ms if model.times else None,
+        **_proven_times(model),
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
         "proofs.properties": len(model.proofs.properties),
@@ -177,6 +178,33 @@ def recorded_metric(proofs: Proofs) -> dict[str, Any]:
     first = proofs.recorded[0]
     record = {"command": PROVE, "commit": first.recorded, "date": first.recorded_on}
     return {"proofs.proven": {**record, "value": len(proofs.recorded)}}
+
+
+def _proven_times(model: Model) -> dict[str, Any]:
+    """The bounds with noise and of the paths, and the ratios of the bounds to the longest runs."""
+    proof = model.times if model.times and model.times.proven else None
+    drives = model.campaigns.get(LOADS)
+    outcomes = drives.result["outcomes"] if drives else {}
+    longest = max(proof.seen_ms or 0, outcomes.get("longest_ms") or 0) if proof else 0
+    noisy = outcomes.get("noise_ms")
+    return {
+        "bench.wcet_ratio": round(proof.cycle_ms / longest, 2) if proof and longest else None,
+        "bench.wcet_cycle_with_noise_ms": round(proof.noise_ms, 3) if proof else None,
+        "bench.wcet_ratio_with_noise": (
+            round(proof.noise_ms / noisy, 2) if proof and noisy else None
+        ),
+        "bench.paths_ms": (
+            {
+                path.name: {
+                    "bound": round(path.ms, 3),
+                    "seen": None if path.seen_ms is None else round(path.seen_ms, 3),
+                }
+                for path in proof.paths
+            }
+            if proof
+            else None
+        ),
+    }
 
 
 def _is_executed(requirement: Requirement) -> bool:

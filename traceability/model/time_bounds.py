@@ -1,40 +1,26 @@
-"""Upper bounds of the execution times of the image: of each interrupt and thread, and of the
-control cycle.
+"""Upper bounds of the execution times of the functions of the image.
 
 The bound of a function is the longest path through its instructions, with the bounds of the
-functions that it calls. The time of the cycle adds each interrupt as often as it can come during
-the cycle.
+functions that it calls.
 """
 
 from __future__ import annotations
 
 import re
-import tomllib
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import chain, pairwise, product
 from types import MappingProxyType
-from typing import Any
 
-from traceability.model.design_model import Model
-from traceability.model.image_code import PRODUCT, ImageCode, Program
-from traceability.model.longest_path import Problem
-from traceability.model.stack import Prover, read_declared
-from traceability.reading.call_graph import short_name
+from traceability.model.image_code import Program
+from traceability.model.longest_path import FlowFact, Problem
+from traceability.model.stack import Prover
+from traceability.reading.call_graph import Function, short_name
+from traceability.reading.flow_facts import ENTRIES, Inequality
 from traceability.reading.loop_bounds import Bound, Bounds, Place
 from traceability.reading.machine_code import VENEER, Block, Code, Instruction, Loop
-from traceability.reading.results import numbers_reported
-from traceability.reading.source_facts import Facts
-from traceability.schema import VIRTUAL_K64, ExecutionContext, TimeBound, TimeProof
 from traceability.schema import Place as SourcePlace
 
-DECLARED_IN = Path("design/times.toml")
-# Cycles of the hardware for an interrupt, including the change to a following one.
-ENTRY_AND_EXIT = 12 + 10 + 6
-RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt causes to repeat
-CYCLE_TIMER = "cycle-timer"
-MOST_ROUNDS = 100
-CLOCK = 120_000  # cycles in a tick of 1 ms
 # Functions that never return: a path that calls one ends the firmware and is not part of a bound.
 ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
 COPIES = ("memcpy", "memmove", "memset")
@@ -43,31 +29,50 @@ UNALIGNED = 2  # additional cycles of an unaligned access
 
 @dataclass(frozen=True)
 class Limit:
-    """A method with a greatest number of calls below another one."""
+    """A method whose calls below another method are counted by the facts about that method."""
 
     method: str
     within: str
-    most: int
+    counter: str
+
+
+@dataclass(frozen=True)
+class Spread:
+    """A method whose loop has a greatest number of rounds in all calls below another method."""
+
+    method: str
+    within: str
+    rounds: int
+
+
+@dataclass(frozen=True)
+class DeclaredFacts:
+    """The declared facts about the paths through the code."""
+
+    once: Sequence[str] = ()  # methods that a function calls once for each object
+    limited: Sequence[Limit] = ()
+    spread: Sequence[Spread] = ()
+    flows: Mapping[str, Sequence[Inequality]] = field(
+        default_factory=dict
+    )  # of a method or handler
 
 
 class Times:
     """The bound of each function, with all that it calls [cycle]."""
 
     def __init__(
-        self,
-        program: Program,
-        bounds: Bounds,
-        prover: Prover,
-        once: Iterable[str] = (),  # methods that a function calls once for each object
-        limited: Iterable[Limit] = (),
+        self, program: Program, bounds: Bounds, prover: Prover, facts: DeclaredFacts
     ) -> None:
         self.codes, self.places, self.shared = program.codes, program.places, program.shared
         self.bounds, self.prover = bounds, prover
-        self.once = frozenset(once)
-        self.limited = {one.method: one for one in limited}
+        self.once = frozenset(facts.once)
+        self.limited = {one.method: one for one in facts.limited}
+        self.spread = {one.method: one for one in facts.spread}
+        self.flows = facts.flows
+        self.rounds: int | None = None  # of the loops of a method in ``spread``
         self.known: dict[tuple[str, tuple[tuple[str, int], ...]], int] = {}
-        # The longest path of a function, for each cost of its blocks.
-        self.paths: dict[tuple[str, tuple[int, ...]], int] = {}
+        # The longest path of a function, for each cost of its blocks and of its counted calls.
+        self.paths: dict[tuple[object, ...], int] = {}
         self.copies: dict[tuple[str, int], int] = {}  # function and bytes -> cycles
         self.unbound: set[tuple[str, Place]] = set()  # loops without a bound: function and place
         self.unresolved: set[tuple[str, Place]] = set()  # calls without a known target
@@ -95,12 +100,32 @@ class Times:
                 )
                 cost[start] = block.cycles + sum(calls)
             inside = [one for one in self.limited.values() if one.within == method]
+            apart = {one.counter: self._each(one.method) for one in inside}
+            spread = [one for one in self.spread.values() if one.within == method]
             self.known[key] = (
-                self._longest(code, cost)
+                self._longest(code, cost, method, apart)
                 + sum(single.values())
-                + sum(one.most * self._each(one.method) for one in inside)
+                + sum(one.rounds * self._round(one)[1] for one in spread)
             )
         return self.known[key]
+
+    def _round(self, spread: Spread) -> tuple[int, int]:
+        """Two numbers: a call with N rounds needs at most the first, and N times the second.
+
+        The greatest cost of a call is concave in its number of rounds, as the optimum of a linear
+        program. The line through its values at one and at two rounds is therefore above it.
+        """
+        costs = []
+        for rounds in (1, 2):
+            self.rounds = rounds
+            cost = 0
+            for symbol in self.prover.symbols.get(spread.method, []):
+                self.known.pop((symbol, ()), None)
+                cost = max(cost, self.of(symbol))
+                self.known.pop((symbol, ()), None)
+            costs.append(cost)
+        self.rounds = None
+        return 2 * costs[0] - costs[1], costs[1] - costs[0]
 
     def _each(self, method: str) -> int:
         """The cycles of a call of a method with a limited number of calls."""
@@ -158,7 +183,7 @@ class Times:
             return 0
         place = self._place(one.address)
         function = self.prover.graph[symbol]
-        targets = self.prover.targets(function, SourcePlace(*place)) if place else []
+        targets = self._targets(function, place) if place else []
         if not targets:
             self.unresolved.add((symbol, place or ("?", 0)))
         most = 0
@@ -170,12 +195,52 @@ class Times:
                 most = max(most, cycles)
         return most
 
+    def _targets(self, function: Function, place: Place) -> list[str]:
+        return self.prover.targets(function, SourcePlace(*place))
+
+    def _never(self, code: Code, block: Block) -> bool:
+        """Whether a block only calls a method that the compiler has also inlined at this place.
+
+        The compiler compares the target of the call with the method that it expects. When no other
+        method is possible, the call behind the comparison is never executed.
+        """
+        function = self.prover.graph.get(code.symbol)
+        for one in block.instructions:
+            place = self._place(one.address)
+            if not one.indirect or not place or not function:
+                continue
+            virtual = [call for _, call in self.prover.written.get(place, []) if call.virtual]
+            targets = self._targets(function, place)
+            if (
+                len(virtual) == 1
+                and targets
+                and all(self._is_inlined(code, target, place) for target in targets)
+            ):
+                return True
+        return False
+
+    def _is_inlined(self, code: Code, target: str, place: Place) -> bool:
+        """Whether a function has the code of another one, inlined at a place."""
+        other = self.codes.get(self._home(target))
+        if other is None or other is code:
+            return False
+        own = {way[-1] for one in other.instructions() if (way := self.places.get(one.address))}
+        return any(
+            inner in own and outer == place
+            for one in code.instructions()
+            for inner, outer in pairwise(self.places.get(one.address, []))
+        )
+
     def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
         home = self._home(symbol)
         if home in self.prover.graph and short_name(self.prover.graph[home].name) in self.limited:
-            return 0  # counted at its limit
+            return 0  # counted by the facts about the method that limits it
         if home not in self.codes or self.prover.is_full(home, entered):
             return 0
+        if home in self.prover.graph:
+            spread = self.spread.get(short_name(self.prover.graph[home].name))
+            if spread is not None:
+                return self._round(spread)[0]  # its rounds are counted at their limit
         return self.of(home, entered)
 
     def _count(self, symbol: str, block: Block, call: Instruction) -> int:
@@ -193,17 +258,22 @@ class Times:
             return 0
         return found[0].rounds
 
-    def _longest(self, code: Code, cost: Mapping[int, int]) -> int:
-        key = (code.symbol, tuple(cost.values()))
+    def _longest(
+        self, code: Code, cost: Mapping[int, int], method: str, apart: Mapping[str, int]
+    ) -> int:
+        key = (code.symbol, tuple(cost.values()), tuple(apart.items()), self.rounds)
         if key not in self.paths:
-            self.paths[key] = self._solve(code, cost)
+            self.paths[key] = self._solve(code, cost, method, apart)
         return self.paths[key]
 
-    def _solve(self, code: Code, cost: Mapping[int, int]) -> int:
-        rounds = [(loop, self._bound(code, loop)) for loop in code.loops]
+    def _solve(
+        self, code: Code, cost: Mapping[int, int], method: str, apart: Mapping[str, int]
+    ) -> int:
+        rounds = [(loop, self._bound(code, loop, method)) for loop in code.loops]
         counted = []
         for start, block in code.blocks.items():
-            if any(any(end in one.call for end in ENDS) for one in block.instructions):
+            ends = any(any(end in one.call for end in ENDS) for one in block.instructions)
+            if ends or self._never(code, block):
                 counted.append((start, 0))
                 continue
             lines = {
@@ -212,14 +282,67 @@ class Times:
             counted += [
                 (start, most) for one in lines if (most := self.bounds.passes(one)) is not None
             ]
-        longest = Problem(code, cost, rounds, counted).solve()
+        facts = self._facts(code, method, apart)
+        longest = Problem(code, cost, rounds, counted, facts, apart).solve()
         if longest is None or code.hidden:
             self.unbound.add((code.symbol, self._place(next(iter(code.blocks))) or ("?", 0)))
         return longest or 0
 
-    def _bound(self, code: Code, loop: Loop) -> Bound:
+    def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[FlowFact]:
+        """The declared facts about the marked lines of a function, as facts about its blocks."""
+        marked: dict[str, list[list[int | str]]] = {one: [[one]] for one in apart}
+        marked |= self._marked(code)
+        declared = self.flows.get(method, ())
+        return [fact for one in declared for fact in self._facts_of(code, one, marked)]
+
+    def _facts_of(
+        self, code: Code, one: Inequality, marked: Mapping[str, Sequence[Sequence[int | str]]]
+    ) -> Iterator[FlowFact]:
+        """A counter on the left side counts any one block of each copy of its line: it is not
+        executed more often than the line. On the right side it counts all blocks."""
+        most = one.most - one.factors.get(ENTRIES, 0)
+        right: dict[int | str, int] = {}
+        left: list[list[tuple[int | str, int]]] = []
+        for name, factor in one.factors.items():
+            copies = marked.get(name, [])
+            if factor > 0:
+                left += [[(start, factor) for start in copy] for copy in copies]
+            elif name != ENTRIES:
+                if not copies:  # without its line the fact is unknown
+                    self.unbound.add(
+                        (code.symbol, self._place(next(iter(code.blocks))) or ("?", 0))
+                    )
+                for start in chain.from_iterable(copies):
+                    right[start] = right.get(start, 0) + factor
+        for choice in product(*left):
+            factors = dict(right)
+            for start, factor in choice:
+                factors[start] = factors.get(start, 0) + factor
+            yield FlowFact(factors, most)
+
+    def _marked(self, code: Code) -> dict[str, list[list[int | str]]]:
+        """Counter -> the blocks of each copy of its line: a copy for each call that was inlined.
+
+        When the line consists of inlined calls only, these are the blocks of the calls.
+        """
+        found: dict[str, dict[tuple[Place, ...], dict[int, list[int]]]] = {}
+        for start, block in code.blocks.items():
+            for one in block.instructions:
+                way = self.places.get(one.address, [])
+                for depth, line in enumerate(way):
+                    if name := self.bounds.counter(line):
+                        copy = found.setdefault(name, {}).setdefault(tuple(way[depth:]), {})
+                        copy.setdefault(depth, []).append(start)
+        return {
+            name: [list(dict.fromkeys(copy[min(copy)])) for copy in copies.values()]
+            for name, copies in found.items()
+        }
+
+    def _bound(self, code: Code, loop: Loop, method: str) -> Bound:
         """The bound of a loop: the bound of the innermost line with a bound, or a bound for all
         rounds."""
+        if self.rounds is not None and method in self.spread:
+            return Bound(self.rounds, False)
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
         if any(one.name.startswith("strex") for one in instructions):
             return Bound(1, False)  # repeated only after an interrupt, whose bound includes it
@@ -261,89 +384,3 @@ def _stored(code: Code, loop: Loop) -> int:
         for one in code.blocks[start].instructions
         if one.name.startswith("str")
     )
-
-
-# ---- the control cycle --------------------------------------------------------
-
-
-def prove_times(
-    root: Path, model: Model, facts: Facts, image: ImageCode | None
-) -> TimeProof | None:
-    """The bounds of the image of the robot; nothing when it was not built from these sources."""
-    if image is None or not (root / DECLARED_IN).exists():
-        return None
-    declared = tomllib.loads((root / DECLARED_IN).read_text(encoding="utf-8"))
-    prover = Prover(image.graph, facts, model, read_declared(root))
-    values = {name: one.number for name, one in model.constants.items()} | declared["values"]
-    once = [name for entry in declared["once"] for name in entry["methods"]]
-    bounds = Bounds(root, values)
-    limits = [
-        Limit(one["method"], one["within"], bounds.value(one["most"]))
-        for one in declared["limited"]
-    ]
-    times = Times(image.program, bounds, prover, once, limits)
-    arrivals = {entry["context"]: entry for entry in declared["arrival"]}
-    contexts = [
-        one
-        for context in model.contexts.values()
-        if context.kind != "start" and (one := _of_context(context, times, arrivals))
-    ]
-    return TimeProof(
-        contexts=contexts,
-        cycle_ms=_response(contexts) / CLOCK,
-        seen_ms=_seen(root, model),
-        unbound=sorted((name, SourcePlace(*place)) for name, place in times.unbound),
-        unresolved=sorted((name, SourcePlace(*place)) for name, place in times.unresolved),
-    )
-
-
-def _of_context(
-    context: ExecutionContext, times: Times, arrivals: Mapping[str, Mapping[str, Any]]
-) -> TimeBound | None:
-    """The sum over the handlers of a thread, which all run in a cycle; else the longest handler."""
-    arrival = arrivals.get(context.id)
-    if arrival and not arrival["entries"]:
-        return None  # the handler ends the firmware
-    times.use_body(context.body)
-    held = [handler for handler in context.handlers if handler in times.codes]
-    found = [times.of(handler) + ENTRY_AND_EXIT for handler in held]
-    if not found:
-        return None
-    if context.kind == "interrupt" and context.id not in (*arrivals, CYCLE_TIMER):
-        times.unbound.add((context.name, (str(DECLARED_IN), 1)))
-    return TimeBound(
-        context=context.id,
-        name=context.name,
-        cycles=sum(found) if context.kind == "thread" else max(found),
-        entries=arrival["entries"] if arrival else None,
-        ticks=arrival.get("ticks", 1) if arrival else 1,
-        why=arrival["why"] if arrival else "once in a control cycle",
-    )
-
-
-def _response(contexts: Iterable[TimeBound]) -> float:
-    """Cycles from the clock pulse to the end of the main thread, with all interrupts in this
-    time."""
-    known = list(contexts)
-    own = sum(one.cycles for one in known if one.entries is None)
-    found = own
-    for _ in range(MOST_ROUNDS):
-        now = own
-        for one in known:
-            if one.entries is not None:  # a tick may have begun just before
-                ticks = -(-found // (CLOCK * one.ticks)) + 1
-                now += ticks * one.entries * (one.cycles + RETRY)
-        if now == found:
-            return found
-        found = now
-    return float("inf")
-
-
-def _seen(root: Path, model: Model) -> float | None:
-    """The longest time to the report, in the runs of the bench and in tests of the image [ms]."""
-    runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
-    found = [run.report_ms.maximum for run in runs]
-    if not model.stale_on(VIRTUAL_K64):
-        reported = numbers_reported(root, VIRTUAL_K64, "longest_cycle", PRODUCT)
-        found += [cycles / CLOCK for cycles in reported]
-    return round(max(found), 3) if found else None

@@ -19,7 +19,8 @@ SCENARIOS = Path("sim/scenario")
 RECORD = RESULTS / "calls.json"
 IMAGE, ELF = (recorded_image_of(DEFAULT, suffix) for suffix in (".bin", ".elf"))
 FIRST_LINE = 16  # number of the exception of interrupt line 0
-KEPT_EVENTS = ("byte_received", "byte_sent", "pwm_changed")
+BYTE_RECEIVED = "byte_received"
+KEPT_EVENTS = (BYTE_RECEIVED, "byte_sent", "pwm_changed")
 RECORDING: Keys = {"name": str, "scenario": str, "from": int, "to": int}
 OPTIONAL: Keys = {"without": list}
 

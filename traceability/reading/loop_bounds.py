@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 PASSES = re.compile(r"//\s*passes:\s*([^;]+?)\s*(?:;|$)")
+COUNTS = re.compile(r"//\s*counts:\s*(\w+)\s*(?:;|$)")
 DECLARED = re.compile(r"//\s*bound:\s*([^;]+?)(\s+in all)?\s*(?:;|$)")
 HEAD = re.compile(r"for \(std::size_t (\w+) = \d+; \1 < ([\w:]+);")
 OPERATIONS: dict[type, Callable[[int, int], int]] = {
@@ -60,6 +61,13 @@ class Bounds:
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
         found = PASSES.match(before)
         return self.value(found[1]) if found else None
+
+    def counter(self, place: Place) -> str | None:
+        """The name by which flow facts count the executions of a line."""
+        lines = self._lines(place[0])
+        before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
+        found = COUNTS.match(before)
+        return found[1] if found else None
 
     def value(self, text: str) -> int:
         """The number of a constant expression."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import subprocess
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -74,6 +74,9 @@ class Code:
     blocks: dict[int, Block] = field(default_factory=dict)
     hidden: bool = False  # it has jumps whose targets are in a table
     loops: list[Loop] = field(default_factory=list)
+
+    def instructions(self) -> Iterator[Instruction]:
+        return (one for block in self.blocks.values() for one in block.instructions)
 
 
 def read_code(elf: Path) -> dict[str, Code]:

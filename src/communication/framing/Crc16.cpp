@@ -55,6 +55,7 @@ void Crc16::add(std::span<const std::uint8_t> bytes) {
   const std::uint8_t* next = bytes.data();
   // bound: kMaxBody / 4
   for (std::size_t rounds = bytes.size() / 4; rounds != 0; --rounds) {
+    // counts: quads
     value = afterTwo(value, next);
     value = afterTwo(value, next + 2);
     next += 4;

@@ -42,15 +42,15 @@ Decoded FrameDecoder::end() {
   if (count_ == 0) {
     return Decoded::Nothing;
   }
+  // counts: ends
   if (count_ > bytes_.size()) {
     return Decoded::TooLong;
   }
   length_ = count_ - 1;
-  // passes: kMaxBytesPerService / 2
   if (length_ < kMinBody) {
     return Decoded::Damaged;
   }
-  // passes: kMaxBytesPerService / (kMinBody + 2)
+  // counts: bodies
   if (!removeStuffing() || !crcIsRight()) {
     return Decoded::Damaged;
   }
@@ -59,8 +59,9 @@ Decoded FrameDecoder::end() {
 
 bool FrameDecoder::removeStuffing() {
   std::size_t code = bytes_[0];
-  // bound: kMaxBytesPerService in all
+  // bound: kMaxBytesPerService + kMaxBody + 1 in all; a frame may have begun in the cycle before
   for (std::size_t codes = 0; codes < count_ && code < count_; ++codes) {
+    // counts: stuffed
     const std::size_t distance = bytes_[code];
     bytes_[code] = 0;
     code += distance;
@@ -72,7 +73,6 @@ bool FrameDecoder::crcIsRight() const {
   const auto body = std::span(bytes_).subspan(kBodyAt, length_);
   const std::size_t checked = length_ - 2;
   Crc16 crc;
-  // bound: kMaxBytesPerService in all
   crc.add(body.first(checked));
   return body[checked] == (crc.value() & 0xFFU) && body[checked + 1] == crc.value() >> 8U;
 }

@@ -53,15 +53,20 @@ void PcConnection::beginCycle(Instant clockPulse) {
 
 void PcConnection::service() {
   std::size_t left = kMaxBytesPerService;
-  std::size_t received = chunk_.size();
+  bool more = true;
   // bound: kMaxBytesPerService in all
-  while (left != 0 && received != 0) {
-    received = port_.read(std::span(chunk_).first(std::min(left, chunk_.size())));
+  while (more) {
+    const std::size_t asked = std::min(left, chunk_.size());
+    // counts: reads
+    const std::size_t received = port_.read(std::span(chunk_).first(asked));
     left -= received;
     // bound: kMaxBytesPerService in all
     for (const std::uint8_t byte : std::span(chunk_).first(received)) {
+      // counts: bytes
       receive(byte);
     }
+    // A shorter read that ends no frame has emptied the port.
+    more = left != 0 && (received == asked || (received != 0 && chunk_[received - 1] == 0));
   }
   counts_.lostBytes = port_.lostBytes();
   at_ = clockPulse_;
@@ -137,7 +142,7 @@ void PcConnection::receive(std::uint8_t byte) {
     case Decoded::Nothing:
       break;
     case Decoded::Whole:
-      // passes: kMaxBytesPerService / (kMinBody + 2)
+      // passes: (kMaxBytesPerService + kMaxBody + 1) / (kMinBody + 2)
       handle(decoder_.frame());
       break;
     case Decoded::Damaged:

@@ -29,8 +29,9 @@ bool SerialReader::offer(std::span<const std::uint8_t, kOrderLength> payload, In
   position_ = 0;
   OrderMessage order;
   if (!order.readFrom(*this)) {
-    // bound: SerialReader::kOrderLength
-    kept_ = before;
+    std::memcpy(kept_.bytes.data(), before.bytes.data(), before.bytes.size());
+    kept_.at = before.at;
+    kept_.unread = before.unread;
     return false;
   }
   kept_.unread = true;

@@ -15,7 +15,7 @@ void ActiveSensor::serve() {
   const bool edgeOfA = a_.acknowledge();
   const bool edgeOfB = b_.acknowledge();
   if (edgeOfA || edgeOfB) {
-    // passes: 1; further edges that one interrupt serves count as separate interrupts
+    // counts: edges
     command_.execute();
   }
 }

@@ -7,9 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from traceability.model.longest_path import Problem
+from traceability.model.longest_path import FlowFact, Problem
+from traceability.model.response_times import CLOCK, RETRY, cycle_response, with_responses
+from traceability.reading.flow_facts import Inequality, read_inequality
 from traceability.reading.loop_bounds import Bound, Bounds
 from traceability.reading.machine_code import REFILL, Code, read_code
+from traceability.schema import TimeBound
 
 START = """
     .syntax unified
@@ -56,7 +59,7 @@ def code_of(folder: Path, text: str) -> Code:
     return read_code(folder / "p.elf")["run"]
 
 
-def longest(code: Code, rounds: int = 0) -> int:
+def longest(code: Code, rounds: int = 0) -> int | None:
     cost = {start: block.cycles for start, block in code.blocks.items()}
     bounds = [(loop, Bound(rounds, in_all=False)) for loop in code.loops]
     return Problem(code, cost, bounds, []).solve()
@@ -77,7 +80,7 @@ def test_memory_costs_what_the_manual_says(tmp_path: Path) -> None:
 
 
 def test_a_busy_loop_moves_the_bound(tmp_path: Path) -> None:
-    before = longest(code_of(tmp_path, FORK))
+    before = longest(code_of(tmp_path, FORK)) or 0
     busy = FORK.replace(
         "2:  bx lr", "2:  movs r3, #200\n3:  subs r3, r3, #1\n    bne 3b\n    bx lr"
     )
@@ -124,3 +127,67 @@ def test_a_loop_that_nothing_bounds_has_no_longest_path(tmp_path: Path) -> None:
     code = code_of(tmp_path, LOOP)
     cost = {start: block.cycles for start, block in code.blocks.items()}
     assert Problem(code, cost, [], []).solve() is None
+
+
+def test_a_fact_limits_a_sum_of_executions(tmp_path: Path) -> None:
+    """Each round of the loop takes one of seven units, and leaving the loop takes two."""
+    code = code_of(tmp_path, LOOP)
+    cost = {start: block.cycles for start, block in code.blocks.items()}
+    (loop,) = code.loops
+    after = max(code.blocks)
+    fact = FlowFact({loop.head: 1, after: 2}, 7)
+    rounds = [(loop, Bound(10, in_all=False))]
+    assert Problem(code, cost, rounds, [], [fact]).solve() == 1 + 5 * 3 + 4 * REFILL + 1 + REFILL
+
+
+def test_a_callee_that_is_counted_apart_costs_its_number_of_calls(tmp_path: Path) -> None:
+    code = code_of(tmp_path, MEMORY)
+    cost = {start: block.cycles for start, block in code.blocks.items()}
+    alone = Problem(code, cost, [], []).solve()
+    facts = [FlowFact({"orders": 3}, 9)]
+    assert Problem(code, cost, [], [], facts, {"orders": 100}).solve() == (alone or 0) + 300
+
+
+def test_a_fact_is_an_inequality_of_sums() -> None:
+    text = "2 * ends + bodies <= entries + Limit::kMost"
+    counters = ("ends", "bodies")
+    found = read_inequality(text, counters, lambda one: {"Limit__kMost": 9}.get(one) or int(one))
+    assert found == Inequality({"ends": 2, "bodies": 1, "entries": -1}, 9)
+
+
+def test_a_text_without_a_sign_is_no_fact() -> None:
+    with pytest.raises(ValueError, match="no inequality"):
+        read_inequality("ends", ("ends",), int)
+
+
+def context(name: str, cycles: int, priority: int, entries: int | None = None) -> TimeBound:
+    noise = None if entries is None else 2 * entries
+    return TimeBound(name, name, cycles, entries, 1, noise, priority, "why")
+
+
+def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() -> None:
+    contexts = [context("thread", CLOCK, 12), context("edge", 1_000, 1, entries=2)]
+    # The cycle lasts more than a tick: three windows with the one in which requests wait.
+    assert cycle_response(contexts, noise=False) == CLOCK + 3 * 2 * (1_000 + RETRY)
+    # With noise the handler of the first tick may be late.
+    assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
+
+
+def test_a_busy_loop_in_a_thread_moves_the_cycle_and_no_interrupt() -> None:
+    short = [context("thread", 1_000, 12), context("edge", 100, 1, entries=1)]
+    longer = [context("thread", 31_000, 12), context("edge", 100, 1, entries=1)]
+    moved = cycle_response(longer, noise=False) - cycle_response(short, noise=False)
+    assert moved == 30_000
+    assert with_responses(short)[1].response_ms == with_responses(longer)[1].response_ms
+
+
+def test_only_higher_and_equal_priorities_delay_an_interrupt() -> None:
+    contexts = [context("high", 50, 1, entries=1), context("low", 9_000, 3, entries=1)]
+    high, low = with_responses(contexts)
+    assert (high.response_ms or 0) * CLOCK == 50 + 2 * (50 + RETRY)
+    assert (low.response_ms or 0) * CLOCK == 9_000 + 2 * (9_000 + RETRY) + 2 * (50 + RETRY)
+
+
+def test_an_interrupt_that_takes_all_the_time_has_no_bound() -> None:
+    contexts = [context("thread", 1_000, 12), context("edge", CLOCK, 1, entries=1)]
+    assert cycle_response(contexts, noise=False) == float("inf")

@@ -1,0 +1,268 @@
+"""Upper bounds of the response times of the robot: of each interrupt, of the control cycle, and of
+paths from an input to its effect.
+
+A response time adds each interrupt as often as it can come until the response.
+"""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from traceability.model.design_model import Model
+from traceability.model.image_code import PRODUCT, ImageCode
+from traceability.model.stack import Prover, read_declared
+from traceability.model.time_bounds import DeclaredFacts, Limit, Spread, Times
+from traceability.reading.call_record import BYTE_RECEIVED, read_recordings
+from traceability.reading.chains import Chain, declared_chains, follow, frames_in
+from traceability.reading.flow_facts import Inequality, read_inequality
+from traceability.reading.loop_bounds import Bounds
+from traceability.reading.results import numbers_reported
+from traceability.reading.source_facts import Facts
+from traceability.schema import VIRTUAL_K64, ExecutionContext, PathBound, TimeBound, TimeProof
+from traceability.schema import Place as SourcePlace
+
+DECLARED_IN = Path("design/times.toml")
+ENTRY_AND_EXIT = 12 + 10 + 6  # cycles of the hardware for an interrupt, including the change to a
+# following one
+RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt causes to repeat
+CYCLE_TIMER, TICK_TIMER = "cycle-timer", "tick-timer"
+MOST_ROUNDS = 100
+CLOCK = 120_000  # cycles in a tick of 1 ms
+NANOSECONDS = 1_000_000  # in a millisecond
+
+
+def prove_times(
+    root: Path, model: Model, facts: Facts, image: ImageCode | None
+) -> TimeProof | None:
+    """The bounds of the image of the robot; nothing when it was not built from these sources."""
+    if image is None or not (root / DECLARED_IN).exists():
+        return None
+    declared = tomllib.loads((root / DECLARED_IN).read_text(encoding="utf-8"))
+    times = declared_times(root, model, facts, image, declared)
+    arrivals = {
+        entry["context"]: entry
+        | {
+            name: times.bounds.value(str(entry[name]))
+            for name in ("entries", "noise")
+            if name in entry
+        }
+        for entry in declared["arrival"]
+    }
+    contexts = with_responses(
+        one
+        for context in model.contexts.values()
+        if context.kind != "start" and (one := _of_context(context, times, arrivals))
+    )
+    cycle_ms = cycle_response(contexts, noise=False) / CLOCK
+    return TimeProof(
+        contexts=contexts,
+        cycle_ms=cycle_ms,
+        noise_ms=cycle_response(contexts, noise=True) / CLOCK,
+        seen_ms=_seen(root, model),
+        paths=_paths(root, declared["path"], contexts, cycle_ms, times.bounds),
+        unbound=sorted((name, SourcePlace(*place)) for name, place in times.unbound),
+        unresolved=sorted((name, SourcePlace(*place)) for name, place in times.unresolved),
+    )
+
+
+def declared_times(
+    root: Path, model: Model, facts: Facts, image: ImageCode, declared: Mapping[str, Any]
+) -> Times:
+    """The bounds of the functions of an image, with the declared facts about it."""
+    prover = Prover(image.graph, facts, model, read_declared(root))
+    values = {name: one.number for name, one in model.constants.items()} | declared["values"]
+    once = [name for entry in declared["once"] for name in entry["methods"]]
+    bounds = Bounds(root, values)
+    limits = [Limit(one["method"], one["within"], one["counter"]) for one in declared["limited"]]
+    spread = [
+        Spread(one["method"], one["within"], bounds.value(one["rounds"]))
+        for one in declared["spread"]
+    ]
+    flows, wrong = _flows(declared["flow"], bounds)
+    times = Times(image.program, bounds, prover, DeclaredFacts(once, limits, spread, flows))
+    times.unbound |= {(method, (str(DECLARED_IN), 1)) for method in wrong}
+    return times
+
+
+def _flows(
+    declared: Iterable[Mapping[str, Any]], bounds: Bounds
+) -> tuple[dict[str, list[Inequality]], list[str]]:
+    """The facts about each method, and the methods with a fact that cannot be read."""
+    flows: dict[str, list[Inequality]] = {}
+    wrong = []
+    for entry in declared:
+        try:
+            flows[entry["method"]] = [
+                read_inequality(text, entry["counters"], bounds.value) for text in entry["facts"]
+            ]
+        except (KeyError, SyntaxError, ValueError):
+            wrong.append(entry["method"])
+    return flows, wrong
+
+
+def _of_context(
+    context: ExecutionContext, times: Times, arrivals: Mapping[str, Mapping[str, Any]]
+) -> TimeBound | None:
+    """The sum over the handlers of a thread, which all run in a cycle; else the longest handler."""
+    arrival = arrivals.get(context.id)
+    if arrival and not arrival["entries"]:
+        return None  # the handler ends the firmware
+    times.use_body(context.body)
+    held = [handler for handler in context.handlers if handler in times.codes]
+    found = [times.of(handler) + ENTRY_AND_EXIT for handler in held]
+    if not found:
+        return None
+    if context.kind == "interrupt" and context.id not in (*arrivals, CYCLE_TIMER):
+        times.unbound.add((context.name, (str(DECLARED_IN), 1)))
+    return TimeBound(
+        context=context.id,
+        name=context.name,
+        cycles=sum(found) if context.kind == "thread" else max(found),
+        entries=arrival["entries"] if arrival else None,
+        priority=context.priority,
+        ticks=arrival.get("ticks", 1) if arrival else 1,
+        noise=arrival.get("noise") if arrival else None,
+        why=arrival["why"] if arrival else "once in a control cycle",
+    )
+
+
+def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
+    """The contexts, each interrupt with its response time: from its request to the end of its
+    handler, with all that its priority and higher ones execute meanwhile."""
+    known = list(contexts)
+    waits = _waits(known, noise=False)
+    return [
+        replace(one, response_ms=_response(one, known, waits, noise=False) / CLOCK)
+        if one.entries is not None
+        else one
+        for one in known
+    ]
+
+
+def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
+    """Cycles from the clock pulse to the end of the main thread, with all interrupts in this
+    time."""
+    known = list(contexts)
+    own = sum(one.cycles for one in known if one.entries is None)
+    interrupts = [one for one in known if one.entries is not None]
+    return _busy(own, interrupts, _waits(known, noise=noise), noise=noise)
+
+
+def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, int]:
+    """Ticks for which an interrupt of each context may wait for its handler."""
+    waits = {one.context: 1 for one in contexts if one.entries is not None}
+    for _ in range(MOST_ROUNDS):
+        now = {
+            one.context: _whole_ticks(_response(one, contexts, waits, noise=noise))
+            for one in contexts
+            if one.entries is not None
+        }
+        if now == waits:
+            break
+        waits = {name: max(ticks, waits[name]) for name, ticks in now.items()}
+    return waits
+
+
+def _whole_ticks(cycles: float) -> int:
+    return math.ceil(min(cycles, MOST_ROUNDS * CLOCK) / CLOCK)
+
+
+def _response(
+    one: TimeBound, contexts: Iterable[TimeBound], waits: Mapping[str, int], *, noise: bool
+) -> float:
+    above = [
+        other
+        for other in contexts
+        if other.priority is not None
+        and one.priority is not None
+        and other.priority <= one.priority
+    ]
+    own = one.cycles + sum(other.cycles for other in above if other.entries is None)
+    interrupts = [other for other in above if other.entries is not None]
+    if noise and one.context == TICK_TIMER:
+        # No input gets more edges before the handler of the tick permits them.
+        limited = [other for other in interrupts if other.noise is not None]
+        own += sum((other.noise or 0) * (other.cycles + RETRY) for other in limited)
+        interrupts = [other for other in interrupts if other.noise is None]
+    return _busy(own, interrupts, waits, noise=noise)
+
+
+def _busy(
+    own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, int], *, noise: bool
+) -> float:
+    """Cycles until a number of own cycles is executed between all interrupts of this time."""
+    found = own
+    for _ in range(MOST_ROUNDS):
+        now = own
+        for one in interrupts:
+            now += _entries(one, found, waits, noise=noise) * (one.cycles + RETRY)
+        if now == found:
+            return found
+        found = now
+    return float("inf")
+
+
+def _entries(one: TimeBound, cycles: int, waits: Mapping[str, int], *, noise: bool) -> int:
+    """The entries of an interrupt in a time, with those whose requests wait when it begins.
+
+    With noise an input gets its edges once more after each tick in this time, and the handler of
+    the first one may be late.
+    """
+    assert one.entries is not None
+    if noise and one.noise is not None:
+        return -(-(cycles + (1 + waits.get(TICK_TIMER, 1)) * CLOCK) // CLOCK) * one.noise
+    return -(-(cycles + waits[one.context] * CLOCK) // (CLOCK * one.ticks)) * one.entries
+
+
+def _paths(
+    root: Path,
+    declared: Iterable[Mapping[str, Any]],
+    contexts: Sequence[TimeBound],
+    cycle_ms: float,
+    bounds: Bounds,
+) -> list[PathBound]:
+    """The paths from an input to its effect: the sum of the parts, and the time of a recording."""
+    recordings = read_recordings(root) or {}
+    chains = {chain.name: chain for chain in declared_chains(root)}
+    responses = {one.context: one.response_ms for one in contexts}
+    found = []
+    for entry in declared:
+        parts = [(part["what"], bounds.value(part["us"]) / 1000) for part in entry["parts"]]
+        for context in entry["contexts"]:
+            parts.append((f"interrupt: {context}", responses[context] or 0.0))
+        if entry["cycle"]:
+            parts.append(("control cycle", cycle_ms))
+        chain = chains.get(entry.get("chain", ""))
+        seen = _seen_of(chain, recordings[chain.recording]) if chain and recordings else None
+        found.append(PathBound(entry["name"], entry["title"], parts, seen, entry["why"]))
+    return found
+
+
+def _seen_of(chain: Chain, recording: Any) -> float | None:
+    """The time of a chain in a recording, from the last byte of its frame if it begins with one
+    [ms]."""
+    steps = follow(chain, recording)
+    if steps is None:
+        return None
+    begin = steps[0].at
+    for frame in frames_in(recording, BYTE_RECEIVED):
+        times = [event.at for event in frame.events]
+        if begin in times:
+            begin = times[-1]
+            break
+    return (steps[-1].at - begin) / NANOSECONDS
+
+
+def _seen(root: Path, model: Model) -> float | None:
+    """The longest time to the report, in the runs of the bench and in tests of the image [ms]."""
+    runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
+    found = [run.report_ms.maximum for run in runs]
+    if not model.stale_on(VIRTUAL_K64):
+        reported = numbers_reported(root, VIRTUAL_K64, "longest_cycle", PRODUCT)
+        found += [cycles / CLOCK for cycles in reported]
+    return round(max(found), 3) if found else None

@@ -1,0 +1,56 @@
+"""Linear inequalities between the executions of marked lines, for example ``edges <= entries``."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+ENTRIES = "entries"  # the calls of the method
+
+
+@dataclass(frozen=True)
+class Inequality:
+    """The left side does not exceed the right side; without a name: a number."""
+
+    factors: Mapping[
+        str, int
+    ]  # counter -> factor: positive on the left side, negative on the right
+    most: int
+
+
+def read_inequality(text: str, counters: Iterable[str], value: Callable[[str], int]) -> Inequality:
+    """An inequality of sums: ``value`` returns the number of a constant expression."""
+    left, sign, right = text.partition("<=")
+    if not sign:
+        raise ValueError(f"no inequality: {text}")
+    names = frozenset((*counters, ENTRIES))
+    factors: dict[str, int] = {}
+    most = 0
+    for side, direction in ((left, 1), (right, -1)):
+        for term in _terms(ast.parse(side.strip().replace("::", "__"), mode="eval").body):
+            name, factor = _split(term, names, value)
+            if name is None:
+                most -= direction * factor
+            else:
+                factors[name] = factors.get(name, 0) + direction * factor
+    return Inequality(factors, most)
+
+
+def _terms(node: ast.expr) -> list[ast.expr]:
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add):
+        return [*_terms(node.left), *_terms(node.right)]
+    return [node]
+
+
+def _split(
+    term: ast.expr, names: frozenset[str], value: Callable[[str], int]
+) -> tuple[str | None, int]:
+    """The counter of a term, if it has one, and its factor."""
+    if isinstance(term, ast.Name) and term.id in names:
+        return term.id, 1
+    if isinstance(term, ast.BinOp) and isinstance(term.op, ast.Mult):
+        counter = ast.unparse(term.right)
+        if counter in names:
+            return counter, value(ast.unparse(term.left))
+    return None, value(ast.unparse(term))
