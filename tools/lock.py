@@ -1,5 +1,5 @@
-"""Only one command at a time may build, test or make pages, because a second command would change its
-files.
+"""Only one command at a time may build, test or make pages, because a second command would change
+its files.
 
 A command that was ended by force leaves programs behind, such as a build. The next command ends
 them before it begins.
