@@ -17,7 +17,7 @@ from traceability.model.design_model import Model
 from traceability.reading.closed_loop_record import EXAMPLES
 from traceability.reading.live_record import MODULE, read_live
 from traceability.reading.products import DEFAULT, PAPER, PRODUCTS, image_of, recorded_image_of
-from traceability.reading.result_cache import kept
+from traceability.reading.result_cache import cached_result
 from traceability.reading.traces import function_of, method_of
 from traceability.schema import Method, TreeNode
 from traceability.sources import file_hash
@@ -170,7 +170,7 @@ def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]
         return subprocess.run(words, capture_output=True, text=True, check=True).stdout
 
     cache = root / "build" / "pages-cache" / "symbols" / name
-    listed = kept(cache, [words, file_hash(elf)], symbols)
+    listed = cached_result(cache, [words, file_hash(elf)], symbols)
     found = {}
     for line in listed.splitlines():
         match = SYMBOL.match(line)

@@ -19,7 +19,7 @@ from tests.python.tools.test_killed_runs import COMMAND
 from tools.cmake_build import sources_of
 from tools.exit_codes import MISSING
 from tools.lock import HOLDER
-from traceability.reading.result_cache import kept
+from traceability.reading.result_cache import cached_result
 
 SOURCE = Path(__file__).resolve().parents[3]
 LOCK = "no-such-package==1 --hash=sha256:" + 64 * "0" + "\n"
@@ -82,8 +82,8 @@ def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size
 CACHE = """
 import sys
 from pathlib import Path
-from traceability.reading.result_cache import kept
-print(kept(Path(sys.argv[1]), [1], lambda: ["text" * 1000]))
+from traceability.reading.result_cache import cached_result
+print(cached_result(Path(sys.argv[1]), [1], lambda: ["text" * 1000]))
 """
 
 
@@ -94,7 +94,7 @@ def test_a_cache_that_could_not_be_written_whole_is_not_read(tmp_path: Path) -> 
     with_copy = ["sh", "-c", f'"$@"; cp {cache}/* {tmp_path}', "sh", *words]
     full = run(with_disk(cache, "4k", [*with_copy]))
     assert "No space left on device" in full.stderr
-    assert kept(tmp_path / "cache", [1], lambda: ["new"]) == ["new"]
+    assert cached_result(tmp_path / "cache", [1], lambda: ["new"]) == ["new"]
 
 
 # ---- a folder that cannot be written ---------------------------------------------
