@@ -63,11 +63,12 @@ class Problem:
         for loop, bound in self.rounds:
             inside = [ways[begin, loop.head] for begin in loop.back]
             outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
+            entries = [v for (b, e), v in ways.items() if e in loop.blocks and b not in loop.blocks]
             exits = self.code.blocks[loop.head].exits()
             leaves = loop.head not in loop.back and any(one not in loop.blocks for one in exits)
             # A loop with its condition at the end has a round before its first jump back.
             first = 0 if leaves else solver.qsum(outside)
-            entered = 1 if bound.in_all else solver.qsum(outside)
+            entered = 1 if bound.in_all else solver.qsum(entries)
             solver.addConstr(solver.qsum(inside) + first <= bound.rounds * entered)
         for start, most in self.counted:
             solver.addConstr(times[start] <= most)

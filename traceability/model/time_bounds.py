@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import chain, pairwise, product
+from itertools import chain, product
 from types import MappingProxyType
 
 from traceability.model.image_code import Program
@@ -67,10 +67,11 @@ class Times:
         self.bounds, self.prover = bounds, prover
         self.once = frozenset(facts.once)
         self.limited = {one.method: one for one in facts.limited}
-        self.spread = {one.method: one for one in facts.spread}
+        self.spread = {(one.within, one.method): one for one in facts.spread}
+        self.inside: frozenset[str] = frozenset()  # methods with facts that are now being entered
         self.flows = facts.flows
         self.rounds: int | None = None  # of the loops of a method in ``spread``
-        self.known: dict[tuple[str, tuple[tuple[str, int], ...]], int] = {}
+        self.known: dict[tuple[object, ...], int] = {}
         # The longest path of a function, for each cost of its blocks and of its counted calls.
         self.paths: dict[tuple[object, ...], int] = {}
         self.copies: dict[tuple[str, int], int] = {}  # function and bytes -> cycles
@@ -88,7 +89,9 @@ class Times:
         method = short_name(function.name) if function else symbol
         if method in self.prover.most:
             entered = {**entered, method: entered.get(method, 0) + 1}
-        key = (symbol, tuple(sorted(entered.items())))
+        outside = self.inside
+        self.inside |= {within for within, _ in self.spread if within == method}
+        key = (symbol, tuple(sorted(entered.items())), self.inside)
         if key not in self.known:
             self.known[key] = 0  # a cycle of calls is a finding of the stack proof
             code = self.codes[symbol]
@@ -107,6 +110,7 @@ class Times:
                 + sum(single.values())
                 + sum(one.rounds * self._round(one)[1] for one in spread)
             )
+        self.inside = outside
         return self.known[key]
 
     def _round(self, spread: Spread) -> tuple[int, int]:
@@ -120,9 +124,9 @@ class Times:
             self.rounds = rounds
             cost = 0
             for symbol in self.prover.symbols.get(spread.method, []):
-                self.known.pop((symbol, ()), None)
+                self.known.pop((symbol, (), self.inside), None)
                 cost = max(cost, self.of(symbol))
-                self.known.pop((symbol, ()), None)
+                self.known.pop((symbol, (), self.inside), None)
             costs.append(cost)
         self.rounds = None
         return 2 * costs[0] - costs[1], costs[1] - costs[0]
@@ -211,24 +215,30 @@ class Times:
                 continue
             virtual = [call for _, call in self.prover.written.get(place, []) if call.virtual]
             targets = self._targets(function, place)
+            way = self.places.get(one.address, [])
             if (
                 len(virtual) == 1
                 and targets
-                and all(self._is_inlined(code, target, place) for target in targets)
+                and all(self._is_inlined(code, target, way) for target in targets)
             ):
                 return True
         return False
 
-    def _is_inlined(self, code: Code, target: str, place: Place) -> bool:
-        """Whether a function has the code of another one, inlined at a place."""
+    def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
+        """Whether a function has the code of another one, inlined at a call: at its place, and at
+        those of the functions around it that are inlined too."""
         other = self.codes.get(self._home(target))
         if other is None or other is code:
             return False
-        own = {way[-1] for one in other.instructions() if (way := self.places.get(one.address))}
+        own = {
+            around[-1] for one in other.instructions() if (around := self.places.get(one.address))
+        }
         return any(
-            inner in own and outer == place
+            len(around) > len(way)
+            and list(around[-len(way) :]) == list(way)
+            and around[-len(way) - 1] in own
             for one in code.instructions()
-            for inner, outer in pairwise(self.places.get(one.address, []))
+            if (around := self.places.get(one.address))
         )
 
     def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
@@ -238,9 +248,11 @@ class Times:
         if home not in self.codes or self.prover.is_full(home, entered):
             return 0
         if home in self.prover.graph:
-            spread = self.spread.get(short_name(self.prover.graph[home].name))
-            if spread is not None:
-                return self._round(spread)[0]  # its rounds are counted at their limit
+            name = short_name(self.prover.graph[home].name)
+            for within in self.inside:
+                if (within, name) in self.spread:
+                    # Its rounds are counted at their limit.
+                    return self._round(self.spread[within, name])[0]
         return self.of(home, entered)
 
     def _count(self, symbol: str, block: Block, call: Instruction) -> int:
@@ -341,7 +353,7 @@ class Times:
     def _bound(self, code: Code, loop: Loop, method: str) -> Bound:
         """The bound of a loop: the bound of the innermost line with a bound, or a bound for all
         rounds."""
-        if self.rounds is not None and method in self.spread:
+        if self.rounds is not None and any(method == name for _, name in self.spread):
             return Bound(self.rounds, False)
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
         if any(one.name.startswith("strex") for one in instructions):

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 import subprocess
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 FLASH_END = 0x100000
@@ -59,7 +60,8 @@ class Block:
 
 @dataclass
 class Loop:
-    """The blocks between a block and the jumps back to it."""
+    """The blocks between a block and the jumps back to it. A loop that can be entered at more than
+    one block has a head that is part of each round."""
 
     head: int
     blocks: set[int]
@@ -219,7 +221,54 @@ def _loops(code: Code) -> list[Loop]:
                     if one not in loop.blocks:
                         loop.blocks.add(one)
                         waiting += before[one]
-    return list(found.values())
+    return [*found.values(), *_entered_twice(code, list(found.values()))]
+
+
+def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
+    """The loops that a path can enter at more than one block, so that they have no head that is on
+    every path. Each gets a block for its head that is part of each of its rounds."""
+    found: list[Loop] = []
+    while True:
+        ways = {
+            start: [
+                after
+                for after in block.exits()
+                if not any(after == loop.head and start in loop.back for loop in [*loops, *found])
+            ]
+            for start, block in code.blocks.items()
+        }
+        cycle = _cycle(ways)
+        if not cycle:
+            return found
+        blocks = {one for one in _after(ways, cycle[0]) if cycle[0] in _after(ways, one)}
+        heads = (one for one in sorted(blocks) if not _cycle(_within(ways, blocks - {one})))
+        head = next(heads, None)
+        if head is None:
+            return found  # such a function has no bound
+        found.append(Loop(head, blocks, {one for one in blocks if head in ways[one]}))
+
+
+def _cycle(ways: Mapping[int, Iterable[int]]) -> list[int]:
+    try:
+        TopologicalSorter(ways).prepare()
+    except CycleError as error:
+        return list(error.args[1])
+    return []
+
+
+def _within(ways: Mapping[int, Iterable[int]], blocks: set[int]) -> dict[int, list[int]]:
+    return {start: [one for one in ways[start] if one in blocks] for start in blocks}
+
+
+def _after(ways: Mapping[int, Iterable[int]], start: int) -> set[int]:
+    found: set[int] = set()
+    waiting = [start]
+    while waiting:
+        for after in ways[waiting.pop()]:
+            if after not in found:
+                found.add(after)
+                waiting.append(after)
+    return found
 
 
 def _dominators(code: Code, entry: int, before: dict[int, list[int]]) -> dict[int, set[int]]:
