@@ -40,6 +40,16 @@ FORK = """
 1:  adds r1, r1, #1
 2:  bx lr
 """
+# The loop begins at its first or at its second addition.
+ENTERED_TWICE = """
+    movs r0, #10
+    cbz r2, 2f
+1:  adds r1, r1, #1
+2:  adds r1, r1, #2
+    subs r0, r0, #1
+    bne 1b
+    bx lr
+"""
 # A copy of four registers, a load and a store of one.
 MEMORY = """
     ldm r0, {r1, r2, r3, r4}
@@ -69,6 +79,15 @@ def test_a_loop_costs_its_rounds(tmp_path: Path) -> None:
     code = code_of(tmp_path, LOOP)
     assert len(code.loops) == 1
     assert longest(code, 10) == 1 + 10 * 3 + 9 * REFILL + 1 + REFILL
+
+
+def test_a_loop_that_is_entered_at_two_places_costs_its_rounds(tmp_path: Path) -> None:
+    code = code_of(tmp_path, ENTERED_TWICE)
+    (loop,) = code.loops
+    assert len(loop.blocks) == 2
+    # The bound permits a part of a round before the first whole one.
+    first = REFILL + 3 + REFILL
+    assert longest(code, 10) == 1 + 1 + first + 10 * 4 + 9 * REFILL + 1 + REFILL
 
 
 def test_the_longer_way_counts(tmp_path: Path) -> None:
