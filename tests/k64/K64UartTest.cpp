@@ -163,6 +163,7 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
       withHandler(emulator::readImage(imageFile()), kUnusedException, stubs::takeTime(kRounds)));
   robot.startUp();
   robot.connect();
+  robot.run(std::chrono::microseconds(300));  // between two ticks no other handler runs
   robot.board.raise(kUnusedException);
   robot.run(milliseconds(1));
   robot.arrive(scenario::Bytes(2048 + 100, 1));
