@@ -46,8 +46,10 @@ SLOW = 60  # [s] for a whole test on a machine that has other work
 
 def small(root: Path) -> Kind:
     """A kind of campaign with chunks of five cases."""
-    (root / "program").write_text(PROGRAM.format(python=sys.executable), encoding="utf-8")
-    (root / "program").chmod(0o755)
+    program = root / "program"
+    if not program.exists():  # a worker of a killed campaign may still execute it
+        program.write_text(PROGRAM.format(python=sys.executable), encoding="utf-8")
+        program.chmod(0o755)
     return replace(
         KINDS["faults"],
         size=5,
@@ -61,8 +63,6 @@ def small(root: Path) -> Kind:
 
 
 def run(root: Path, *words: str) -> int:
-    if not (root / "program").exists():
-        small(root)
     kinds.KINDS["faults"] = small(root)
     options = parser().parse_args(["campaign", "faults", *words])
     return command.campaign(root, options)
