@@ -77,6 +77,7 @@ int main(int count, char** arguments) try {
   return wr::programs::runProgram(app, count, arguments, [&] {
     const std::optional<wr::faults::Kind> kind = wr::faults::kindOf(only);
     std::vector<wr::programs::Case> repeated;
+    repeated.reserve(cases.size());
     for (const auto& [at, place, bit, value] : cases) {
       repeated.push_back({static_cast<int>(at),
                           {kind.value(), static_cast<std::uint32_t>(place),

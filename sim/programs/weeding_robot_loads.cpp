@@ -94,16 +94,8 @@ class LoadedRobot {
 
  private:
   // How the PC loads its line.
-  enum Style : std::uint32_t {
-    Quiet,
-    Hellos,
-    KeepAlives,
-    Orders,
-    SmallFrames,
-    BigFrames,
-    Bytes,
-    kStyles
-  };
+  enum Style : std::uint32_t { Quiet, Hellos, KeepAlives, Orders, SmallFrames, BigFrames, Bytes };
+  static constexpr std::uint32_t kStyles = Bytes + 1;
 
   static emulator::Options optionsOf(const CampaignOptions& settings) {
     emulator::Options options;

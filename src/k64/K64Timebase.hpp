@@ -80,7 +80,7 @@ class K64Timebase final : public Timebase {
     [[nodiscard]] constexpr Time after(std::uint32_t later) const {
       constexpr std::uint32_t kWhole = K64Board::kTicksPerMicrosecond;
       const std::uint32_t left = ticks + later % kWhole;
-      const std::uint32_t carry = static_cast<std::uint32_t>(left >= kWhole);
+      const auto carry = static_cast<std::uint32_t>(left >= kWhole);
       return {microseconds + (later / kWhole + carry), left - carry * kWhole};
     }
 

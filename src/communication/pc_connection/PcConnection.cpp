@@ -238,9 +238,8 @@ void PcConnection::writeIdentity() {
   writer_.writeU8({.name = FieldName::FirmwareVersion}, firmwareIdentity.major);
   writer_.writeU8({.name = FieldName::FirmwareVersion}, firmwareIdentity.minor);
   writer_.writeU8({.name = FieldName::FirmwareVersion}, firmwareIdentity.patch);
-  for (std::size_t i = 0; i < firmwareIdentity.buildId.size(); ++i) {
-    writer_.writeU8({.name = FieldName::BuildId},
-                    static_cast<std::uint8_t>(firmwareIdentity.buildId[i]));
+  for (const char letter : firmwareIdentity.buildId) {
+    writer_.writeU8({.name = FieldName::BuildId}, static_cast<std::uint8_t>(letter));
   }
 }
 

@@ -53,8 +53,8 @@ class ArgumentValues {
 
   static constexpr std::uint32_t bit(ArgumentId id) { return 1U << static_cast<std::uint32_t>(id); }
 
-  std::array<std::int32_t, kCount> values_;  // without initialization: only present values are read
-  std::uint32_t present_ = 0;                // a bit for each argument that has a value
+  std::array<std::int32_t, kCount> values_{};
+  std::uint32_t present_ = 0;  // a bit for each argument that has a value
 };
 
 /// @brief The arguments of a function.
