@@ -12,8 +12,9 @@ namespace {
 constexpr std::uint32_t kCounter = 0x40002004;  // VALUE of the dual timer, which the timebase reads
 constexpr scenario::RobotSession::Time kPeriod{SystemConstants::instance().cyclePeriod().count()};
 
-// The stops between the bytes take less time than the bytes on a line.
-constexpr scenario::RobotSession::Time kEarlier{10'000};
+// QEMU stops for each byte. In a stop its clock can go on for as long as this machine lets it wait.
+// So the bytes come early: the stops of a frame have most of a period.
+constexpr scenario::RobotSession::Time kEarlier{80'000};
 
 }  // namespace
 
@@ -53,6 +54,10 @@ void QemuSession::send(std::span<const std::uint8_t> bytes) {
 void QemuSession::sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) {
   if (runUntil(lastPulse_ + kPeriod - before - kEarlier)) {
     send(bytes);
+    run({rest_, cycle_, end_});
+    if (now_ >= lastPulse_ + kPeriod) {
+      throw std::runtime_error("QEMU waited too long: the clock pulse came before the bytes");
+    }
   }
 }
 

@@ -15,7 +15,7 @@
 namespace wr::mps2 {
 
 /// @brief The firmware on the emulated board, in stepped time. It has no motors and no sensors.
-/// Bytes to the robot arrive at once; bytes that are due before a clock pulse arrive up to 10 ms
+/// Bytes to the robot arrive at once; bytes that are due before a clock pulse arrive up to 80 ms
 /// earlier. The firmware does not sleep here: during a sleep QEMU uses the time of this machine.
 class QemuSession final : public scenario::RobotSession {
  public:
