@@ -52,3 +52,7 @@ def test_the_page_has_each_path_with_the_time_of_its_recording(page: str) -> Non
 def test_the_page_has_the_response_time_of_each_interrupt(page: str) -> None:
     assert ">235<" in page
     assert "8 in 1 ms, 32 in 1 ms with noise." in page
+
+
+def test_answers_lead_to_the_comparison_with_the_paper_without_a_measurement_too(page: str) -> None:
+    assert 'id="paper"' in page
