@@ -102,7 +102,7 @@ def identity(root: Path) -> Release:
     """The commit and its time; an error when a file differs from it."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if not commit:
-        raise FailureError("this folder is not a git clone: a release needs a commit")
+        raise MissingError("this folder is not a git clone: a release needs a commit")
     changed = git(root, "status", "--porcelain").splitlines()
     if changed:
         raise FailureError(f"{len(changed)} files differ from the commit: commit them first")
