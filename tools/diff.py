@@ -115,7 +115,7 @@ def copy_syntax(root: Path, copy: Path) -> None:
 
 
 def changed_files(root: Path, first: str, second: str) -> Iterator[Difference]:
-    """The files that differ; it says which of them the comparison does not follow."""
+    """The files that differ, with a mark at those whose content is not compared."""
     for line in git(root, "diff", "--no-renames", "--numstat", first, second).splitlines():
         added, removed, path = line.split("\t")
         lines = "binary" if added == "-" else f"+{added} -{removed} lines"
