@@ -3,8 +3,8 @@
 import signal
 import sys
 
-from tools.exit_codes import INTERRUPTED
 from tools.steps import heed_interrupts
+from weeding_robot_client.exit_codes import INTERRUPTED
 
 
 def run() -> int:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tools.bench_runs import keep
 from tools.lock import only_one
-from tools.steps import FailureError
+from tools.steps import FailureError, MissingError
 from tools.tasks import graph
 from traceability.reading import task_record
 from traceability.reading.bench_record import (
@@ -62,6 +62,8 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
     if options.seconds and not options.port:
         parser.error(f"--seconds {options.seconds} needs --port")
     if options.port:
+        if not options.port.exists():
+            raise MissingError(f"there is no port {options.port}: connect the board first")
         return on_board(root, options.port, options.seconds)
     with only_one(root, "bench"):
         ended = graph(root).run([task_record.BENCH, *BESIDES])
@@ -140,7 +142,8 @@ def drive(port: Path, wanted: Iterator[Wish]) -> list[Report]:
     try:
         link = Link(port)
     except OSError as error:
-        raise FailureError(str(error)) from error
+        said = f"cannot open {port}: {error.strerror or error}; connect the board first"
+        raise MissingError(said) from error
     with link:
         sender = Sender(link)
         if not connect(sender):

@@ -88,6 +88,7 @@ def book(root: Path) -> int:
 
 def print_book(root: Path, pdf: Path) -> Path:
     """Makes the PDF. Its bytes depend only on the pages, the commit and the browser."""
+    need_pages(root / SITE)
     browser = find_browser()
     if browser is None or not works(browser):
         raise MissingError("the book needs Chromium: install it, on Debian the package chromium")
@@ -130,10 +131,13 @@ def with_own_numbers(pdf: bytes) -> bytes:
     return NODE.sub(lambda match: b"(node%08d)" % number[match[1]], pdf)
 
 
-def book_text(site: Path, commit: str, when: int) -> str:
+def need_pages(site: Path) -> None:
     missing = [page for page in PAGES if not (site / f"{page}.html").exists()]
     if missing:
-        raise FailureError(f"the page {missing[0]} is missing: make the portal first, ./wr portal")
+        raise MissingError(f"the page {missing[0]} is missing: make the portal first, ./wr portal")
+
+
+def book_text(site: Path, commit: str, when: int) -> str:
     day = time.strftime("%Y-%m-%d", time.gmtime(when))
     return "\n".join(
         [

@@ -30,14 +30,15 @@ from tools import (
     verify_build,
 )
 from tools.campaign import command as campaign
-from tools.exit_codes import BUSY, INTERRUPTED, MISSING
 from tools.lock import BusyError
-from tools.steps import FailureError, MissingError, cannot_write
+from tools.steps import FailureError, UsageError, cannot_write
+from weeding_robot_client.exit_codes import BUSY, FAILED, INTERRUPTED, MISSING
 
 ROOT = Path(__file__).resolve().parents[1]
 
 
 def parser() -> argparse.ArgumentParser:
+    """The parser of the command line. Its result contains the parser of the command, for errors."""
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
     for module in (
@@ -70,11 +71,15 @@ def parser() -> argparse.ArgumentParser:
         "setup/python.lock into .venv. Does nothing when nothing is missing.",
     )
     setup.set_defaults(run=lambda _root, _options: 0)
+    for command in commands.choices.values():
+        command.set_defaults(parser=command)
     return top
 
 
 def main(arguments: list[str]) -> int:
-    options = parser().parse_args(arguments)
+    options, rest = parser().parse_known_args(arguments)
+    if rest:
+        options.parser.error(f"there is no option {' '.join(rest)}")
     try:
         code: int = options.run(ROOT, options)
     except KeyboardInterrupt:
@@ -82,13 +87,15 @@ def main(arguments: list[str]) -> int:
         return INTERRUPTED
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1
+        return FAILED
     except BusyError as error:
         print(f"wr {options.command}: {error}.", file=sys.stderr)
         return BUSY
+    except UsageError as error:
+        options.parser.error(str(error))
     except FailureError as error:
         print(f"wr {options.command}: {error}", file=sys.stderr)
-        return MISSING if isinstance(error, MissingError) else 1
+        return error.code
     except OSError as error:
         if (said := cannot_write(error)) is None or not is_of_project(error):
             raise

@@ -17,7 +17,7 @@ from pathlib import Path
 from tools.cmake_build import BOARD_PROGRAM, BOARD_TESTS, TESTS, build
 from tools.firmware import add_product
 from tools.lock import only_one
-from tools.steps import FailureError, MissingError, log_of
+from tools.steps import FailureError, MissingError, UsageError, log_of, need_file
 from tools.tasks import RECORDED_IMAGES, VIRTUAL_BOARD, graph
 from traceability.reading.gtest_cases import read_tests
 from traceability.reading.products import PAPER, recorded_image_of
@@ -28,6 +28,9 @@ GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
 ON_HOST = "debug"  # the preset of programs that are debugged on this machine
 # Folders of tests whose subject runs on this machine.
 OF_EMULATOR = ("tests/sim/", "tests/torture/")
+SCENARIO = ".scenario"
+SCENARIO_ADVICE = "name the file of a scenario, such as those of sim/scenario/examples"
+TEST_ADVICE = "the page Tests has the names of the tests"
 WAIT = 20  # s, until a board waits at its port
 
 
@@ -69,8 +72,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 def debug(root: Path, options: argparse.Namespace) -> int:
     name: str | None = options.name
     if name and "::" in name:
+        need_file(root / name.partition("::")[0], TEST_ADVICE)
         return start(root, python_target(root, name), options.shows)
-    if name is None or name.endswith(".scenario"):
+    if name and name.endswith(SCENARIO):
+        need_file(Path(name), SCENARIO_ADVICE)
+    if name is None or name.endswith(SCENARIO):
         return start(root, board_target(root, options.product, name, options.shows), options.shows)
     file = file_of(root, name)
     if runs_on_board(file, chosen=options.board):
@@ -83,7 +89,7 @@ def file_of(root: Path, name: str) -> str:
     for file, found in tests_below(root):
         if found == name:
             return file
-    raise FailureError(f"there is no test {name}: the page Tests has the names")
+    raise UsageError(f"there is no test {name}: the page Tests has the names")
 
 
 def filter_of(name: str) -> str:
@@ -104,7 +110,7 @@ def runs_on_board(file: str, *, chosen: bool) -> bool:
     if file.startswith(OF_EMULATOR):
         return False
     if chosen and not file.startswith((*BOARD_ONLY, "tests/system/")):
-        raise FailureError(f"{file} does not run on the virtual board")
+        raise UsageError(f"{file} does not run on the virtual board")
     return file.startswith(BOARD_ONLY) or (chosen and not file.startswith(HOST_ONLY))
 
 

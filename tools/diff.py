@@ -5,13 +5,15 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import json
+import shutil
 import signal
 import subprocess
 import tempfile
+from collections.abc import Iterator
 from itertools import groupby
 from pathlib import Path
 
-from tools.steps import FailureError
+from tools.steps import FailureError, UsageError
 from traceability.exports.revision import (
     Revision,
     differences,
@@ -21,8 +23,13 @@ from traceability.exports.revision import (
 )
 from traceability.reading.build_evidence import git
 from traceability.reading.comparison_record import Comparison, Difference, write_comparison
+from traceability.sources import DESIGN
 
 PAGE = "differences.html"
+SYNTAX = Path("build/model/cache")
+# The sources of the requirements, trees, tests, methods, reviews and modules.
+FOLLOWED = (*(f"{folder}/" for folder in DESIGN), "requirements/", "design/", "tests/")
+UNFOLLOWED = (".py", ".scenario", ".json")
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -30,9 +37,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "diff",
         description="Compares two commits: requirements, trees, tests, methods, reviews and "
         "modules, from the sources of both. Verdicts, sizes, findings and metrics are compared "
-        "where ./wr portal or ./wr check recorded both commits in build/revisions. The next portal "
-        "shows the differences on a page. Reading a "
-        "commit for the first time takes about half a minute. Exit code 0, with and without "
+        "where ./wr portal or ./wr check recorded both commits in build/revisions. Lists all files "
+        "that differ; the content of those with 'not followed' is not compared, such as Python "
+        "sources and pages. The next portal shows the differences on a page. Reading a "
+        "commit for the first time takes up to half a minute. Exit code 0, with and without "
         "differences.",
     )
     parser.add_argument("first", metavar="REV1", help="a commit, a branch or a tag")
@@ -45,7 +53,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 def diff(root: Path, options: argparse.Namespace) -> int:
     first, second = (load(root, name) for name in (options.first, options.second))
-    found = differences(first, second)
+    found = [*differences(first, second), *changed_files(root, first.commit, second.commit)]
     unmeasured = [one.commit for one in (first, second) if one.findings is None]
     write_comparison(root, Comparison(first.commit, second.commit, found, unmeasured))
     if options.json:
@@ -61,7 +69,7 @@ def diff(root: Path, options: argparse.Namespace) -> int:
 def commit_of(root: Path, name: str) -> str:
     commit = git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}").strip()
     if not commit:
-        raise FailureError(f"git has no commit {name}")
+        raise UsageError(f"git has no commit {name}")
     return commit
 
 
@@ -82,6 +90,7 @@ def read_sources(root: Path, commit: str) -> Revision:
     with tempfile.TemporaryDirectory(prefix="weeding-robot-") as folder:
         copy = Path(folder)
         unpack(root, commit, copy)
+        copy_syntax(root, copy)
         # The readers end their processes with SIGTERM, which is an interrupt of this command.
         heeded = signal.signal(signal.SIGTERM, signal.SIG_DFL)
         built = build(copy)
@@ -96,6 +105,22 @@ def unpack(root: Path, commit: str, folder: Path) -> None:
         ["git", "-C", str(root), "archive", commit], capture_output=True, check=True
     )
     subprocess.run(["tar", "-x", "-C", str(folder)], input=archive.stdout, check=True)
+
+
+def copy_syntax(root: Path, copy: Path) -> None:
+    """Copies the cached syntax of the present sources: only units that differ are parsed."""
+    (copy / SYNTAX).mkdir(parents=True)
+    for facts in (root / SYNTAX).glob("*.facts"):
+        shutil.copy(facts, copy / SYNTAX)
+
+
+def changed_files(root: Path, first: str, second: str) -> Iterator[Difference]:
+    """The files that differ, with a mark at those whose content is not compared."""
+    for line in git(root, "diff", "--no-renames", "--numstat", first, second).splitlines():
+        added, removed, path = line.split("\t")
+        lines = "binary" if added == "-" else f"+{added} -{removed} lines"
+        followed = path.startswith(FOLLOWED) and not path.endswith(UNFOLLOWED)
+        yield Difference("changed files", path, lines + ("" if followed else "; not followed"))
 
 
 def lines_of(found: list[Difference]) -> list[str]:

@@ -14,8 +14,9 @@ from tools import usb_drive
 from tools.firmware import add_product
 from tools.image import lock_problems
 from tools.lock import only_one
+from tools.radio_key import ADVICE as KEY_ADVICE
 from tools.radio_key import KeyFileError, write_keyed
-from tools.steps import FailureError, MissingError, Steps, log_of, run
+from tools.steps import FailureError, MissingError, Steps, log_of, need_file, run
 from tools.tasks import K64_FIRMWARE, graph
 from traceability.reading.products import image_of
 
@@ -74,6 +75,14 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
     name = "drive" if options.drive else options.way
     if options.way not in (None, name):
         parser.error(f"--drive does not go with --with {options.way}")
+    for file in (options.image, options.bluetooth_key):
+        if file:
+            need_file(
+                file,
+                f"name an existing file. {KEY_ADVICE}"
+                if file == options.bluetooth_key
+                else "make the image with ./wr firmware, or name another file",
+            )
     image: Path = options.image or root / image_of(options.product, ".bin")
     steps = Steps(root, 2 + bool(options.bluetooth_key))
     if not options.image:

@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 
 from portal.recording_page import RecordingError, recording_page
-from tools.steps import FailureError
+from tools.steps import MissingError, UsageError, need_file
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -25,10 +25,16 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def plot(recording: Path, out: Path | None) -> int:
+    need_file(recording, "make a recording with ./wr monitor --mcap FILE")
     page = out or recording.with_suffix(".html")
     try:
-        page.write_text(recording_page(recording), encoding="utf-8")
-    except (OSError, RecordingError, KeyError) as error:
-        raise FailureError(f"cannot draw {recording}: {error}") from error
+        text = recording_page(recording)
+    except (RecordingError, KeyError, ValueError) as error:
+        raise UsageError(f"cannot draw {recording}: {error}") from error
+    try:
+        page.write_text(text, encoding="utf-8")
+    except OSError as error:
+        said = f"cannot write {page}: {error.strerror}; name another file with --out"
+        raise MissingError(said) from error
     print(page)
     return 0

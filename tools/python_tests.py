@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
 from typing import TextIO
@@ -15,6 +16,7 @@ from tools.task_graph import Outcome
 from traceability.reading.results import RESULTS
 
 # Tests that mostly wait for a robot in real time: more of them than processors run in parallel.
+TESTS = Path("tests/python")
 WAITING = "client"
 WAITING_JOBS = "8"
 
@@ -26,15 +28,32 @@ IMPORTED_FROM = ("", "site", "client")  # as in pyproject.toml
 
 def imported_files(root: Path, folder: str) -> list[str]:
     """The Python files of the project that the tests of a folder import, directly or not."""
-    tests = root / "tests/python"
+    tests = root / TESTS
     waiting = [*tests.glob("conftest.py"), *(tests / folder).glob("*.py")]
+    return sorted(str(file.relative_to(root)) for file in _imported(root, waiting))
+
+
+def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
+    """The test files that are or import one of these Python files -> the first of these files."""
+    found = {}
+    for test in sorted((root / TESTS).glob("*/test_*.py")):
+        around = [*(root / TESTS).glob("conftest.py"), *test.parent.glob("conftest.py")]
+        own = str(test.relative_to(root))
+        used = {str(file.relative_to(root)) for file in _imported(root, [test, *around])}
+        if reached := sorted(used.intersection(paths), key=lambda path: path != own):
+            found[own] = reached[0]
+    return found
+
+
+def _imported(root: Path, waiting: list[Path]) -> set[Path]:
+    """These files, and the files that they import, directly or not."""
     found: set[Path] = set()
     while waiting:
         file = waiting.pop()
         if file not in found:
             found.add(file)
             waiting += _imports(root, file)
-    return sorted(str(file.relative_to(root)) for file in found)
+    return found
 
 
 @functools.cache

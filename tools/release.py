@@ -24,7 +24,7 @@ from tools.tasks import DOCUMENTS, K64_FIRMWARE, graph, pages_graph
 from tools.verify_build import clone, environment
 from traceability.exports.svd import write_svd
 from traceability.exports.tool_files import FILES
-from traceability.exports.verification_table import JSON, JUNIT
+from traceability.exports.verification_table import JSON, JUNIT, SCHEMA
 from traceability.model.pattern_price import MEASURED
 from traceability.reading.build_evidence import git
 from traceability.reading.live_record import MODULE
@@ -47,7 +47,7 @@ SHOWN = 20  # differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
 # Files of a build that no page needs: they contain paths and times of this machine.
 NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", ".bak", "status.json")
-EXPORTS = ("model.json", "model.schema.json", JSON, JUNIT, *(file.name for file in FILES))
+EXPORTS = ("model.json", "model.schema.json", JSON, SCHEMA, JUNIT, *(file.name for file in FILES))
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ def identity(root: Path) -> Release:
     """The commit and its time; an error when a file differs from it."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if not commit:
-        raise FailureError("this folder is not a git clone: a release needs a commit")
+        raise MissingError("this folder is not a git clone: a release needs a commit")
     changed = git(root, "status", "--porcelain").splitlines()
     if changed:
         raise FailureError(f"{len(changed)} files differ from the commit: commit them first")

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tools.steps import FailureError
+from tools.steps import FailureError, MissingError, UsageError
 
 if TYPE_CHECKING:
     from traceability.model.design_model import Model
@@ -48,16 +48,16 @@ def review(root: Path, options: argparse.Namespace) -> int:
     from traceability.model.build import build
     from traceability.model.reviews import DESIGN, LinkTexts
 
+    if not options.baseline and len(options.ids) != 1:
+        raise UsageError("name one requirement to review, such as ./wr review FR-15")
     built = build(root)
     known = {*built.model.requirements, *([DESIGN] if options.baseline else [])}
     unknown = [name for name in options.ids if name not in known]
     if unknown:
-        raise FailureError(f"there is no requirement {', '.join(unknown)}")
+        raise UsageError(f"there is no requirement {', '.join(unknown)}")
     texts = LinkTexts(built.model, built.facts)
     if options.baseline:
         return record_baseline(root, built.model, texts, options.ids)
-    if len(options.ids) != 1:
-        raise FailureError("name one requirement to review, such as ./wr review FR-15")
     requirement = built.model.requirements[options.ids[0]]
     return review_one(root, requirement, texts.of(requirement), options)
 
@@ -99,7 +99,7 @@ def review_one(
     from traceability.schema import Place, Review
 
     if not sys.stdin.isatty():
-        raise FailureError("a person answers the questions of a review: run it in a terminal")
+        raise UsageError("a person answers the questions of a review: run it in a terminal")
     reviewer = options.name or git_setting(root, "user.name", "--name")
     email = options.email or git_setting(root, "user.email", "--email")
     files = sorted({text.place.file for text in texts})
@@ -203,5 +203,5 @@ def git(root: Path, *words: str) -> str:
 def git_setting(root: Path, name: str, option: str) -> str:
     value = git(root, "config", name).strip()
     if not value:
-        raise FailureError(f"git has no {name}: set it, or give {option}")
+        raise MissingError(f"git has no {name}: set it, or give {option}")
     return value

@@ -12,7 +12,7 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from portal.site_build import build_site
-from tools.steps import FailureError
+from tools.steps import UsageError
 from traceability.checks import message, run_checks, run_link_checks
 from traceability.model.build import build, commit
 from traceability.reading.seeded_fault_record import SOURCES, Outcome, write_record
@@ -47,7 +47,7 @@ def seed(root: Path, checks: list[str]) -> list[Outcome]:
     faults = read_faults(root)
     unknown = sorted(set(checks) - {fault.check for fault in faults})
     if unknown:
-        raise FailureError(f"no fault is seeded for the check {', '.join(unknown)}")
+        raise UsageError(f"no fault is seeded for the check {', '.join(unknown)}")
     return list(_outcomes(root, [fault for fault in faults if fault.check in checks]))
 
 

@@ -9,7 +9,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
 
-from tools.steps import FailureError
+from tools.steps import FailureError, MissingError
 from tools.task_graph import WAKE
 
 ADDRESS = "127.0.0.1"
@@ -54,7 +54,7 @@ class Handler(SimpleHTTPRequestHandler):
 
 def make_server(site: Path, port: int) -> ThreadingHTTPServer:
     if not (site / "index.html").exists():
-        raise FailureError("there is no portal yet; ./wr portal builds it")
+        raise MissingError("there is no portal yet: make it with ./wr portal")
     try:
         return ThreadingHTTPServer((ADDRESS, port), partial(Handler, directory=str(site)))
     except OSError as error:

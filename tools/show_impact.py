@@ -9,7 +9,8 @@ import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tools.steps import FailureError
+from tools.python_tests import importing_tests
+from tools.steps import UsageError, need_file
 from traceability.reading.build_evidence import git
 
 if TYPE_CHECKING:
@@ -24,8 +25,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "impact",
         description="Builds the model and lists the modules that a change may affect, by their "
-        "distance, and the requirements, patterns and tests to review. The portal shows "
-        "the same on the page of each module and requirement.",
+        "distance, and the requirements, patterns and tests to review. Follows the imports of "
+        "Python files to their tests. Lists the files whose effects it does not follow, such as "
+        "pages, scenarios and build files. The portal shows the effects on the page of each module "
+        "and requirement.",
     )
     parser.add_argument(
         "subject",
@@ -36,22 +39,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def impact(root: Path, options: argparse.Namespace) -> int:
-    from traceability.model.build import build
-    from traceability.model.impact import Impacts, UnknownSubjectError
-
-    subject: str = options.subject
-    path = Path(subject)
-    if path.exists() and path.resolve().is_relative_to(root):
-        subject = str(path.resolve().relative_to(root))
-    try:
-        impacts = Impacts(build(root).model)
-        found = (
-            impacts.of_files(subject, changed_files(root, subject))
-            if RANGE in subject
-            else impacts.of(subject)
-        )
-    except UnknownSubjectError as error:
-        raise FailureError(str(error)) from error
+    found = impact_of(root, options.subject)
     if options.json:
         print(json.dumps(dataclasses.asdict(found), indent=1))
     else:
@@ -59,12 +47,45 @@ def impact(root: Path, options: argparse.Namespace) -> int:
     return 0
 
 
+def impact_of(root: Path, subject: str) -> Impact:
+    from traceability.model.build import build
+    from traceability.model.impact import Impacts, UnknownSubjectError
+
+    path = Path(subject)
+    if path.is_file() and path.resolve().is_relative_to(root):
+        subject = str(path.resolve().relative_to(root))
+    elif "/" in subject and RANGE not in subject:
+        need_file(root / subject, "name a file of the project")
+    files = changed_files(root, subject) if RANGE in subject else [subject]
+    try:
+        impacts = Impacts(build(root).model)
+        if RANGE in subject or (root / subject).is_file():
+            return with_python(root, impacts.of_files(subject, files))
+        return impacts.of(subject)
+    except UnknownSubjectError as error:
+        raise UsageError(str(error)) from error
+
+
+def with_python(root: Path, found: Impact) -> Impact:
+    """Follows the imports of the Python files to their tests."""
+    from traceability.model.impact import Reached
+
+    python = [path for path in found.unfollowed if path.endswith(".py")]
+    for test, path in importing_tests(root, python).items():
+        near = test == path
+        why = "changed" if near else f"imports {path}"
+        found.python_tests.append(Reached(test, 0 if near else 1, why))
+    found.python_tests.sort(key=lambda one: one.distance)
+    found.unfollowed = [path for path in found.unfollowed if not importing_tests(root, [path])]
+    return found
+
+
 def changed_files(root: Path, commits: str) -> list[str]:
     """The files that differ between two commits."""
     for name in commits.split(RANGE):
         if name and not git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}"):
-            raise FailureError(f"git has no commit {name}")
-    return git(root, "diff", "--name-only", commits).splitlines()
+            raise UsageError(f"git has no commit {name}")
+    return git(root, "diff", "--no-renames", "--name-only", commits).splitlines()
 
 
 def lines_of(found: Impact) -> list[str]:
@@ -87,6 +108,11 @@ def lines_of(found: Impact) -> list[str]:
     lines += reasons(found.tests[:SHOWN])
     if len(found.tests) > SHOWN:
         lines.append(f"  and {len(found.tests) - SHOWN} more; --json lists them")
+    lines += ["", f"run again: {counted(len(found.python_tests), 'file')} of Python tests"]
+    lines += reasons(found.python_tests)
+    if found.unfollowed:
+        lines += ["", f"not followed: {counted(len(found.unfollowed), 'file')}; run ./wr test"]
+        lines += [f"  {path}" for path in found.unfollowed]
     return lines
 
 

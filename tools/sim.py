@@ -9,7 +9,7 @@ from pathlib import Path
 from tools.cmake_build import BOARD_PROGRAM
 from tools.firmware import add_product
 from tools.lock import only_one
-from tools.steps import FailureError
+from tools.steps import FailureError, MissingError, need_file
 from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, VIRTUAL_BOARD, graph
 from traceability.reading.products import DEFAULT, PAPER, image_of, recorded_image_of
 from weeding_robot_client.options import positive
@@ -95,6 +95,7 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
         parser.error("--fast needs --board and --cycles")
     if options.reports and not options.scenario:
         parser.error(f"--reports {options.reports} needs --scenario")
+    need_files(options)
     with only_one(root, "sim"):
         images = K64_FIRMWARE if options.gdb is None else RECORDED_IMAGES
         needed = (images, VIRTUAL_BOARD) if options.board else (HOST_FIRMWARE,)
@@ -105,6 +106,15 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
         return os.execv(words[0], words)
     except OSError as error:
         raise FailureError(f"cannot run {words[0]}: {error.strerror}") from error
+
+
+def need_files(options: argparse.Namespace) -> None:
+    """Checks the files of the options before the build."""
+    if options.scenario:
+        need_file(options.scenario, "name a scenario, such as those of sim/scenario/examples")
+    for file in (options.reports, options.trace):
+        if file and not file.absolute().parent.is_dir():
+            raise MissingError(f"cannot write {file}: make the folder {file.parent} first")
 
 
 def command(root: Path, options: argparse.Namespace) -> list[str]:

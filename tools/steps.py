@@ -16,6 +16,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TextIO, TypeVar
 
+from weeding_robot_client.exit_codes import FAILED, MISSING, USAGE
+
 TAIL_LINES = 30
 Result = TypeVar("Result")
 
@@ -23,9 +25,25 @@ Result = TypeVar("Result")
 class FailureError(Exception):
     """A step failed, for the reason in the message."""
 
+    code = FAILED
+
 
 class MissingError(FailureError):
     """An input of the command is missing."""
+
+    code = MISSING
+
+
+class UsageError(FailureError):
+    """The words of the command, or the content of its input file, are wrong."""
+
+    code = USAGE
+
+
+def need_file(path: Path, action: str) -> None:
+    """Raises MissingError, with the action of the user, when there is no such file."""
+    if not path.is_file():
+        raise MissingError(f"there is no file {path}: {action}")
 
 
 # The programs that this process started, and that still run.
@@ -56,7 +74,7 @@ def run(
             process_group=0,
         )
     except FileNotFoundError as error:
-        raise FailureError(f"{words[0]} is not installed") from error
+        raise MissingError(f"{words[0]} is not installed") from error
     with stoppable(program):
         _, status, used = os.wait4(program.pid, 0)
         program.returncode = os.waitstatus_to_exitcode(status)

@@ -64,7 +64,7 @@ def verify_build(root: Path, options: argparse.Namespace) -> int:
 def check_origin(root: Path, *, images: bool) -> None:
     """Checks that the build in this folder belongs to its commit."""
     if not git(root, "rev-parse", "HEAD"):
-        raise FailureError("this folder is not a git clone: there is no commit to repeat")
+        raise MissingError("this folder is not a git clone: there is no commit to repeat")
     changed = git(root, "status", "--porcelain").splitlines()
     if changed:
         raise FailureError(f"{len(changed)} files differ from the commit: commit them first")

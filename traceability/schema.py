@@ -1084,6 +1084,11 @@ class MadeChange:
     tests: Sequence[KitTest]
     place: Place
 
+    @property
+    def new_lines(self) -> int:
+        """The lines added to existing files; a changed line is not one of them."""
+        return self.added_lines - self.composition_lines - self.outside_lines
+
 
 @dataclass(frozen=True)
 class LikelyChange:

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from serial.tools import list_ports
 
+from weeding_robot_client.exit_codes import DONE, FAILED, MISSING, USAGE
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import WHEELS, Quantity, Report
 from weeding_robot_client.monitor import firmware
@@ -43,7 +44,7 @@ No motor is switched on before the emergency stop has passed and you have confir
 are off the ground. Ctrl-C stops the robot. The result is written to a record of this date, in JSON
 and Markdown.
 
-Exit codes: 0 every step passed, 1 a step failed or was skipped, 2 wrong usage."""
+Exit code 1: a step failed or was skipped."""
 
 PROBE_VENDOR = 0x0D28  # USB vendor of the debug probe of the board, which has the serial port
 SUPPLY_VOLTS = (21.0, 29.0)
@@ -740,25 +741,25 @@ def run(options: argparse.Namespace) -> int:
     operator: Operator
     if options.simulated:
         link_path = options.link or DEFAULT_LINK
-        if Path("/dev/pts") not in link_path.resolve().parents:
+        if link_path.exists() and Path("/dev/pts") not in link_path.resolve().parents:
             print(f"--simulated needs a simulator; {link_path} is not one", file=sys.stderr)
-            return 2
+            return USAGE
         try:
             operator = SimulatedOperator(Control(options.control))
         except OperatorError as error:
             print(error, file=sys.stderr)
-            return 1
+            return MISSING
     elif not os.isatty(sys.stdin.fileno()):
         print("bring-up asks a person: it needs a terminal", file=sys.stderr)
-        return 2
+        return USAGE
     else:
         link_path = choose_link(options.link)
         operator = Person()
         if link_path is None:
-            return 1
+            return MISSING
     link = open_link(link_path)
-    if link is None:
-        return 1
+    if isinstance(link, int):
+        return link
     record = Record(now(), str(link_path), simulated=options.simulated)
     with link:
         try:
@@ -768,4 +769,4 @@ def run(options: argparse.Namespace) -> int:
         finally:
             print(f"\nrecord: {record.write(options.record)}")
     print("every step passed" if record.passed else "not every step passed")
-    return 0 if record.passed else 1
+    return DONE if record.passed else FAILED

@@ -13,6 +13,7 @@ from pathlib import Path
 from types import FrameType
 
 from weeding_robot_client import keyboard
+from weeding_robot_client.exit_codes import DONE, FAILED, MISSING, USAGE
 from weeding_robot_client.keyboard import Hand, raw_keys, read_keys
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import Quantity, Report, Welcome
@@ -31,7 +32,7 @@ suspended, the robot is ordered to stop.
 
 {keyboard.HELP}
 
-Exit codes: 0 done, 1 no connection, not armed, stopped or interrupted, 2 wrong usage."""
+Exit code 1: no connection, not armed, stopped or interrupted."""
 EPILOG = HELP
 
 
@@ -53,14 +54,18 @@ def run(options: argparse.Namespace) -> int:
         script = _script(options)
     except ScriptError as error:
         print(error, file=sys.stderr)
-        return 2
+        return USAGE
+    except OSError as error:
+        print(f"cannot read {error.filename}: {error.strerror}. Name another file with --script.",
+              file=sys.stderr)  # fmt: skip
+        return MISSING
     recording = open_recording(options)
     capture = open_capture(options.capture)
     if recording is None or capture is None:
-        return 2
+        return MISSING
     link = open_link(options.link)
-    if link is None:
-        return 1
+    if isinstance(link, int):
+        return link
     with link, recording, capture as link.capture:
         if script:
             return by_script(link, script, recording)
@@ -101,7 +106,7 @@ def _follow(orders: Orders, script: Script, requests: list[int]) -> int:
     error = _prepare(orders)
     if error:
         print(error, file=sys.stderr)
-        return 1
+        return FAILED
     start = time.monotonic()
     while (now := time.monotonic()) < start + script.end_s:
         rest = min(start + script.end_s - now, ORDER_EVERY_S / 5)
@@ -109,16 +114,16 @@ def _follow(orders: Orders, script: Script, requests: list[int]) -> int:
         if requests:
             orders.stop()
             print("interrupted: the robot was ordered to stop", file=sys.stderr)
-            return 1
+            return FAILED
         if not orders.link.connected:
             print("the connection was lost", file=sys.stderr)
-            return 1
+            return FAILED
     orders.end(script.at(script.end_s) or Wish())
     report = orders.report
     if report and report.inhibit == "protective stop":
         print(inhibited(report), file=sys.stderr)
-        return 1
-    return 0
+        return FAILED
+    return DONE
 
 
 def _prepare(orders: Orders) -> str | None:
@@ -165,7 +170,7 @@ def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None
             drop_output()
     if quits:
         print()
-    return 0 if quits else 1
+    return DONE if quits else FAILED
 
 
 def drop_output() -> None:

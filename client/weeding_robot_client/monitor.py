@@ -6,6 +6,7 @@ import argparse
 import sys
 import time
 
+from weeding_robot_client import exit_codes
 from weeding_robot_client.link import Link
 from weeding_robot_client.messages import WHEELS, Report
 from weeding_robot_client.options import add_link, open_capture, open_link, open_recording, positive
@@ -15,9 +16,7 @@ DESCRIPTION = """\
 Connects to the robot and shows its reports: in a terminal a table that is updated, otherwise one
 line for each report. It shows why the robot does not move, the source of a stop, and the round trip
 from an order to its report. A value that is missing or stale is shown as '-'. Ctrl-C ends it. Only
-one program can use the line at a time; ./wr drive shows the reports too.
-
-Exit codes: 0 done, 1 the line cannot be opened, 2 wrong usage."""
+one program can use the line at a time; ./wr drive shows the reports too."""
 EPILOG = ""
 MISSING = "-"
 CLEAR = "\x1b[H\x1b[J"
@@ -36,10 +35,10 @@ def run(options: argparse.Namespace) -> int:
     recording = open_recording(options)
     capture = open_capture(options.capture)
     if recording is None or capture is None:
-        return 2
+        return exit_codes.MISSING
     link = open_link(options.link)
-    if link is None:
-        return 1
+    if isinstance(link, int):
+        return link
     table = sys.stdout.isatty() and not options.lines
     count = 0
     state: tuple[bool, str | None] | None = None
@@ -55,7 +54,7 @@ def run(options: argparse.Namespace) -> int:
                 count += 1
                 if count == options.reports:
                     break
-    return 0
+    return exit_codes.DONE
 
 
 def status(link: Link) -> str:

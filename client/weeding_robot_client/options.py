@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from weeding_robot_client.capture import Capture, write_dissector
+from weeding_robot_client.exit_codes import BUSY, MISSING
 from weeding_robot_client.link import BusyError, Link
 from weeding_robot_client.recording import Recording
 from weeding_robot_client.script import ScriptError, wheel_number
@@ -46,18 +47,18 @@ def wheel(text: str) -> int:
         raise argparse.ArgumentTypeError(str(error)) from error
 
 
-def open_link(path: Path) -> Link | None:
-    """Returns the link, or None after a message with the reason."""
+def open_link(path: Path) -> Link | int:
+    """Returns the link, or the exit code after a message with the reason."""
     try:
         return Link(path)
     except BusyError:
         print(f"{path} is in use: another program drives or monitors the robot.", file=sys.stderr)
         print("End that program, and try again.", file=sys.stderr)
-        return None
+        return BUSY
     except OSError as error:
         print(f"cannot open {path}: {error.strerror or error}", file=sys.stderr)
         print("Run ./wr sim in another terminal, or name a port with --link.", file=sys.stderr)
-        return None
+        return MISSING
 
 
 def open_recording(options: argparse.Namespace) -> Recording | None:

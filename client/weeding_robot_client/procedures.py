@@ -6,6 +6,7 @@ import argparse
 import sys
 
 from weeding_robot_client import orders
+from weeding_robot_client.exit_codes import DONE, FAILED, MISSING
 from weeding_robot_client.monitor import status
 from weeding_robot_client.options import add_link, open_capture, open_link, open_recording
 from weeding_robot_client.orders import Orders, connect, not_connected
@@ -16,12 +17,12 @@ Sends neutral orders (all wheels at 0) until the robot reports that it is armed,
 not armed yet. A stop that the PC ordered before is released. The robot needs neutral orders for 0.5
 s. A program that drives must then send orders: without orders the robot is soon not armed any more.
 
-Exit codes: 0 armed, 1 not armed or no connection, 2 wrong usage."""
+Exit code 1: not armed, or no connection."""
 ACKNOWLEDGE = """\
 Acknowledges the latched protective stop: the robot is at rest and releases its faults. Remove the
 cause first. Then arms the robot, as ./wr arm does.
 
-Exit codes: 0 acknowledged and armed, 1 not armed or no connection, 2 wrong usage."""
+Exit code 1: not armed, or no connection."""
 
 
 def run_arm(options: argparse.Namespace) -> int:
@@ -40,16 +41,16 @@ def _run(options: argparse.Namespace, acknowledges: bool) -> int:
     recording = open_recording(options)
     capture = open_capture(options.capture)
     if recording is None or capture is None:
-        return 2
+        return MISSING
     link = open_link(options.link)
-    if link is None:
-        return 1
+    if isinstance(link, int):
+        return link
     with link, recording, capture as link.capture:
         sender = Orders(link, recording.add)
         report = connect(sender)
         if report is None:
             print(not_connected(link), file=sys.stderr)
-            return 1
+            return FAILED
         print(status(link), file=sys.stderr)
         if acknowledges:
             print("acknowledges ...")
@@ -59,4 +60,4 @@ def _run(options: argparse.Namespace, acknowledges: bool) -> int:
         reason = orders.arm(sender, progress=print)
         sender.end(Wish())
     print(f"not armed: {reason}" if reason else "armed")
-    return 1 if reason else 0
+    return FAILED if reason else DONE

@@ -107,13 +107,11 @@ class Script:
 
 
 def load(path: Path) -> Script:
-    """Returns the script in a file. Raises ScriptError if the file cannot be read."""
+    """Returns the script in a file. Raises OSError if the file cannot be read."""
     try:
         return parse(path.read_text(encoding="utf-8"), str(path))
     except UnicodeDecodeError as error:
         raise ScriptError(f"{path}: this is not a text in UTF-8") from error
-    except OSError as error:
-        raise ScriptError(f"cannot read {path}: {error.strerror}") from error
 
 
 def parse(text: str, name: str = "script") -> Script:

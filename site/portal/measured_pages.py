@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from portal import plots
 from portal.portal import Portal
-from traceability.model.made_changes import proven
+from traceability.model.made_changes import proven, unproven
 from traceability.reading import baseline_record
+from traceability.reading.change_kits import touched_lines
 from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
 from traceability.schema import Place
 
@@ -109,36 +111,36 @@ def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, 
 
 
 def made_changes(portal: Portal) -> dict[str, Any]:
-    """The likely changes that are made, and the lines that some of them change in the baseline."""
+    """The likely changes that are made, and the lines that some of them change in both designs."""
     done = [change.made for change in portal.model.changes.values() if change.made]
-    texts = {
-        change: (portal.root / baseline_record.patch_of(change, baseline_record.USUAL)).read_text(
-            "utf-8"
-        )
-        for change in baseline_record.changes_of(portal.root)
-    }
     return {
         "made": done,
-        "proven": proven,
+        "unproven": unproven,
         "proven_count": sum(map(proven, done)),
-        "baseline": {
-            change: baseline_record.count_patch(text).lines_touched
-            for change, text in texts.items()
+        "makes": Counter(one.extension for one in done),
+        "compared": {
+            change: {design: touched_lines(text) for design, text in patches.items()}
+            for change, patches in patches_of(portal.root).items()
         },
         "titles": baseline_record.TITLES,
         "wide": True,
     }
 
 
-def usual_design(portal: Portal) -> dict[str, Any]:
-    found = baseline_record.read_comparison(portal.root)
-    patches = {
+def patches_of(root: Path) -> dict[str, dict[str, str]]:
+    """Change -> design -> the patch that makes the change."""
+    return {
         change: {
-            design: (portal.root / baseline_record.patch_of(change, design)).read_text("utf-8")
+            design: (root / baseline_record.patch_of(change, design)).read_text("utf-8")
             for design in baseline_record.DESIGNS
         }
-        for change in baseline_record.changes_of(portal.root)
+        for change in baseline_record.changes_of(root)
     }
+
+
+def usual_design(portal: Portal) -> dict[str, Any]:
+    found = baseline_record.read_comparison(portal.root)
+    patches = patches_of(portal.root)
     functions = baseline_record.beside(found["functions"], LEAST_DIFFERENCE) if found else []
     return {
         "found": found,

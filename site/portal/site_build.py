@@ -95,6 +95,7 @@ def write_exports(portal: Portal, site: Path) -> None:
     remove_others(site / DIAGRAMS, "*.puml", kept)
     files[model_json.MODEL] = model_json.model_text(portal.model, portal.report)
     files[model_json.SCHEMA] = model_json.schema_text()
+    files[verification_table.SCHEMA] = verification_table.schema_text()
     for file in available(portal.root):
         files[file.name] = file.make(portal.root, portal.model, portal.report)
     for name, text in files.items():

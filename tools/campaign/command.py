@@ -14,7 +14,7 @@ from tools.campaign.kinds import KINDS, Kind
 from tools.campaign.workers import run_here, run_on_dask
 from tools.cmake_build import build
 from tools.lock import only_one
-from tools.steps import FailureError, Steps
+from tools.steps import FailureError, Steps, UsageError
 from traceability.model.build import commit
 from traceability.reading.published import publish
 
@@ -83,7 +83,7 @@ def run(root: Path, kind: Kind, store: Store, options: argparse.Namespace) -> No
     chunks = chunks_of(options.seed, options.count or kind.usual, kind.size)
     finished = set(store.finished())
     if finished and not options.resume:
-        raise FailureError(
+        raise UsageError(
             f"{len(finished)} chunks of this campaign are finished: --resume keeps them. "
             f"To run them again remove {store.folder.relative_to(root)}"
         )

@@ -6,7 +6,8 @@ The texts of its links are as in its baseline, and each review is valid.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -19,7 +20,6 @@ from traceability.reading.ast_facts import ANY_CLASS
 from traceability.reading.gtest_cases import read_tests, unknown_macros
 from traceability.reading.image_record import TOTALS, read_image
 from traceability.reading.products import PRODUCTS
-from traceability.reading.results import RESULTS, RUNS
 from traceability.reading.source_facts import Facts
 from traceability.schema import (
     HOST,
@@ -71,7 +71,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         *_sources(model, facts),
         *_uncalled(model, facts),
         *_unbuilt(model, facts),
-        *_old_image(facts),
+        *_old_image(model, facts),
     ]
 
 
@@ -245,7 +245,7 @@ def _spare(item: Justified) -> Sequence[str]:
 def _stale(model: Model) -> list[Finding]:
     return [
         Finding(
-            Place(f"{RESULTS}/{RUNS[binding]}.json", 1),
+            _first_place(model, partial(_is_tested_on, model, binding)),
             "req-stale",
             f"there are no test results of the {binding}"
             if made_from is None
@@ -257,12 +257,24 @@ def _stale(model: Model) -> list[Finding]:
     ]
 
 
-def _old_image(facts: Facts) -> list[Finding]:
+def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
+    tests = (model.tests[name] for name in requirement.verified_by if name in model.tests)
+    return any(binding in test.results for test in tests)
+
+
+def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place:
+    """The first requirement that a finding concerns, because results are no source to open."""
+    ordered = sorted(model.requirements.values(), key=lambda one: not concerns(one))
+    return ordered[0].place if ordered else Place("requirements", 1)
+
+
+def _old_image(model: Model, facts: Facts) -> list[Finding]:
     """The checks of the image and of its stack do not run while it is older than the sources."""
     if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
         return []
     text = "the image is older than the sources, so its size and its stack are not compared"
-    return [Finding(Place(str(TOTALS), 1), "req-stale", text, "run ./wr firmware")]
+    place = _first_place(model, lambda one: bool(one.evidence))
+    return [Finding(place, "req-stale", text, "run ./wr firmware")]
 
 
 def _requirements(model: Model) -> list[Finding]:

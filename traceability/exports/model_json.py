@@ -66,14 +66,14 @@ def schema_text() -> str:
 
 
 def model_schema() -> dict[str, Any]:
-    """The schema, made from the classes of the model."""
+    return schema_of(Model, "Model of the weeding robot's software")
+
+
+def schema_of(kind: type, title: str) -> dict[str, Any]:
+    """The schema of a file, made from the class of its content and the classes of its parts."""
     definitions: dict[str, Any] = {}
-    top = _class(Model, definitions)
-    return (
-        {"$schema": DIALECT, "title": "Model of the weeding robot's software"}
-        | top
-        | {"$defs": dict(sorted(definitions.items()))}
-    )
+    top = _class(kind, definitions)
+    return {"$schema": DIALECT, "title": title} | top | {"$defs": dict(sorted(definitions.items()))}
 
 
 def _class(kind: type, definitions: dict[str, Any]) -> dict[str, Any]:

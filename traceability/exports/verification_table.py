@@ -4,17 +4,87 @@ from __future__ import annotations
 
 import json
 import xml.etree.ElementTree as ET
-from dataclasses import asdict
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
+from traceability.exports.model_json import schema_of
 from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.reading.results import RESULTS
 from traceability.reading.traces import nodes_of
-from traceability.schema import Requirement
+from traceability.schema import LineGap, MethodCoverage, Place, Requirement
 
 JSON, JUNIT = "verification.json", "verification.xml"
+SCHEMA = "verification.schema.json"
+
+
+@dataclass(frozen=True)
+class ReviewResult:
+    """The review of a requirement by a person; it holds while no text has changed."""
+
+    reviewer: str
+    date: str
+    holds: bool
+    remark: str
+
+
+@dataclass(frozen=True)
+class CheckedNode:
+    """A call of a tree: whether the code can make it, and by target whether a test made it."""
+
+    node: str
+    reachable: bool | None
+    executed: Mapping[str, bool]
+
+
+@dataclass(frozen=True)
+class Measurement:
+    """A metric with its bound and its measured value; null when it was not measured."""
+
+    figure: str
+    relation: str
+    bound: float
+    unit: str
+    place: Place
+    value: float | None
+    holds: bool
+
+
+@dataclass(frozen=True)
+class VerifiedRequirement:
+    """A requirement with its verdict and the results that lead to it.
+
+    ``tests`` contains the results of each test by target, ``coverage`` the methods by target.
+    """
+
+    id: str
+    section: str
+    state: str
+    level: str
+    products: Sequence[str]
+    method: str
+    partly: str
+    goals: Sequence[str]
+    reasons: Sequence[str]
+    suspect: Sequence[str]
+    reviews: Sequence[ReviewResult]
+    satisfied_by: Sequence[str]
+    tests: Mapping[str, Mapping[str, str | None]]
+    tree: Sequence[CheckedNode]
+    coverage: Mapping[str, list[MethodCoverage]]
+    evidence: Sequence[Measurement]
+
+
+@dataclass(frozen=True)
+class Verification:
+    """The verification of all requirements, and the lines that a reason justifies."""
+
+    commit: str
+    sources: str
+    requirements: Sequence[VerifiedRequirement]
+    justified: Sequence[LineGap]
 
 
 def write_exports(root: Path, site: Path, model: Model, report: Report) -> None:
@@ -29,55 +99,48 @@ def write_exports(root: Path, site: Path, model: Model, report: Report) -> None:
             (folder / name).write_text(text, encoding="utf-8")
 
 
+def schema_text() -> str:
+    title = "Verification of the weeding robot's software"
+    return json.dumps(schema_of(Verification, title), indent=1)
+
+
 def table(model: Model, report: Report) -> dict[str, Any]:
-    return {
-        "commit": model.commit,
-        "sources": model.sources_hash,
-        "requirements": [row(model, report, item) for item in model.requirements.values()],
-        "justified": [asdict(gap) for gap in model.line_gaps if gap.reason],
-    }
+    rows = [row(model, report, item) for item in model.requirements.values()]
+    justified = [gap for gap in model.line_gaps if gap.reason]
+    return asdict(Verification(model.commit, model.sources_hash, rows, justified))
 
 
-def row(model: Model, report: Report, requirement: Requirement) -> dict[str, Any]:
+def row(model: Model, report: Report, requirement: Requirement) -> VerifiedRequirement:
     verdict = report.requirements[requirement.id]
     nodes = nodes_of(requirement.tree) if requirement.tree else []
-    return {
-        "id": requirement.id,
-        "section": requirement.section,
-        "state": verdict.state,
-        "level": requirement.level,
-        "products": requirement.products,
-        "method": requirement.method,
-        "partly": requirement.partly,
-        "goals": requirement.goals,
-        "reasons": verdict.reasons,
-        "suspect": [
-            f"{suspicion.kind} {suspicion.name} {suspicion.text}"
-            for suspicion in requirement.suspicions
-        ],
-        "reviews": [
-            {"reviewer": one.reviewer, "date": one.date, "holds": one.holds, "remark": one.remark}
+    return VerifiedRequirement(
+        id=requirement.id,
+        section=requirement.section,
+        state=verdict.state,
+        level=requirement.level,
+        products=requirement.products,
+        method=requirement.method,
+        partly=requirement.partly,
+        goals=requirement.goals,
+        reasons=verdict.reasons,
+        suspect=[f"{one.kind} {one.name} {one.text}" for one in requirement.suspicions],
+        reviews=[
+            ReviewResult(one.reviewer, one.date, one.holds, one.remark)
             for one in requirement.reviews
         ],
-        "satisfied_by": requirement.satisfied_by,
-        "tests": {
+        satisfied_by=requirement.satisfied_by,
+        tests={
             name: {binding: one.result for binding, one in model.tests[name].results.items()}
             for name in requirement.verified_by
         },
-        "tree": [
-            {"node": node.label, "reachable": node.reachable, "executed": node.executed}
-            for node in nodes
-        ],
-        "coverage": {
-            binding: [asdict(method) for method in methods]
-            for binding, methods in requirement.coverage.items()
-        },
-        "evidence": [
-            asdict(evidence) | {"value": value, "holds": evidence.holds(value)}
+        tree=[CheckedNode(node.label, node.reachable, node.executed) for node in nodes],
+        coverage=requirement.coverage,
+        evidence=[
+            Measurement(**vars(evidence), value=value, holds=evidence.holds(value))
             for evidence in requirement.evidence
             for value in [report.measured[evidence.figure]]
         ],
-    }
+    )
 
 
 def junit(model: Model, report: Report) -> ET.Element:

@@ -35,6 +35,11 @@ class Impact:
     patterns: list[Reached] = field(default_factory=list)
     tests: list[Reached] = field(default_factory=list)
     goals: list[Reached] = field(default_factory=list)  # safety goals
+    python_tests: list[Reached] = field(default_factory=list)  # files of tests
+    unfollowed: list[str] = field(default_factory=list)  # changed files without a known effect
+
+    def is_empty(self) -> bool:
+        return not (self.modules or self.requirements or self.tests)
 
     def at(self, distance: int) -> list[Reached]:
         return [module for module in self.modules if module.distance == distance]
@@ -140,9 +145,12 @@ class Impacts:
         return self._from(impact, start)
 
     def of_files(self, subject: str, paths: Sequence[str]) -> Impact:
-        """The effects of a change of several files; files that are not in the model have none."""
-        joined = Impact(subject, "commits", "")
+        """The effects of a change of several files. Files without an effect in the model are in
+        ``unfollowed``."""
+        joined = Impact(subject, "commits" if ".." in subject else "file", "")
         parts = [self._of_file(path) for path in paths if path in self.model.files]
+        followed = {part.subject for part in parts if not part.is_empty()}
+        joined.unfollowed = [path for path in paths if path not in followed]
         for name in ("modules", "requirements", "patterns", "tests", "goals"):
             found: dict[str, Reached] = {}
             reached = [one for part in parts for one in getattr(part, name)]

@@ -73,8 +73,16 @@ def _named_tests(model: Model, kit: Kit) -> Iterator[KitTest]:
 
 
 def proven(change: MadeChange | None) -> bool:
-    """Whether all tests passed in this build, at least one of them on each target."""
-    if change is None:
-        return False
-    passed = {test.target for test in change.tests if test.result == "passed"}
-    return passed == {HOST, VIRTUAL_K64} and all(one.result == "passed" for one in change.tests)
+    return change is not None and not unproven(change)
+
+
+def unproven(change: MadeChange) -> str:
+    """The reason why a change is not proven. Empty when all its tests passed in this build, at
+    least one of them on each target."""
+    results = {test.result for test in change.tests}
+    missing = sorted({HOST, VIRTUAL_K64} - {test.target for test in change.tests})
+    if failed := [test.id for test in change.tests if test.result not in ("passed", None)]:
+        return f"{failed[0]} did not pass"
+    if None in results:
+        return "its tests did not run with the present sources: run ./wr test"
+    return f"it has no test on this target: {', '.join(missing)}" if missing else ""

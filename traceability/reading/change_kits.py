@@ -20,6 +20,8 @@ DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
 UNCHANGED = "weeding_robot_paper"  # the image that a kit without an extension is compared with
 # The composition: the files that make the parts and bind them to each other.
 COMPOSITION = ("src/construction/", "src/k64/start_up/")
+# The composition of the pattern design that is compared with the baseline design.
+COMPARED = "tests/usual_design/patterns/PatternDesign."
 ON_BOARD = "OnBoard"  # end of the name of a suite that runs the image of a kit
 TEST = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)")
 CLASS = re.compile(r"^class (\w+)(?: final)?(?: : public (\w+))?", re.MULTILINE)
@@ -91,6 +93,25 @@ def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
     if (folder / PATCH).exists():
         count_lines(kit, (folder / PATCH).read_text(encoding="utf-8"))
     return kit
+
+
+@dataclass(frozen=True)
+class TouchedLines:
+    """The existing lines that a patch changes."""
+
+    outside: int  # of the composition
+    composition: int
+
+
+def touched_lines(patch: str) -> TouchedLines:
+    parts = [count_patch(part) for part in PART_OF_PATCH.findall(patch)]
+    composed = [
+        one.lines_touched
+        for one in parts
+        if all(name.startswith((*COMPOSITION, COMPARED)) for name in one.files_changed)
+    ]
+    whole = sum(one.lines_touched for one in parts)
+    return TouchedLines(whole - sum(composed), sum(composed))
 
 
 def count_lines(kit: Kit, patch: str) -> None:

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from weeding_robot_client import bring_up
+from weeding_robot_client import bring_up, exit_codes
 from weeding_robot_client.bring_up import BringUp, Motion, Record, Step, choose_link, perform
 from weeding_robot_client.link import Link
 from weeding_robot_client.operators import Control, OperatorError, SimulatedOperator
@@ -275,7 +275,7 @@ def test_the_simulated_operator_refuses_a_real_port(
 def test_a_missing_simulator_is_explained(
     mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert bring_up.run(options(mcu, tmp_path / "none", tmp_path)) == 1
+    assert bring_up.run(options(mcu, tmp_path / "none", tmp_path)) == exit_codes.MISSING
     assert "./wr sim" in capsys.readouterr().err
 
 

@@ -18,7 +18,7 @@ from typing import Any
 
 import pytest
 
-from weeding_robot_client import drive, monitor, procedures
+from weeding_robot_client import drive, exit_codes, monitor, procedures
 from weeding_robot_client import orders as orders_module
 from weeding_robot_client.keyboard import Hand, keys
 from weeding_robot_client.link import Link
@@ -279,28 +279,25 @@ def test_a_script_that_is_wrong_is_wrong_usage(
     assert f"{script}:1:" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(
-    ("content", "message"),
-    [(b"\xff\xfe", "not a text in UTF-8"), (None, "No such file or directory")],
-)
-def test_a_script_that_cannot_be_read_is_wrong_usage(
-    mcu: Any,
-    tmp_path: Path,
-    capsys: pytest.CaptureFixture[str],
-    content: bytes | None,
-    message: str,
+def test_a_script_that_is_no_text_is_wrong_usage(
+    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     script = tmp_path / "script"
-    if content is not None:
-        script.write_bytes(content)
-    assert drive.run(options(mcu, script=script)) == 2
-    error = capsys.readouterr().err
-    assert str(script) in error
-    assert message in error
+    script.write_bytes(b"\xff\xfe")
+    assert drive.run(options(mcu, script=script)) == exit_codes.USAGE
+    assert f"{script}: this is not a text in UTF-8" in capsys.readouterr().err
+
+
+def test_a_missing_script_is_named(
+    mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    script = tmp_path / "script"
+    assert drive.run(options(mcu, script=script)) == exit_codes.MISSING
+    assert f"cannot read {script}: No such file or directory." in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("run", [monitor.run, procedures.run_arm, drive.run])
-def test_a_recording_that_cannot_be_written_is_wrong_usage(
+def test_a_recording_that_cannot_be_written_is_named(
     mcu: Any,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
@@ -309,7 +306,7 @@ def test_a_recording_that_cannot_be_written_is_wrong_usage(
     script = tmp_path / "script"
     script.write_text("at 0s end\n")
     table = tmp_path / "no folder" / "reports.csv"
-    assert run(options(mcu, csv=table, script=script, reports=1)) == 2
+    assert run(options(mcu, csv=table, script=script, reports=1)) == exit_codes.MISSING
     assert capsys.readouterr().err == (
         f"cannot write {table}: No such file or directory. Name another file.\n"
     )
@@ -346,7 +343,7 @@ def test_a_missing_line_is_explained(tmp_path: Path, capsys: pytest.CaptureFixtu
     missing = argparse.Namespace(
         link=tmp_path / "none", csv=None, mcap=None, capture=None, lines=True, reports=1
     )
-    assert monitor.run(missing) == 1
+    assert monitor.run(missing) == exit_codes.MISSING
     assert "./wr sim" in capsys.readouterr().err
 
 
@@ -572,7 +569,7 @@ def test_a_program_that_is_suspended_stops_the_robot_first(mcu: Any, terminal: T
 
 def test_a_busy_line_is_explained(mcu: Any, capsys: pytest.CaptureFixture[str]) -> None:
     with Link(mcu.path):
-        assert monitor.run(options(mcu, reports=1)) == 1
+        assert monitor.run(options(mcu, reports=1)) == exit_codes.BUSY
     assert "is in use: another program drives or monitors the robot" in capsys.readouterr().err
 
 

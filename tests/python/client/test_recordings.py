@@ -15,7 +15,7 @@ from mcap_ros2._vendor.rosidl_adapter.parser import parse_message_string
 from portal.recording_page import RecordingError, changes, plots, read_recording, recording_page
 from tests.python.client.test_drive import options
 from tools import cli
-from weeding_robot_client import drive
+from weeding_robot_client import drive, exit_codes
 from weeding_robot_client.layout import LAYOUTS
 from weeding_robot_client.mcap_file import TOPIC, read_mcap
 from weeding_robot_client.ros_messages import messages
@@ -109,7 +109,8 @@ def test_another_file_is_no_recording(tmp_path: Path, capsys: pytest.CaptureFixt
     other.write_text("a,b\n1,2\n")
     with pytest.raises(RecordingError):
         recording_page(other)
-    assert cli.main(["plot", str(other)]) == 1
+    with pytest.raises(SystemExit, match=str(exit_codes.USAGE)):
+        cli.main(["plot", str(other)])
     assert "is not a recording of reports" in capsys.readouterr().err
 
 

@@ -7,12 +7,13 @@ import shutil
 import struct
 from pathlib import Path
 
+import jsonschema
 import pytest
 
 from tests.python.model.small_tree import write_tree
 from tests.python.reading.task_records import record_task
 from traceability.checks import run_checks
-from traceability.exports.verification_table import junit, table
+from traceability.exports.verification_table import junit, schema_text, table
 from traceability.model.build import build
 from traceability.model.design_model import Model
 from traceability.model.report import Report
@@ -131,6 +132,16 @@ def test_a_test_that_does_not_make_the_calls_does_not_verify(tree: Path) -> None
     assert "tree-dynamic" in checks
 
 
+def test_a_finding_about_old_results_is_at_a_source(tree: Path) -> None:
+    write_results(tree)
+    change(tree, "src/main_control/MainController.cpp", "\n", "\n\n")
+    built = build(tree)
+    findings = run_checks(built.model, built.facts).findings
+    places = [one.place for one in findings if one.check == "req-stale"]
+    assert [place.file for place in places] == ["requirements/reading.dox"]
+    assert "FR-15" in (tree / places[0].file).read_text().splitlines()[places[0].line - 1]
+
+
 def test_a_test_of_another_requirement_does_not_verify(tree: Path) -> None:
     change(tree, "tests/main_control/WorkingTest.cpp", "@verifies FR-15", "@verifies FR-16")
     write_results(tree)
@@ -144,7 +155,9 @@ def test_a_changed_text_is_suspect_in_the_exports_too(tree: Path) -> None:
     state, checks, model, report = checked(tree)
     assert state == "suspect"
     assert "suspect-requirement" in checks
-    row = table(model, report)["requirements"][0]
+    exported = json.loads(json.dumps(table(model, report)))
+    jsonschema.Draft202012Validator(json.loads(schema_text())).validate(exported)
+    row = exported["requirements"][0]
     assert (row["id"], row["state"]) == ("FR-15", "suspect")
     assert row["reviews"] == []
     assert row["tests"] == {TEST: {HOST: "passed"}}
@@ -173,7 +186,8 @@ def test_an_image_that_is_older_than_the_sources_is_a_finding(tree: Path) -> Non
 
     def says() -> list[str]:
         findings = run_checks(*build(tree)).findings
-        return [one.text for one in findings if one.place.file == str(TOTALS)]
+        texts = [one.text for one in findings if one.check == "req-stale"]
+        return [text for text in texts if "image" in text]
 
     assert says() == []
     source = next((tree / STATES).glob("*.cpp"))

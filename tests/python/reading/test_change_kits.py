@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from traceability.model.made_changes import proven
-from traceability.reading.change_kits import Kit, images_of, read_kits
+from traceability.model.made_changes import proven, unproven
+from traceability.reading.change_kits import Kit, TouchedLines, images_of, read_kits, touched_lines
 from traceability.reading.toml_reader import Entries
 from traceability.schema import HOST, VIRTUAL_K64, KitTest, MadeChange, Place
 
@@ -76,6 +77,28 @@ def test_a_change_is_proven_by_tests_that_passed_on_both_targets(
 ) -> None:
     tests = [KitTest("A.B", HOST, host, PLACE), KitTest("AOnBoard.B", VIRTUAL_K64, board, PLACE)]
     assert proven(a_change(tests)) is expected
+
+
+def test_a_change_that_is_not_proven_has_a_reason() -> None:
+    passed = KitTest("A.B", HOST, "passed", PLACE)
+    assert unproven(a_change([passed])) == f"it has no test on this target: {VIRTUAL_K64}"
+    failed = KitTest("AOnBoard.B", VIRTUAL_K64, "failed", PLACE)
+    assert unproven(a_change([passed, failed])) == "AOnBoard.B did not pass"
+    not_run = KitTest("AOnBoard.B", VIRTUAL_K64, None, PLACE)
+    assert "run ./wr test" in unproven(a_change([passed, not_run]))
+
+
+def test_new_lines_are_those_that_replace_no_line() -> None:
+    change = replace(a_change([]), composition_lines=2, outside_lines=1, added_lines=7)
+    assert change.new_lines == 4
+
+
+def test_lines_of_both_designs_are_counted_apart() -> None:
+    assert touched_lines(PATCH) == TouchedLines(outside=2, composition=1)
+    composed = PATCH.replace("src/sensing/Sensor", "tests/usual_design/patterns/PatternDesign")
+    assert touched_lines(composed) == TouchedLines(outside=0, composition=3)
+    baseline = composed.replace("/patterns/PatternDesign", "/usual/UsualDesign")
+    assert touched_lines(baseline) == TouchedLines(outside=2, composition=1)
 
 
 def test_tests_on_one_target_prove_nothing() -> None:

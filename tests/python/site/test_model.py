@@ -20,10 +20,14 @@ def model() -> Facts:
     return dict(json.loads(path.read_text(encoding="utf-8")))
 
 
-def test_the_model_fits_its_schema(model: Facts) -> None:
-    schema = json.loads((SITE / "model.schema.json").read_text(encoding="utf-8"))
+@pytest.mark.parametrize("name", ["model", "verification"])
+def test_the_file_fits_its_schema(name: str) -> None:
+    schema, content = (
+        json.loads((SITE / f"{name}.{suffix}").read_text(encoding="utf-8"))
+        for suffix in ("schema.json", "json")
+    )
     jsonschema.Draft202012Validator.check_schema(schema)
-    jsonschema.Draft202012Validator(schema).validate(model)
+    jsonschema.Draft202012Validator(schema).validate(content)
 
 
 @pytest.mark.parametrize(

@@ -8,10 +8,10 @@ import sys
 from pathlib import Path
 from typing import TextIO
 
-from tools.exit_codes import BUSY, INTERRUPTED, MISSING
 from tools.lock import BusyError, only_one
 from tools.steps import FailureError, cannot_write, run
 from tools.task_graph import Graph, Outcome, Task
+from weeding_robot_client.exit_codes import BUSY, INTERRUPTED, MISSING
 
 SOURCES = ("src/a.txt", "src/b.txt")
 OBJECTS = ("build/a.out", "build/b.out")

@@ -11,6 +11,7 @@ from tools.bench import costs, orders_of, wishes
 from tools.steps import FailureError
 from traceability.reading.bench_record import BENCH, CYCLES, FOLDER, SCENARIOS
 from traceability.schema import Spread
+from weeding_robot_client.exit_codes import MISSING
 
 ROOT = Path(__file__).parents[3]
 
@@ -81,6 +82,6 @@ def test_a_port_that_is_not_there_fails(
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(scenario(paper.name))
     monkeypatch.setattr(cli, "ROOT", tmp_path)
-    assert cli.main(["bench", "--port", str(tmp_path / "nothing")]) == 1
-    assert "FAILED" in capsys.readouterr().out
+    assert cli.main(["bench", "--port", str(tmp_path / "nothing")]) == MISSING
+    assert "connect the board" in capsys.readouterr().err
     assert not (tmp_path / BENCH).exists()

@@ -11,7 +11,7 @@ import pytest
 from tools import book
 from tools.book import PAGES, book_text, print_book, with_date, with_own_numbers
 from tools.browser import find_browser, works
-from tools.steps import FailureError, MissingError
+from tools.steps import MissingError
 
 LINKS = (
     '<a href="docs/protocol.html#frames">frames</a> <a href="modules/PiRegulator.html">module</a> '
@@ -55,8 +55,8 @@ def test_each_link_of_the_book_has_its_target(project: Path) -> None:
 
 def test_a_missing_page_is_named(project: Path) -> None:
     (project / "build/site/proofs.html").unlink()
-    with pytest.raises(FailureError, match="the page proofs is missing: make the portal first"):
-        book_text(project / "build/site", "", 0)
+    with pytest.raises(MissingError, match="the page proofs is missing: make the portal first"):
+        print_book(project, project / "book.pdf")
 
 
 def test_without_a_browser_the_message_names_the_package(

@@ -36,15 +36,7 @@ def test_every_command_of_the_help_is_one_of_the_parser_and_no_other_is() -> Non
     (choices,) = (one.choices for one in cli.parser()._actions if one.dest == "command")
     assert choices is not None
     assert sorted(choices) == sorted(COMMANDS)
-    assert wr("--help").stdout == USAGE.partition("TEXT'\n")[2] + "\n"
-
-
-@pytest.mark.parametrize("command", COMMANDS)
-def test_each_command_explains_itself(command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as ended:
-        cli.main([command, "--help"])
-    assert ended.value.code == 0
-    assert f"./wr {command}" in capsys.readouterr().out
+    assert wr("--help").stdout.startswith(USAGE.partition("TEXT'\n")[2])
 
 
 @pytest.mark.parametrize("arguments", [(), ("fly",)])
@@ -162,7 +154,7 @@ from tools import cli
 from tools.steps import heed_interrupts
 options = argparse.Namespace(
     command="check", run=lambda *_: signal.raise_signal(signal.Signals[sys.argv[1]]))
-argparse.ArgumentParser.parse_args = lambda *_: options
+argparse.ArgumentParser.parse_known_args = lambda *_: (options, [])
 heed_interrupts()
 sys.exit(cli.main([]))
 """

@@ -17,9 +17,9 @@ from tests.python.tools.confined import read_only, with_disk, without_network, w
 from tests.python.tools.small_command import RESULT, expected, write_sources
 from tests.python.tools.test_killed_runs import COMMAND
 from tools.cmake_build import sources_of
-from tools.exit_codes import MISSING
 from tools.lock import HOLDER
 from traceability.reading.result_cache import cached_result
+from weeding_robot_client.exit_codes import MISSING
 
 SOURCE = Path(__file__).resolve().parents[3]
 LOCK = "no-such-package==1 --hash=sha256:" + 64 * "0" + "\n"

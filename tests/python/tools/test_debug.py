@@ -8,8 +8,10 @@ import pytest
 
 from tools import cli, debug
 from tools.python_tests import failed_tests
+from weeding_robot_client.exit_codes import USAGE
 
 ROOT = Path(__file__).parents[3]
+SCENARIO = str(ROOT / "sim/scenario/examples/velocity_step.scenario")
 ON_BOTH = "OrdersOfRobot.FR20_OnlyTheNewestOrderIsReadAndOnce"
 ON_BOARD = "K64BoardOnBoard.FR71_NoOutputLeavesItsSafeLevel"
 
@@ -54,13 +56,13 @@ def test_a_test_of_the_emulator_is_debugged_on_this_machine(shown: type[Shown]) 
     assert "/build/host/tests/board_tests " in words
 
 
-@pytest.mark.parametrize("words", [[], ["a.scenario"]])
+@pytest.mark.parametrize("words", [[], [SCENARIO]])
 def test_a_scenario_and_the_robot_are_debugged_on_the_board(
     shown: type[Shown], words: list[str]
 ) -> None:
     server, gdb = shown("--product", "weeding_robot_pc", *words).lines
     assert "/weeding_robot_pc.bin " in server
-    assert ("--scenario a.scenario" in server) == bool(words)
+    assert (f"--scenario {SCENARIO}" in server) == bool(words)
     assert server.rpartition(" ")[2] in gdb
 
 
@@ -71,7 +73,8 @@ def test_a_test_of_the_tools_is_debugged_in_python(shown: type[Shown]) -> None:
 
 @pytest.mark.parametrize("words", [["No.Test"], ["--board", "PaceTest.x"]])
 def test_an_unknown_test_is_an_error(capsys: pytest.CaptureFixture[str], words: list[str]) -> None:
-    assert cli.main(["debug", *words]) == 1
+    with pytest.raises(SystemExit, match=str(USAGE)):
+        cli.main(["debug", *words])
     assert "there is no test" in capsys.readouterr().err
 
 

@@ -1,5 +1,6 @@
 """./wr diff and ./wr impact of commits: real commits of a small project."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -9,6 +10,15 @@ from tests.python.model.small_tree import write_tree
 from tools import cli
 from traceability.exports.revision import read_revision
 from traceability.reading.comparison_record import read_comparison
+from weeding_robot_client import exit_codes
+
+OTHERS = {
+    "tools/a.py": "A = 1\n",
+    "tests/python/tools/test_a.py": "from tools.a import A\n",
+    "tests/python/tools/test_b.py": "B = 1\n",
+    "docs/a.rst": "A\n",
+    "sim/a.scenario": "at 0 end\n",
+}
 
 
 def git(root: Path, *words: str) -> str:
@@ -51,16 +61,51 @@ def test_the_sources_of_two_commits_are_compared(
     assert read_revision(root, git(root, "rev-parse", "HEAD~1"))
     compared = read_comparison(root)
     assert compared
-    assert [one.section for one in compared.differences] == ["text of requirements"]
+    assert compared.differences[0].section == "text of requirements"
     assert compared.second == git(root, "rev-parse", "HEAD")
     assert list(compared.unmeasured) == [compared.first, compared.second]
     assert cli.main(["diff", "HEAD", "HEAD"]) == 0
     assert capsys.readouterr().out.startswith("no differences")
 
 
+def test_changed_files_that_are_not_followed_are_listed(
+    root: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A Python test, the tool that it imports, a page, and a scenario."""
+    for name, text in OTHERS.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text)
+    commit(root, "third")
+    assert cli.main(["impact", "HEAD~1..HEAD"]) == 0
+    shown = capsys.readouterr().out
+    assert "run again: 2 files of Python tests" in shown
+    assert "tests/python/tools/test_a.py  changed" in shown
+    assert "tests/python/tools/test_b.py  changed" in shown
+    assert shown.endswith("not followed: 2 files; run ./wr test\n  docs/a.rst\n  sim/a.scenario\n")
+    assert cli.main(["diff", "HEAD~1"]) == 0
+    shown = capsys.readouterr().out
+    assert "no differences" not in shown
+    for name in OTHERS:
+        assert re.search(rf"{name} +\+\d+ -0 lines; not followed", shown)
+
+
+def test_the_impact_of_one_python_file_is_that_of_its_imports(
+    root: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for name, text in OTHERS.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text)
+    assert cli.main(["impact", str(root / "tools/a.py")]) == 0
+    shown = capsys.readouterr().out
+    assert "tests/python/tools/test_a.py  imports tools/a.py" in shown
+    assert "test_b.py" not in shown
+    assert "not followed" not in shown
+
+
 def test_an_unknown_commit_is_an_error(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for command in (["diff", "nothing"], ["impact", "nothing..HEAD"]):
-        assert cli.main(command) == 1
+        with pytest.raises(SystemExit, match=str(exit_codes.USAGE)):
+            cli.main(command)
         assert "git has no commit nothing" in capsys.readouterr().err
     assert root.exists()
 

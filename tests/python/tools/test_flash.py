@@ -13,6 +13,7 @@ from tools import cli, flash, usb_drive
 from tools.image import WANTED, lock_problems
 from tools.task_graph import Graph, Task
 from tools.tasks import K64_FIRMWARE
+from weeding_robot_client.exit_codes import MISSING
 
 CODE = bytes(0x400) + WANTED + bytes(100)
 
@@ -328,8 +329,8 @@ def test_an_image_must_hold_the_field_and_fit_the_chip(image: bytes) -> None:
 
 def test_an_image_that_is_not_there_is_said(desk: Desk) -> None:
     (desk.image).unlink()
-    assert desk.run() == 1
-    assert "No such file" in desk.said()
+    assert desk.run() == MISSING
+    assert "./wr firmware" in desk.said()
 
 
 def test_a_drive_and_another_way_contradict_each_other(desk: Desk) -> None:

@@ -15,8 +15,8 @@ from pathlib import Path
 import pytest
 
 from tests.python.tools.small_command import RESULT, expected, write_sources
-from tools.exit_codes import BUSY, INTERRUPTED
 from tools.lock import HOLDER, only_one, outliving, programs_of
+from weeding_robot_client.exit_codes import BUSY, INTERRUPTED
 
 SOURCE = Path(__file__).resolve().parents[3]
 # The command as ./wr begins it. It prints a line when interrupts are heeded.

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from tools import cli
-from tools.exit_codes import BUSY
 from tools.lock import HOLDER, LOCK, BusyError, only_one
+from weeding_robot_client.exit_codes import BUSY
 
 HOLD = """
 import sys, time

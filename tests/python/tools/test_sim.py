@@ -94,7 +94,11 @@ def called(root: Path) -> list[str]:
         ),
     ],
 )
-def test_options_choose_the_program_and_its_words(root: Path, options: str, words: str) -> None:
+def test_options_choose_the_program_and_its_words(
+    root: Path, monkeypatch: pytest.MonkeyPatch, options: str, words: str
+) -> None:
+    monkeypatch.chdir(root)
+    Path("a.scenario").touch()
     assert cli.main(["sim", *options.split()]) == 0
     image = root / "build/k64/weeding_robot"
     debugged = root / "build/k64_calls/weeding_robot"

@@ -1,0 +1,43 @@
+"""The page of the likely changes: its table says for what each number was measured."""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+
+import pytest
+
+from tests.python.site.content import SITE
+
+TAG = re.compile(r"<[^>]+>")
+ROW = re.compile(r"<tr>(.*?)</tr>", re.DOTALL)
+CELL = re.compile(r'<td class="num"[^>]*>(\d+)</td>')
+
+
+@pytest.fixture(scope="module")
+def page() -> str:
+    return (SITE / "changes.html").read_text(encoding="utf-8")
+
+
+def rows(part: str) -> list[str]:
+    return [" ".join(html.unescape(TAG.sub(" ", row)).split()) for row in ROW.findall(part)]
+
+
+def test_a_row_with_the_cost_of_a_whole_extension_says_so(page: str) -> None:
+    model = json.loads((SITE / "model.json").read_text(encoding="utf-8"))
+    made = [change["made"] for change in model["changes"].values() if change["made"]]
+    table = rows(page.partition('id="made"')[2].partition("</table>")[0])
+    for one in made:
+        (row,) = [row for row in table if row.startswith(f"{one['application']} ")]
+        shared = sum(other["extension"] == one["extension"] for other in made)
+        words = f"Made by {one['extension']} , which makes {shared} of these changes"
+        assert (words in row) == bool(one["extension"])
+
+
+def test_the_lines_of_both_designs_have_their_sums(page: str) -> None:
+    table = page.partition('id="both"')[2].partition("</table>")[0]
+    counts = [[int(cell) for cell in CELL.findall(row)] for row in ROW.findall(table)]
+    counts = [row for row in counts if row]
+    assert len(counts) > 2
+    assert counts[-1] == [sum(column) for column in zip(*counts[:-1], strict=True)]
