@@ -41,29 +41,70 @@ class Run:
     text: str
 
 
-def seeded(folder: Path, changes: tuple[Change, ...]) -> Path:
-    """Compiles copies of the changed sources and links them with the other objects of the build.
+@dataclass(frozen=True)
+class Program:
+    """The image under test, linked once. A changed driver needs only its own compilation, because
+    the drivers take no part in the optimisation at link time."""
 
-    Returns the image without its suffix.
-    """
+    compiled: dict[str, list[str]]  # source of src/k64 -> the command that compiles it
+    link: list[str]
+
+    def seeded(self, folder: Path, changes: tuple[Change, ...]) -> Path:
+        """Compiles copies of the changed sources and links them with the other objects.
+
+        Returns the image without its suffix.
+        """
+        link = list(self.link)
+        for file in {change.file for change in changes}:
+            source = folder / file
+            source.parent.mkdir(exist_ok=True)
+            source.write_text(changed(file, changes), encoding="utf-8")
+            words = list(self.compiled[file])
+            original = words[words.index("-o") + 1]
+            words[words.index("-c") + 1] = str(source)
+            prefix = f"-ffile-prefix-map={folder}=src/k64"  # so that findings show the true place
+            made = compiled_to(source.with_suffix(".obj"), [*words, prefix])
+            link[link.index(original)] = made
+        image = folder / "weeding_robot_paper"
+        linked_to(f"{image}.elf", link)
+        words = ["arm-none-eabi-objcopy", "-O", "binary", f"{image}.elf", f"{image}.bin"]
+        subprocess.run(words, check=True, timeout=60)
+        return image
+
+
+def link_once(folder: Path) -> Program:
+    """Compiles the drivers without optimisation at link time, and optimises the other parts."""
     link = link_command()
-    for file in {change.file for change in changes}:
-        source = folder / file
-        source.parent.mkdir(exist_ok=True)
-        source.write_text(changed(file, changes), encoding="utf-8")
-        compiled = source.with_suffix(".obj")
-        original, words = compile_command(file)
-        words[words.index("-c") + 1] = str(source)
-        words[words.index("-o") + 1] = str(compiled)
-        words.append(f"-ffile-prefix-map={folder}=src/k64")  # so that findings show the true place
-        subprocess.run(words, check=True, cwd=BUILD, timeout=60)
-        link[link.index(original)] = str(compiled)
-    image = folder / "weeding_robot_paper"
-    link[link.index("-o") + 1] = f"{image}.elf"
-    subprocess.run(link, check=True, cwd=BUILD, timeout=60)
-    words = ["arm-none-eabi-objcopy", "-O", "binary", f"{image}.elf", f"{image}.bin"]
-    subprocess.run(words, check=True, timeout=60)
-    return image
+    compiled = {}
+    for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
+        source, words = Path(entry["file"]), [*shlex.split(entry["command"]), "-fno-lto"]
+        original = words[words.index("-o") + 1]
+        if SOURCES in source.parents and original in link:
+            made = compiled_to(folder / f"{source.name}.obj", words)
+            link[link.index(original)] = made
+            words[words.index("-o") + 1] = made
+            compiled[str(source.relative_to(SOURCES))] = words
+    # Without the notes for the debugger, which refer to the parts of the compiler.
+    linked_to(f"{folder / 'all'}.elf", [*link, "-g0", "-save-temps"])
+    (optimised,) = folder.glob("all.elf.*.ltrans.o")
+    link.insert(link.index("-o"), str(optimised))  # before the libraries
+    others = [word for word in link if not word.startswith("-flto")]
+    return Program(compiled, [*others, "-fno-use-linker-plugin"])
+
+
+def compiled_to(target: Path, words: list[str]) -> str:
+    """Runs a command of the build that compiles, with another output. Returns the output."""
+    words = list(words)
+    words[words.index("-o") + 1] = str(target)
+    subprocess.run(words, check=True, cwd=BUILD, timeout=60)
+    return str(target)
+
+
+def linked_to(target: str, words: list[str]) -> None:
+    """Runs the command of the build that links, with another output."""
+    words = list(words)
+    words[words.index("-o") + 1] = target
+    subprocess.run(words, check=True, cwd=BUILD, timeout=60)
 
 
 def changed(file: str, changes: tuple[Change, ...]) -> str:
@@ -75,20 +116,14 @@ def changed(file: str, changes: tuple[Change, ...]) -> str:
     return text
 
 
-def compile_command(file: str) -> tuple[str, list[str]]:
-    """The object of a source, and the command that compiles it."""
-    entries = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
-    (entry,) = [one for one in entries if one["file"] == str(SOURCES / file)]
-    words = shlex.split(entry["command"])
-    return words[words.index("-o") + 1], words
-
-
 def link_command() -> list[str]:
     """The command that links the image, without the map file of the build."""
     ninja = ["ninja", "-C", str(BUILD), "-t", "commands", "weeding_robot_paper.elf"]
     done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
     line = done.stdout.splitlines()[-1].removeprefix(": && ")
     words = shlex.split(line[: line.index(" && ")])
+    place = words.index("-dumpdir")  # of files of the compiler that the build keeps
+    del words[place : place + 2]
     return [word for word in words if not word.startswith("-Wl,-Map=")]
 
 
