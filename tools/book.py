@@ -143,6 +143,7 @@ def book_text(site: Path, commit: str, when: int) -> str:
         [
             '<!doctype html><html lang="en" data-theme="light"><head><meta charset="utf-8">',
             "<title>Weeding robot</title>",
+            '<link rel="stylesheet" href="../site/_static/fonts/inter.css">',
             '<link rel="stylesheet" href="../site/_static/portal.css">',
             '<link rel="stylesheet" href="../site/_static/pygments.css">',
             f'<style>{STYLE}</style></head><body><main class="main prose">',

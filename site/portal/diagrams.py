@@ -7,6 +7,7 @@ a variable of the theme in the SVG. All diagrams whose text changed are drawn in
 from __future__ import annotations
 
 import hashlib
+import os
 import re
 import subprocess
 import xml.etree.ElementTree as ET
@@ -14,6 +15,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from portal.fonts import FAMILY, write_fonts
 from portal.label_places import Box, best_move, box_of, move
 from portal.links import Links
 from traceability.model.design_model import Model
@@ -22,7 +24,7 @@ from traceability.schema import Module, PatternApplication, StateMachine, Transi
 DIAGRAMS = "diagrams"  # the folder of their sources in the site
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "9"  # part of the cache key: increase it when the processing of the SVG changes
+FORMAT = "10"  # part of the cache key: increase it when the processing of the SVG changes
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -123,7 +125,7 @@ def preamble() -> list[str]:
         "skinparam shadowing false",
         "skinparam roundCorner 4",
         "skinparam svgLinkTarget _self",
-        "skinparam defaultFontName SansSerif",
+        f"skinparam defaultFontName {FAMILY}",
         "skinparam defaultFontSize 13",
         f"skinparam defaultFontColor {MARKERS['text']}",
         f"skinparam arrowColor {MARKERS['line']}",
@@ -365,13 +367,22 @@ def digest(diagram: Diagram) -> str:
 def run_plantuml(stale: list[tuple[Diagram, Path]], cache: Path) -> None:
     work = cache / "work"
     work.mkdir(exist_ok=True)
+    write_fonts(work)
+    fonts = {"JDK_JAVA_OPTIONS": f'"-Dsun.java2d.fontpath=append:{work.resolve()}"'}
     inputs = []
     for diagram, path in stale:
         source = work / f"{path.stem}.puml"
         source.write_text(diagram.text + "\n", encoding="utf-8")
         inputs.append(source)
     command = ["plantuml", "-tsvg", "-nometadata", "-charset", "UTF-8", *map(str, inputs)]
-    result = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+    result = subprocess.run(
+        command,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+        env=os.environ | fonts,
+    )
     if result.returncode:
         raise DiagramError(f"PlantUML: {result.stdout.strip()} {result.stderr.strip()}".strip())
     for (diagram, path), source in zip(stale, inputs, strict=True):

@@ -168,7 +168,8 @@ def test_a_wide_diagram_fits_a_phone_and_is_enlarged_in_a_window(
         "const larger = dialog.querySelectorAll('button')[1];"
         "const before = width(); larger.click();"
         "found.push(dialog.contains(svg), before > place.clientWidth, width() > before);"
-        "dialog.close(); await new Promise((done) => view.setTimeout(done, 50));"
+        "const closed = new Promise((done) => dialog.addEventListener('close', done));"
+        "dialog.close(); await closed;"
         "found.push(place.contains(svg), width() <= place.clientWidth);"
         "found.push(doc.activeElement === button);"
         "return found;"
@@ -195,6 +196,21 @@ def test_a_box_of_a_diagram_has_a_card_and_is_highlighted_with_its_rows(
     card, marked, after, back = seen["patterns/reading-modes"]
     assert (card, after, back, errors) == ("RC", [], True, [])
     assert {"a", "li", "tr"} <= set(marked)
+
+
+def test_a_label_of_a_diagram_has_the_width_that_was_measured(server: tuple[str, Path]) -> None:
+    probe = (
+        "await doc.fonts.ready;"
+        "return [...doc.querySelectorAll('svg.plant text[textLength]')].map((text) => {"
+        " const measured = Number(text.getAttribute('textLength'));"
+        " text.removeAttribute('textLength');"
+        " return [text.textContent, measured, text.getComputedTextLength()]; });"
+    )
+    seen, _ = look(server, ["patterns/reading-modes"], probe)
+    labels = seen["patterns/reading-modes"]
+    assert {"MainController", "read()"} <= {label for label, *_ in labels}
+    # Java rounds the width of each letter: up to a tenth of a label.
+    assert [one for one in labels if abs(one[1] - one[2]) > 2 + 0.1 * one[2]] == []
 
 
 def test_columns_of_numbers_are_aligned_at_their_right_end(server: tuple[str, Path]) -> None:

@@ -1,0 +1,29 @@
+"""The font of the pages as files for the program that measures the labels of diagrams."""
+
+from __future__ import annotations
+
+import struct
+import subprocess
+from pathlib import Path
+
+from portal.fonts import FONTS, opentype, write_fonts
+
+
+def test_a_font_keeps_its_tables_and_their_check_sums() -> None:
+    for path in FONTS.glob("*.woff"):
+        font = opentype(path.read_bytes())
+        (count,) = struct.unpack_from(">H", font, 4)
+        assert count > 8
+        for number in range(count):
+            tag, expected, offset, length = struct.unpack_from(">4sIII", font, 12 + 16 * number)
+            table = bytearray(font[offset : offset + length] + b"\0" * (-length % 4))
+            if tag == b"head":
+                table[8:12] = bytes(4)  # its field for the check sum of the file does not count
+            assert sum(struct.unpack(f">{len(table) // 4}I", table)) % 2**32 == expected, tag
+
+
+def test_each_style_of_the_font_is_written(tmp_path: Path) -> None:
+    write_fonts(tmp_path)
+    command = ["fc-scan", "--format", "%{fullname}\n", *map(str, tmp_path.glob("*.ttf"))]
+    names = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split("\n")
+    assert {"Inter Regular", "Inter Bold", "Inter Italic"} <= set(names)
