@@ -14,15 +14,18 @@ from tools.lock import only_one
 from tools.steps import FailureError, Steps
 from tools.tasks import graph
 from traceability.reading.published import publish
+from traceability.reading.results import read_json
 from traceability.reading.task_record import TESTS_TRACE
+from traceability.whole_file import write_whole
 
 if TYPE_CHECKING:
     from tools.mutation.points import Mutant
-    from tools.mutation.score import Plan, Tried
+    from tools.mutation.score import Justifications, Plan, Tried
     from traceability.model.design_model import Model
 
 STEPS = 4
-LONGEST = 45.0  # minutes
+LONGEST = 240.0  # minutes
+USUAL = 45.0
 SHOWN_EVERY = 10.0  # seconds
 
 
@@ -33,16 +36,23 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "of the firmware and its extensions, each with a number. For each fault it runs the tests "
         "of the requirements that the function serves, then the other tests that execute it. "
         "The score is shown in the portal; it is not a pass criterion. "
-        "Faults that no test finds are listed as file:line, with the change.",
+        "design/mutants.toml justifies faults that no test can find; the others that no test "
+        "finds are listed as file:line, with the change.",
     )
     parser.add_argument(
         "--minutes",
         type=minutes,
-        default=LONGEST,
-        help=f"greatest and default time for the run {LONGEST:g}",
+        default=USUAL,
+        help=f"time for the run, at most {LONGEST:g}; default {USUAL:g}",
     )
     parser.add_argument(
         "--seed", type=int, help="seed of the order of the faults; default: a new one"
+    )
+    parser.add_argument(
+        "--resume",
+        action="store_true",
+        help="keep the faults that the last run found in files that have not changed; "
+        "try the other faults",
     )
     parser.add_argument(
         "--publish", action="store_true", help="write the score to tests/records, to be committed"
@@ -63,13 +73,13 @@ def mutate(root: Path, options: argparse.Namespace) -> int:
 
 
 def _mutate(root: Path, options: argparse.Namespace) -> int:
-    from tools.mutation.score import RESULT, record
+    from tools.mutation.score import RESULT
 
     steps = Steps(root, STEPS)
     seed = random.SystemRandom().randrange(1 << 16) if options.seed is None else options.seed
     print(f"seed {seed}")
     ready = not graph(root).run([TESTS_TRACE]).failed
-    run = _Run(root, seed, options.minutes, steps.out)
+    run = _Run(root, seed, options.minutes, options.resume, steps.out)
     for title, action in (
         ("mutants", run.generate),
         ("mutated build", run.build),
@@ -83,36 +93,38 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
     if not ready:
         return 1
     assert run.model is not None
-    origin = {"sources": run.model.sources_hash, "commit": run.model.commit}
-    result = record(run.tried, origin, seed, len(run.mutants), run.took)
-    (root / RESULT).write_text(json.dumps(result, indent=1), encoding="utf-8")
     if options.publish:
         command = f"./wr mutate --minutes {options.minutes:g} --seed {seed}"
-        score = {"found": run.killed(), "tried": len(run.tried)}
+        score = {"found": run.killed(), "justified": run.justified(), "tried": len(run.tried)}
         publish(root, "mutation", command, run.model.commit, score)
-    for one in run.tried:
-        if not one.killed_by:
-            print(f"{one.mutant.file}:{one.mutant.line}: no test finds: {one.mutant.change}")
-    print(f"{run.killed()} of {len(run.tried)} mutants were found; seed {seed}; {RESULT}")
+    for mutant in run.survivors():
+        print(f"{mutant.file}:{mutant.line}: no test finds: {mutant.change}")
+    print(
+        f"{run.killed()} of {len(run.tried)} mutants were found, {run.justified()} others are "
+        f"justified; seed {seed}; {RESULT}"
+    )
     return 0
 
 
 class _Run:
     """The steps; each step passes its results to the next."""
 
-    def __init__(self, root: Path, seed: int, longest: float, out: TextIO) -> None:
+    def __init__(self, root: Path, seed: int, longest: float, resume: bool, out: TextIO) -> None:
         self.root = root
         self.out = out
         self.seed = seed
         self.longest = 60 * longest
+        self.resume = resume
         self.took = 0.0
         self.model: Model | None = None
         self.plan: Plan | None = None
+        self.justifications: Justifications | None = None
         self.mutants: list[Mutant] = []
+        self.files: dict[str, str] = {}  # file with mutants -> its hash
         self.tried: list[Tried] = []
 
     def generate(self, log: TextIO) -> str:
-        from tools.mutation.score import make_plan
+        from tools.mutation.score import Justifications, make_plan
         from tools.mutation.switched import write_switched
         from traceability.model.build import build
         from traceability.reading.traces import read_traces
@@ -121,6 +133,7 @@ class _Run:
         self.model, facts = build(self.root)
         traces = read_traces(self.root, self.root / "build" / "model")[HOST]
         self.mutants = write_switched(self.root, log)
+        self.justifications = Justifications(self.root, facts.declared.equivalents)
         functions = {mutant.method for mutant in self.mutants}
         self.plan = make_plan(self.model, facts, traces, functions)
         return f"{len(self.mutants)} in {len(functions)} functions"
@@ -151,25 +164,57 @@ class _Run:
         return f"{len(self.plan.seconds)} passed{left_out}"
 
     def attempt(self, _log: TextIO) -> str:
-        from tools.mutation.score import order, try_all
+        from tools.mutation.score import RESULT, file_hashes, found_before, order, try_all
         from tools.mutation.switched import PROGRAM
 
         assert self.plan is not None
+        self.files = file_hashes(self.root, self.mutants)
+        last = read_json(self.root / RESULT) if self.resume else None
+        before = found_before(last or {}, self.mutants, self.files, self.plan)
         start = shown = time.monotonic()
 
         def goes_on(tried: list[Tried]) -> bool:
             nonlocal shown
-            self.tried = tried
+            self.tried = [*before.values(), *tried]
             now = time.monotonic()
+            self.took = (now - start) / 60
             if now - shown >= SHOWN_EVERY:
                 shown = now
                 self.show(now - start)
+                self.write()
             return now - start < self.longest
 
-        numbers = iter(order(self.mutants, self.plan, self.seed))
+        chosen = order(self.mutants, self.plan, self.seed)
+        numbers = iter([number for number in chosen if number not in before])
         try_all(self.root / PROGRAM, self.mutants, numbers, self.plan, goes_on)
         self.took = (time.monotonic() - start) / 60
+        self.write()
         return f"{self.killed()} of {len(self.tried)} found, of {len(self.mutants)} in all"
+
+    def write(self) -> None:
+        """Writes the record of the mutants tried until now: a run that is ended loses nothing."""
+        from tools.mutation.score import RESULT, record
+
+        assert self.model is not None
+        assert self.justifications is not None
+        origin = {
+            "sources": self.model.sources_hash,
+            "commit": self.model.commit,
+            "files": self.files,
+            "seed": self.seed,
+            "minutes": round(self.took, 1),
+        }
+        result = record(self.tried, origin, len(self.mutants), self.justifications)
+        write_whole(self.root / RESULT, json.dumps(result, indent=1))
+
+    def survivors(self) -> list[Mutant]:
+        """The mutants that no test found and no entry justifies."""
+        assert self.justifications is not None
+        missed = [one.mutant for one in self.tried if not one.killed_by]
+        return [mutant for mutant in missed if not self.justifications.why(mutant)]
+
+    def justified(self) -> int:
+        return len(self.tried) - self.killed() - len(self.survivors())
 
     def killed(self) -> int:
         return sum(bool(tried_mutant.killed_by) for tried_mutant in self.tried)

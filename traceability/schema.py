@@ -646,8 +646,20 @@ class Justified:
 
 
 @dataclass(frozen=True)
+class Equivalent:
+    """Changes of a line that no test can find, and the reason."""
+
+    file: str
+    method: str
+    line: str  # the text of the line
+    changes: Sequence[str]
+    why: str
+    place: Place
+
+
+@dataclass(frozen=True)
 class Mutant:
-    """A fault that was seeded in a method of a tree."""
+    """A fault that was seeded in a method."""
 
     place: Place
     method: str
@@ -657,6 +669,7 @@ class Mutant:
     own: Mapping[
         str, bool
     ]  # requirement with the method in its tree -> whether its own tests find it
+    why: str = ""  # no test can find it; empty without a justification
 
 
 @dataclass(frozen=True)
@@ -671,6 +684,10 @@ class Mutation:
     @property
     def found(self) -> int:
         return sum(bool(mutant.killed_by) for mutant in self.tried)
+
+    @property
+    def justified(self) -> int:
+        return sum(bool(mutant.why) for mutant in self.tried if not mutant.killed_by)
 
 
 @dataclass(frozen=True)
@@ -713,6 +730,7 @@ class LastRecord:
     tried: int
     current: bool  # whether it was run with the present sources
     date: str = ""  # YYYY-MM-DD, of a published record
+    justified: int = 0  # not found, and no test can find them
 
 
 @dataclass(frozen=True)

@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+import contextlib
+import math
 import os
 import re
+import resource
+import signal
 import subprocess
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
+from tempfile import NamedTemporaryFile
 
 from traceability.reading.results import plain_name
 
 SLOWER = 10  # a test counts as hanging after this factor times its time without a mutant
 LEAST_SECONDS = 2.0
+ASLEEP = 30  # a program that neither computes nor ends is ended after this factor times its limit
 HANGS = 2  # tests that may hang: the tests after them stay undecided
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)
+
+SUITE = re.compile(rb"^\[-+\] \d+ tests? from ([\w/]+)(?:, .*)?$", re.MULTILINE)
 
 
 @dataclass
@@ -50,26 +58,55 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
 def _run(
     program: Path, mutant: int, tests: Iterable[str], limit: float, outcome: Outcome
 ) -> tuple[str | None, bool]:
-    """One process. Returns the test that ended it, if any, and whether this test hung."""
-    patterns = (f"{name}:{name}/*:*/{name}:*/{name}/*" for name in tests)
-    words = [str(program), f"--gtest_filter={':'.join(patterns)}", "--gtest_color=no"]
+    """One process. Returns the test that ended it, if any, and whether this test hung.
+
+    ``limit`` counts processor seconds, because other programs on this computer delay the tests.
+    """
+    tests = list(tests)
     environment = {**os.environ, "WR_MUTANT": str(mutant)}
-    hung = False
-    try:
-        run = subprocess.run(
-            words,
+    # The names of all tests are too long for an argument.
+    with NamedTemporaryFile("w", dir=program.parent, suffix=".flags") as flags:
+        flags.write(f"--gtest_color=no\n--gtest_filter={':'.join(map(_pattern, tests))}\n")
+        flags.flush()
+        with subprocess.Popen(
+            [program, f"--gtest_flagfile={flags.name}"],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
             env=environment,
-            timeout=limit,
-            check=False,
-        )
-        text, code = run.stdout, run.returncode
-    except subprocess.TimeoutExpired as error:
-        text, code, hung = error.stdout or b"", -1, True
-    running = record_results(text, outcome)
+        ) as process:
+            _limit_processor_time(process.pid, math.ceil(limit))
+            try:
+                text, _ = process.communicate(timeout=ASLEEP * limit)
+                hung = process.returncode == -signal.SIGXCPU
+            except subprocess.TimeoutExpired:
+                process.kill()
+                text, _ = process.communicate()
+                hung = True
+    code = process.returncode
+    running = record_results(text, outcome) or _suite_began(text, tests, outcome)
     return (running if code not in (0, 1) else None), hung
+
+
+def _pattern(test: str) -> str:
+    """The filter of a test, of its parameters, and of the types of its suite."""
+    suite, _, name = test.partition(".")
+    return f"{test}:{test}/*:*/{test}:*/{test}/*:{suite}/*.{name}"
+
+
+def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
+    """The first open test of the suite that began last: a fault can end the set-up of a suite."""
+    for suite in SUITE.findall(text)[-1:]:
+        begin = plain_name(suite.decode(), "")
+        opened = set(tests) - outcome.failed - outcome.passed
+        return next((name for name in sorted(opened) if name.startswith(begin)), None)
+    return None
+
+
+def _limit_processor_time(process: int, seconds: int) -> None:
+    """The kernel ends the process when it has used this processor time; so does each child."""
+    with contextlib.suppress(ProcessLookupError):  # it has ended
+        resource.prlimit(process, resource.RLIMIT_CPU, (seconds, seconds + 1))
 
 
 def record_results(text: bytes, outcome: Outcome) -> str | None:

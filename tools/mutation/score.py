@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import hashlib
 import random
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
@@ -17,11 +18,12 @@ from traceability.model.trees import accepted
 from traceability.reading.results import RESULTS
 from traceability.reading.source_facts import Facts
 from traceability.reading.traces import Traces, nodes_of
-from traceability.schema import HOST, Test
+from traceability.schema import HOST, Equivalent, Test
 
 RESULT = RESULTS / "mutation.json"
 FIRST_PART = 0.2  # [s] of tests that run first
 PART_GROWTH = 4
+MUTANT = [one.name for one in fields(Mutant)]
 NO_REQUIREMENT = ""  # of the functions outside the trees
 
 
@@ -120,14 +122,19 @@ def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
     return sorted(names - outcome.passed)
 
 
-def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried:
+def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried | None:
     """Runs the tests of the requirements; if none finds the mutant, all tests that execute its
-    method."""
+    method. Returns nothing if no test found the mutant and some tests did not end."""
     own = {name: plan.own(mutant.method, name) for name in plan.methods[mutant.method]}
     outcome = run_until_found(program, number, plan, list(own.values()))
     if not outcome.failed:
         others = plan.executing.get(mutant.method, set()).difference(*own.values())
-        outcome.failed |= run_until_found(program, number, plan, [others]).failed
+        rest = run_until_found(program, number, plan, [others])
+        outcome.failed |= rest.failed
+        outcome.passed |= rest.passed
+    executing = plan.executing.get(mutant.method, set()) & plan.seconds.keys()
+    if not outcome.failed and not executing <= outcome.passed:
+        return None
     found = {name: _found(outcome, tests) for name, tests in own.items()}
     decided = {name: one for name, one in found.items() if one is not None}
     return Tried(mutant, sorted(outcome.failed), decided)
@@ -178,7 +185,9 @@ def try_all(
             number = next(numbers, None)
             if number is None:
                 return
-            tried.append(try_mutant(program, number, mutants[number - 1], plan))
+            result = try_mutant(program, number, mutants[number - 1], plan)
+            if result is not None:
+                tried.append(result)
 
     workers = int(jobs())
     with ThreadPoolExecutor(workers) as pool:
@@ -187,21 +196,74 @@ def try_all(
     return tried
 
 
+def found_before(
+    last: Mapping[str, Any], mutants: list[Mutant], files: Mapping[str, str], plan: Plan
+) -> dict[int, Tried]:
+    """Number -> the last result, for mutants whose file is unchanged and whose tests still pass.
+
+    Equal changes of a method are one group, which must be found as a whole.
+    """
+    results: dict[tuple[str, ...], list[dict[str, Any]]] = {}
+    for item in last.get("tried", []):
+        results.setdefault(_group(Mutant(*(item[name] for name in MUTANT))), []).append(item)
+    numbers: dict[tuple[str, ...], list[int]] = {}
+    for number, mutant in enumerate(mutants, 1):
+        if last.get("files", {}).get(mutant.file) == files[mutant.file]:
+            numbers.setdefault(_group(mutant), []).append(number)
+    found: dict[int, Tried] = {}
+    for group, held in numbers.items():
+        items = results.get(group, [])
+        killers = [set(item["killed_by"]) & plan.seconds.keys() for item in items]
+        if len(items) == len(held) and all(killers):
+            for number, item in zip(held, items, strict=True):
+                found[number] = Tried(mutants[number - 1], item["killed_by"], item["own"])
+    return found
+
+
+def _group(mutant: Mutant) -> tuple[str, ...]:
+    return (mutant.file, mutant.method, mutant.kind, mutant.change)
+
+
+def file_hashes(root: Path, mutants: Iterable[Mutant]) -> dict[str, str]:
+    files = sorted({mutant.file for mutant in mutants})
+    return {file: hashlib.sha256((root / file).read_bytes()).hexdigest() for file in files}
+
+
+class Justifications:
+    """The entries of design/mutants.toml."""
+
+    def __init__(self, root: Path, entries: Iterable[Equivalent]) -> None:
+        self.root = root
+        self.reasons = {
+            (one.file, one.method, one.line, change): one.why
+            for one in entries
+            for change in one.changes
+        }
+        self.lines: dict[str, list[str]] = {}
+
+    def why(self, mutant: Mutant) -> str:
+        """The reason why no test can find a mutant; empty without a justification."""
+        if mutant.file not in self.lines:
+            text = (self.root / mutant.file).read_text(encoding="utf-8")
+            self.lines[mutant.file] = [line.strip() for line in text.splitlines()]
+        line = self.lines[mutant.file][mutant.line - 1]
+        return self.reasons.get((mutant.file, mutant.method, line, mutant.change), "")
+
+
 def record(
-    tried: list[Tried], origin: Mapping[str, str], seed: int, total: int, minutes: float
+    tried: Iterable[Tried], origin: Mapping[str, Any], total: int, justified: Justifications
 ) -> dict[str, Any]:
     """The record from which the model computes its scores."""
     return {
         **origin,
-        "seed": seed,
         "total": total,
-        "minutes": round(minutes, 1),
         "tried": [
             {
-                **asdict(tried_mutant.mutant),
-                "killed_by": tried_mutant.killed_by,
-                "own": tried_mutant.own,
+                **asdict(one.mutant),
+                "killed_by": one.killed_by,
+                "own": one.own,
+                "why": "" if one.killed_by else justified.why(one.mutant),
             }
-            for tried_mutant in sorted(tried, key=lambda one: (one.mutant.file, one.mutant.line))
+            for one in sorted(tried, key=lambda one: (one.mutant.file, one.mutant.line))
         ],
     }

@@ -16,7 +16,7 @@ from traceability.model.evidence import CHECKS, reasons
 from traceability.model.metrics import METHODS
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.model.reviews import BASELINE, NAMES_OF_TEXTS
-from traceability.reading.ast_facts import ANY_CLASS
+from traceability.reading.ast_facts import ANY_CLASS, BodyFact
 from traceability.reading.gtest_cases import read_tests, unknown_macros
 from traceability.reading.image_record import TOTALS, read_image
 from traceability.reading.products import PRODUCTS
@@ -70,6 +70,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         *_attributes(model, facts),
         *_sources(model, facts),
         *_uncalled(model, facts),
+        *_equivalents(model, facts),
         *_unbuilt(model, facts),
         *_old_image(model, facts),
     ]
@@ -233,6 +234,33 @@ def _unneeded(model: Model) -> list[Finding]:
         for item in model.justified
         if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST))
     ]
+
+
+def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Entries of design/mutants.toml whose line or whose mutant does not exist."""
+    bodies: dict[tuple[str, str], list[BodyFact]] = {}
+    for body in facts.syntax.bodies:
+        bodies.setdefault((body.place.file, body.id), []).append(body)
+    whole = model.mutation is not None and len(model.mutation.tried) == model.mutation.total
+    missed = {
+        (mutant.place.file, mutant.method, mutant.change)
+        for mutant in (model.mutation.tried if model.mutation else [])
+        if mutant.why
+    }
+    for entry in facts.declared.equivalents:
+        held = bodies.get((entry.file, entry.method), [])
+        if not any(entry.line in _lines_of(facts.root, body) for body in held):
+            text = f"no line of {entry.method} in {entry.file} is: {entry.line}"
+            yield Finding(entry.place, "req-justified", text, "quote the line, or remove the entry")
+        for change in entry.changes if whole else []:
+            if (entry.file, entry.method, change) not in missed:
+                text = f"a test finds this change of {entry.method}, or it does not exist: {change}"
+                yield Finding(entry.place, "req-justified", text, "correct or remove the change")
+
+
+def _lines_of(root: Path, body: BodyFact) -> list[str]:
+    lines = (root / body.place.file).read_text(encoding="utf-8").splitlines()
+    return [line.strip() for line in lines[body.place.line - 1 : body.end]]
 
 
 def _spare(item: Justified) -> Sequence[str]:

@@ -159,6 +159,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         **_proven_times(model),
         "mutation.tried": len(model.mutation.tried) if model.mutation else None,
         "mutation.found": model.mutation.found if model.mutation else None,
+        "mutation.justified": model.mutation.justified if model.mutation else None,
         "proofs.properties": len(model.proofs.properties),
         "proofs.proven": None if model.proofs.recorded else model.proofs.proven,
         "last": {

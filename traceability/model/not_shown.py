@@ -149,12 +149,13 @@ def _last(name: str, last: LastRecord | None) -> str:
     if last is None:
         return f"{NAMES[name]} was not run in this build."
     if last.current:
-        missed = last.tried - last.found
+        missed = last.tried - last.found - last.justified
         return f"{NAMES[name]} missed {missed} of {_count(last.tried, 'fault')}." if missed else ""
     commit = f"commit {last.commit[:7]}" if last.commit else "an unknown commit"
+    justified = f"; {last.justified} others are justified" if last.justified else ""
     return (
-        f"{NAMES[name]} was not run in this build. "
-        f"Its last run, at {commit}, found {last.found} of {_count(last.tried, 'fault')}."
+        f"{NAMES[name]} was not run in this build. Its last run, at {commit}, "
+        f"found {last.found} of {_count(last.tried, 'fault')}{justified}."
     )
 
 

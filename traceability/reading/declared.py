@@ -22,6 +22,7 @@ from traceability.schema import (
     BoardFinding,
     Connection,
     Cycle,
+    Equivalent,
     ExecutionContext,
     Justified,
     NumbersWithout,
@@ -132,6 +133,7 @@ class Declared:
     beliefs: list[BoardBelief] = field(default_factory=list)
     belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
     justified: list[Justified] = field(default_factory=list)
+    equivalents: list[Equivalent] = field(default_factory=list)
     numbers: list[RequirementNumbers] = field(default_factory=list)
     numbers_without: list[NumbersWithout] = field(default_factory=list)
     concordance: Concordance = field(default_factory=Concordance)
@@ -147,7 +149,7 @@ class Declared:
 FILES = (
     *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
     *("clauses", "closed_loop"),
-    *("concordance", "execution", "justified", "modules", "paper", "questions"),
+    *("concordance", "execution", "justified", "modules", "mutants", "paper", "questions"),
     *("register_owners", "requirement_numbers", "safety_case", "stack", "statements"),
     *("tuned", "uses"),
 )
@@ -181,6 +183,11 @@ def read_declared(root: Path) -> Declared:
         for item, place in entries.tables(
             design / "justified.toml", kind, {"names": list, "why": str}
         )
+    ]
+    needs = {"file": str, "method": str, "line": str, "changes": list, "why": str}
+    declared.equivalents = [
+        Equivalent(place=place, **item)
+        for item, place in entries.tables(design / "mutants.toml", "equivalent", needs)
     ]
     declared.tuned = [
         Tuned(item["to"], item["why"], item["constants"], place)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from traceability.reading.published import last_score
 from traceability.reading.results import RESULTS, read_json
@@ -16,9 +17,11 @@ def last_mutation(root: Path, sources: str) -> LastRecord | None:
     data = read_json(root / RECORD)
     if not isinstance(data, dict):
         return last_score(root, "mutation")
-    found = sum(bool(item["killed_by"]) for item in data["tried"])
+    last = _mutation(data)
     current = data.get("sources") == sources
-    return LastRecord("mutate", data.get("commit", ""), found, len(data["tried"]), current)
+    return LastRecord(
+        "mutate", data.get("commit", ""), last.found, len(last.tried), current, "", last.justified
+    )
 
 
 def read_mutation(root: Path, sources: str) -> Mutation | None:
@@ -26,6 +29,10 @@ def read_mutation(root: Path, sources: str) -> Mutation | None:
     data = read_json(root / RECORD)
     if not isinstance(data, dict) or data.get("sources") != sources:
         return None
+    return _mutation(data)
+
+
+def _mutation(data: dict[str, Any]) -> Mutation:
     tried = [
         Mutant(
             Place(item["file"], item["line"]),
@@ -34,6 +41,7 @@ def read_mutation(root: Path, sources: str) -> Mutation | None:
             item["change"],
             item["killed_by"],
             item["own"],
+            item.get("why", ""),
         )
         for item in data["tried"]
     ]

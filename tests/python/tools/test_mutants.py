@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tools.mutation import score
+from tools.mutation import runs, score
 from tools.mutation.points import Mutant, Point, find_points
 from tools.mutation.runs import Outcome, record_results, run_tests
 from tools.mutation.score import Plan, order, try_mutant
@@ -158,16 +158,20 @@ def test_results_are_read_from_what_the_program_prints() -> None:
     assert outcome.passed == {"A.One", "B.Two"}
 
 
-# One fails with mutant 1, Two ends the program with mutant 2, Three hangs with mutant 3.
+# One fails with mutant 1, Two ends the program with mutant 2 and never ends with mutant 4, Three
+# sleeps with mutant 3. With mutant 5 the set-up of the suite ends the program.
 PROGRAM = """\
 #!/bin/sh
+echo "[----------] 3 tests from A"
+[ "$WR_MUTANT" = 5 ] && exit 139
 for name in One Two Three; do
-    case "$1" in *"A.$name"*) ;; *) continue ;; esac
+    grep -q "A.$name" "${1#--gtest_flagfile=}" || continue
     echo "[ RUN      ] A.$name"
     case "$WR_MUTANT$name" in
         1One) echo "[  FAILED  ] A.One (0 ms)"; code=1; continue ;;
         2Two) exit 134 ;;
         3Three) exec sleep 60 ;;
+        4Two) while :; do :; done ;;
     esac
     echo "[       OK ] A.$name (0 ms)"
 done
@@ -186,14 +190,36 @@ def program(tmp_path: Path) -> Path:
 
 @pytest.mark.parametrize(
     ("mutant", "failed"),
-    [(0, set()), (1, {"A.One"}), (2, {"A.Two"}), (3, {"A.Three"})],
+    [(0, set()), (1, {"A.One"}), (2, {"A.Two"}), (3, {"A.Three"}), (4, {"A.Two"}), (5, set(ALL))],
 )
 def test_a_failure_an_end_and_a_hang_each_find_a_mutant(
-    program: Path, mutant: int, failed: set[str]
+    program: Path, mutant: int, failed: set[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    monkeypatch.setattr(runs, "ASLEEP", 1)
     outcome = run_tests(program, mutant, ALL)
     assert outcome.failed == failed
     assert outcome.passed == set(ALL) - failed
+
+
+def test_a_busy_computer_does_not_end_a_test(tmp_path: Path) -> None:
+    """The test waits longer than its limit, which counts only the time of the processor."""
+    path = tmp_path / "program"
+    lines = (
+        "#!/bin/sh",
+        "echo '[ RUN      ] A.One'",
+        "sleep 3",
+        "echo '[       OK ] A.One (0 ms)'",
+    )
+    path.write_text("\n".join(lines), encoding="utf-8")
+    path.chmod(0o755)
+    assert run_tests(path, 1, {"A.One": 0.0}) == Outcome(set(), {"A.One"})
+
+
+def test_a_mutant_whose_tests_do_not_end_is_not_recorded(tmp_path: Path) -> None:
+    path = tmp_path / "program"
+    path.write_text("#!/bin/sh\nexit 134\n", encoding="utf-8")
+    path.chmod(0o755)
+    assert try_mutant(path, 1, mutant_of("M::a"), plan()) is None
 
 
 def mutant_of(method: str) -> Mutant:
@@ -211,12 +237,17 @@ def plan() -> Plan:
 
 def test_a_mutant_counts_for_the_requirement_whose_own_test_finds_it(program: Path) -> None:
     tried = try_mutant(program, 1, mutant_of("M::a"), plan())
+    assert tried is not None
     assert tried.killed_by == ["A.One"]
     assert tried.own == {"FR-1": True, "FR-2": False}
 
 
-def test_where_no_own_test_finds_it_the_others_are_asked(program: Path) -> None:
+def test_where_no_own_test_finds_it_the_others_are_asked(
+    program: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(runs, "ASLEEP", 1)
     tried = try_mutant(program, 3, mutant_of("M::b"), plan())
+    assert tried is not None
     assert tried.killed_by == ["A.Three"]
     assert tried.own == {"FR-2": False}
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import TextIO
 
 import pytest
@@ -18,8 +19,9 @@ from tools.task_graph import Graph, Outcome, Task
 from traceability.model import build
 from traceability.model.design_model import Model
 from traceability.reading import traces
+from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.task_record import TESTS_TRACE
-from traceability.schema import HOST
+from traceability.schema import HOST, Equivalent, Place
 
 MUTANTS = [
     Mutant("src/a.cpp", 4, "A::f", "constant", "1 + 1"),
@@ -32,8 +34,11 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A project in which building and testing are replaced: the first mutant is found."""
     (tmp_path / "build/results").mkdir(parents=True)
     replace_tests(monkeypatch, tmp_path, lambda _log: None)
-    monkeypatch.setattr(build, "build", lambda _root: (Model("", "", "sources", {}), None))
     monkeypatch.setattr(traces, "read_traces", lambda _root, _cache: {HOST: None})
+    (tmp_path / "src").mkdir()
+    (tmp_path / "src/a.cpp").write_text(9 * "return 1 + 2;\n", encoding="utf-8")
+    facts = SimpleNamespace(declared=SimpleNamespace(equivalents=[]))
+    monkeypatch.setattr(build, "build", lambda _root: (Model("", "", "sources", {}), facts))
     plan = Plan({"A::f": ["FR-1"]}, {"FR-1": {"T.A"}}, {"A::f": {"T.A"}})
     monkeypatch.setattr(score, "make_plan", lambda *_: plan)
     monkeypatch.setattr(switched, "write_switched", lambda _root, _log: MUTANTS)
@@ -85,7 +90,7 @@ def test_it_shows_seed_progress_and_what_no_test_finds(
     assert "0:00 1 of 2 tried, 1 found" in printed
     assert "src/a.cpp:9: no test finds: 2 + 1" in printed
     assert "src/a.cpp:4: no test finds" not in printed
-    assert "1 of 2 mutants were found; seed 7" in printed
+    assert "1 of 2 mutants were found, 0 others are justified; seed 7" in printed
     left = json.loads((root / "build/results/mutation.json").read_text(encoding="utf-8"))
     assert (left["sources"], left["seed"], left["total"], len(left["tried"])) == (
         "sources",
@@ -104,8 +109,79 @@ def test_without_tests_that_pass_nothing_is_measured(
     assert not (root / "build/results/mutation.json").exists()
 
 
-@pytest.mark.parametrize("minutes", ["0", "46", "-1", "x"])
-def test_it_never_runs_longer_than_45_minutes(root: Path, minutes: str) -> None:
+def test_a_justified_mutant_is_not_listed(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    entry = Equivalent(
+        "src/a.cpp", "A::f", "return 1 + 2;", ["2 + 1"], "Nobody sees it.", Place("m.toml", 1)
+    )
+    facts = SimpleNamespace(declared=SimpleNamespace(equivalents=[entry]))
+    monkeypatch.setattr(build, "build", lambda _root: (Model("", "", "sources", {}), facts))
+    assert run(root, "--publish") == 0
+    printed = capsys.readouterr().out
+    assert "no test finds" not in printed
+    assert "1 of 2 mutants were found, 1 others are justified" in printed
+    model = read_mutation(root, "sources")
+    assert model is not None
+    assert (model.found, model.justified, len(model.tried)) == (1, 1, 2)
+    (root / "build/results/mutation.json").unlink()
+    last = last_mutation(root, "later sources")
+    assert last is not None
+    assert (last.found, last.justified, last.tried, last.current) == (1, 1, 2, False)
+
+
+def test_a_resumed_run_tries_only_what_no_test_found(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(root) == 0
+    asked: list[int] = []
+
+    def find_all(
+        _program: Path,
+        mutants: list[Mutant],
+        numbers: Iterator[int],
+        _plan: Plan,
+        goes_on: Callable[[list[Tried]], bool],
+    ) -> list[Tried]:
+        asked.extend(numbers)
+        tried = [Tried(mutants[number - 1], ["T.A"], {"FR-1": True}) for number in asked]
+        goes_on(tried)
+        return tried
+
+    monkeypatch.setattr(score, "try_all", find_all)
+    assert run(root, "--resume") == 0
+    assert asked == [2]
+    assert "2 of 2 mutants were found" in capsys.readouterr().out
+    with (root / "src/a.cpp").open("a", encoding="utf-8") as file:
+        file.write("// changed\n")
+    asked.clear()
+    assert run(root, "--resume") == 0
+    assert sorted(asked) == [1, 2], "the file has changed"
+
+
+def test_an_ended_run_leaves_the_results_until_then(
+    root: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(
+        _program: Path,
+        mutants: list[Mutant],
+        _numbers: Iterator[int],
+        _plan: Plan,
+        goes_on: Callable[[list[Tried]], bool],
+    ) -> list[Tried]:
+        goes_on([Tried(mutants[0], ["T.A"], {"FR-1": True})])
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(score, "try_all", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        run(root)
+    model = read_mutation(root, "sources")
+    assert model is not None
+    assert (model.found, len(model.tried), model.total) == (1, 1, 2)
+
+
+@pytest.mark.parametrize("minutes", ["0", "241", "-1", "x"])
+def test_it_never_runs_longer_than_four_hours(root: Path, minutes: str) -> None:
     with pytest.raises(SystemExit) as ended:
         run(root, f"--minutes={minutes}")
     assert ended.value.code == 2
