@@ -88,7 +88,7 @@ def print_bench(root: Path) -> None:
 
 @dataclass(frozen=True)
 class Orders:
-    """The same order every 100 ms in a period [s]."""
+    """A period in which the same order is sent every 100 ms."""
 
     first: float
     last: float

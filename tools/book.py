@@ -75,7 +75,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "book",
         description="Prints the pages of the portal that explain the system as one PDF: "
-        f"{PDF}. It shows the pages as ./wr portal or ./wr test made them last, and needs "
+        f"{PDF}. It uses the last pages of ./wr portal or ./wr test, and needs "
         "Chromium.",
     )
     parser.set_defaults(run=lambda root, _options: book(root))
@@ -186,7 +186,7 @@ def name_of(page: str) -> str:
 
 
 def chapter(page: str, text: str) -> str:
-    """The content of a page for paper: all of it open, and its links inside of the book."""
+    """The content of a page for paper: with all parts opened, and with links inside the book."""
     text = SCREEN_ONLY.sub("", text).replace("<details", "<details open")
 
     def place(match: re.Match[str]) -> str:

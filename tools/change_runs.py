@@ -18,7 +18,7 @@ from traceability.reading.products import PAPER, recorded_image_of
 from traceability.reading.toml_reader import Entries
 
 TESTS, IMAGES = "changes_tests", "change_images"  # targets of CMake
-COST = "instructions"  # property of a test: those of a cycle, on average
+COST = "instructions"  # property of a test: instructions of a cycle, on average
 
 
 def test_changes(root: Path, log: TextIO) -> Outcome:

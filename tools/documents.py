@@ -52,7 +52,7 @@ def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
 
 
 def read_findings(root: Path) -> list[Finding]:
-    """The findings of the documents that were made last."""
+    """The findings of the last documents."""
     found = read_json(root / FINDINGS) or []
     return [Finding(**{**one, "place": Place(**one["place"])}) for one in found]
 
@@ -96,7 +96,7 @@ def no_collection() -> Iterator[None]:
 
 
 def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
-    """The findings, and whether no step failed."""
+    """The findings, and whether all steps succeeded."""
     from portal.site_build import build_site
     from traceability.checks import run_checks, run_link_checks
     from traceability.exports.metrics_file import site_figures, write_metrics

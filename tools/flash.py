@@ -21,7 +21,7 @@ from traceability.reading.products import image_of
 
 USB = Path("/sys/bus/usb/devices")
 ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
-# Messages of pyOCD and OpenOCD when they find none.
+# Messages of pyOCD and OpenOCD when they find no debug probe.
 NO_PROBE = ("No connected debug probes", "unable to find a matching CMSIS-DAP device")
 ADVICE = """\
 Connect a USB cable to the socket of the board that is marked SDA, and try again. Or name the

@@ -29,7 +29,7 @@ class BusyError(Exception):
 def only_one(root: Path, command: str) -> Iterator[None]:
     """Locks the project; raises BusyError when another process holds it.
 
-    The system frees the lock of a process that ended, in whatever way.
+    The system frees the lock of each process that ends, also after a crash.
     """
     if os.environ.get(HOLDER) == str(root):
         yield

@@ -103,7 +103,7 @@ def record_proofs(root: Path, declared: Declared, results: Mapping[str, ProofRes
 
 
 def recorded_proofs(root: Path, declared: Declared) -> dict[str, ProofResult]:
-    """The results in the record whose models are the present ones, byte by byte."""
+    """The recorded results whose models are equal to the present models, byte by byte."""
     record = read_published(root, RECORD)
     found: dict[str, ProofResult] = {}
     for name, proof in declared.proofs.items():

@@ -62,7 +62,7 @@ def _images(images: Mapping[str, str], version: str) -> Iterable[Component]:
 
 
 def _linked() -> Iterable[Component]:
-    """The C and C++ library, and that of the compiler, as installed on this machine."""
+    """The libraries of C, of C++ and of the compiler, as installed on this machine."""
     for name in LINKED:
         version = debian_version(name)
         yield Component(

@@ -117,7 +117,7 @@ def _seed_part(root: Path, tree: Path, stage: str, groups: list[list[Fault]]) ->
 
 
 class Copy:
-    """A copy of the project, in which one fault after the other is seeded and removed again."""
+    """A copy of the project, in which faults are seeded and removed."""
 
     def __init__(self, root: Path, tree: Path, stage: str) -> None:
         self.tree = tree
@@ -145,7 +145,7 @@ class Copy:
         return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
-        """Seeds the faults together, and those that were not found again in halves.
+        """Seeds the faults together. Seeds the faults that were not found again, in halves.
 
         A fault can hide all others, for example when it makes a file of the design unreadable.
         Halves separate it from them in few runs.

@@ -1055,7 +1055,7 @@ class Port:
     outside_lines: int  # the same of other files
     tests: Mapping[str, str] | None  # their results, when they are of these sources
     size: Mapping[str, int]  # flash and ram of its image [bytes], when it is of these sources
-    size_on_k64: Mapping[str, int]  # the same of this design on the K64
+    size_on_k64: Mapping[str, int]  # the same values for this design on the K64
 
     @property
     def passed(self) -> bool:

@@ -43,8 +43,8 @@ class Row:
 
 
 def headers() -> list[Row]:
-    """The headers as the Arduino R3 layout orders them, seen from above; the even pins are the
-    outer ones."""
+    """The headers as the Arduino R3 layout orders them, seen from above; the pins with even numbers
+    are outside."""
     outer, inner = LABEL, LABEL + SIZE + 4
     low_inner = inner + SIZE + LABEL + SHORT
     low_outer = low_inner + SIZE + 4

@@ -141,7 +141,7 @@ def busy_times(activations: Iterable[Activation], found: Cycle) -> dict[int | No
 
 
 def path_of(activations: Iterable[Activation], found: Cycle) -> str:
-    """Bars as one path; those that touch are joined."""
+    """Returns the bars as one path; bars that touch are joined."""
     scale = WIDTH / (found.end - found.begin)
     bars: list[tuple[float, float]] = []
     for one in activations:

@@ -34,7 +34,7 @@ class Box:
 
 
 def box_of(text: ET.Element) -> Box:
-    """The place of a line of text, before the length that PlantUML measured is removed."""
+    """The place of a line of text, with the length that PlantUML measured."""
     x, y = float(text.get("x", "0")), float(text.get("y", "0"))
     return Box(x, y - ASCENT, x + float(text.get("textLength", "0")), y + DESCENT)
 

@@ -37,7 +37,8 @@ class Image:
 
     name: str
     product: str
-    flashed: bool  # else each method is a separate function, so that its calls are visible
+    # In the other images each method is a separate function, so that its calls are visible.
+    flashed: bool
     commands: str
     size: int
     sha256: str

@@ -267,7 +267,7 @@ def uses(portal: Portal) -> dict[str, Any]:
 
 
 def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
-    """The name of each logic module; two of one name also have that of their folder."""
+    """The name of each logic module; equal names get the name of their folder in addition."""
     known = portal.model.logic_modules
     count = Counter(known[one].name for one in identifiers)
 

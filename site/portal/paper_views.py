@@ -121,7 +121,7 @@ class Heir:
 
 
 def families(portal: Portal) -> list[list[Heir]]:
-    """A family for each module that others derive from and that derives from none itself."""
+    """A family for each base class that does not derive from another module."""
     modules = portal.model.modules
     roots = [m for m in portal.designs if any(h in modules for h in m.heirs)]
     return [

@@ -18,7 +18,7 @@ from weeding_robot_client.mcap_file import read_mcap
 
 SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
-ROBOT = "robot"  # name of the source of the values, used like a target in the plots of the
+ROBOT = "robot"  # name of the source of the values, in place of a target in the plots of the
 # simulator
 MS_OF_S = 1000
 VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # as the reports name them

@@ -44,7 +44,7 @@ INCLUDED = (
 )
 FRAME = "frame.txt"  # the part of all pages around their body
 INDEX = "search_index.js"
-BODIES = "_bodies"  # below the pages: those that templates make, without the layout
+BODIES = "_bodies"  # folder below the pages: bodies that templates make, without the layout
 UNKNOWN_TO_BREATHE = re.compile(r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>", re.DOTALL)
 
 

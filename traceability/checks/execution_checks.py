@@ -74,7 +74,7 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
-    """Handler -> its only context, of a known kind."""
+    """Returns the context of each handler; a handler has one context, and its kind must exist."""
     declared: dict[str, ExecutionContext] = {}
     found: list[Finding] = []
     for context in model.contexts.values():
@@ -139,7 +139,7 @@ def _priorities(model: Model, facts: Facts) -> list[Finding]:
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
                 fix = "correct the priority, or change the design"
-                # A constant that is right for another context is not the fault: the call is.
+                # The finding is at the call, because the constant may be right for another context.
                 place = _enabled_at(name, facts) if name in right else _place_of(name, facts)
                 key = (name, context.id if name in right else "")
                 found[key] = _declared(place, f"{text}{context.place.file}", fix)
@@ -168,7 +168,7 @@ def _ends(facts: Facts) -> list[Finding]:
     called = {call.target for body in facts.syntax.bodies for call in body.calls}
     place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
     return [
-        _declared(place, f"nothing calls {name}, which is to end the firmware", "correct the name")
+        _declared(place, f"nothing calls {name}, which must end the firmware", "correct the name")
         for name in facts.declared.ends
         if name not in called
     ]

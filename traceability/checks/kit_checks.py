@@ -41,7 +41,10 @@ def _change(
             yield f"there is no class {name}"
         elif not _plays(model, facts, change, kit, name):
             wanted = " or ".join(change.derives or change.altered)
-            yield f"{name} has no part of {change.application}: it has nothing of {wanted}"
+            yield (
+                f"{name} has no role in {change.application}: "
+                f"it neither derives from {wanted} nor uses it"
+            )
     if not made.classes and not _touches(model, change, made):
         yield f"the kit edits none of {', '.join(change.altered)}"
     targets = {test.target for test in made.tests}
@@ -54,7 +57,7 @@ def _change(
 
 
 def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str) -> bool:
-    """Derives from a base class of the recipe, or, without one, from or with an altered module."""
+    """Whether a class of the kit makes the change of the recipe."""
     above = set(_above(facts, kit, name))
     if change.derives:
         return not above.isdisjoint(change.derives)

@@ -19,7 +19,7 @@ from traceability.reading.products import LIST, listed
 from traceability.schema import Finding, Place
 from traceability.sources import file_hash, files_below
 
-# A path of the project, as it is written; or as a link of the README.
+# A path of the project, in backticks or as the target of a link.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
@@ -32,7 +32,7 @@ PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
 CACHE = "pages-cache/links"  # next to the site
-FEW = 100  # pages that one process reads as fast as several
+FEW = 100  # up to this number of pages, one process is as fast as several
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
@@ -69,7 +69,7 @@ def _read(file: str) -> _Page:
 
 
 def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
-    """Reads the files, and those again that changed since they were read last."""
+    """Reads each file that is new or has changed since the last read."""
     known: dict[str, tuple[object, _Page]] = {}
     code = file_hash(Path(__file__))
     with suppress(OSError, EOFError, pickle.UnpicklingError), cache.open("rb") as stream:
@@ -99,7 +99,7 @@ class _Site:
         self.away = functools.cache(self._away)
 
     def reason(self, file: str, folder: str, link: str) -> str:
-        """Why a link is dead; empty for a live one."""
+        """The reason why a link is dead; empty when its target exists."""
         if link.startswith(("#", "?")):
             return self._without(file, link.partition("#")[2])
         return self.away(folder, link)
@@ -198,7 +198,7 @@ class Texts:
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """The place of a link; nowhere when it is composed from parts."""
+        """The place of a link; no place when the text contains only parts of the link."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""

@@ -204,7 +204,7 @@ def says(text: str) -> bool:
 
 
 def words_of(text: str) -> str:
-    """A text without capitals and marks."""
+    """The text in lower case, without punctuation."""
     return " ".join(re.findall(r"\w+", text.casefold()))
 
 

@@ -219,7 +219,7 @@ def _required(facts: Facts) -> list[Finding]:
         else:
             problems = _roles_of(item, roles)
         problems += [
-            (f"there is no module {module}, which is to be {role} in {item.id}", module)
+            (f"there is no module {module}, which the design binds to {role} in {item.id}", module)
             for role, modules in item.roles.items()
             for module in modules
             if module not in facts.classes

@@ -159,7 +159,8 @@ def held(role: str) -> Callable[[Shape], Broken]:
         for context in shape.playing("Context"):
             for base in shape.playing(role):
                 if not shape.holds(context, base) and not shape.is_given(context, base):
-                    yield shape.place(context), f"{context} neither holds {base} nor is given it"
+                    text = f"{context} has no member or parameter of the type {base}"
+                    yield shape.place(context), text
 
     return clause
 
@@ -410,7 +411,7 @@ def command_invoker(shape: Shape) -> Broken:
             yield shape.place(invoker), f"{invoker} does not call {', '.join(commands)}"
         elif calls and not executed(shape, calls):
             concrete = " or ".join(shape.playing("Concrete Command"))
-            yield shape.place(invoker), f"{invoker} is given no {concrete} to execute"
+            yield shape.place(invoker), f"{invoker} gets no {concrete} to execute"
 
 
 def executed(shape: Shape, calls: list[CallFact]) -> bool:

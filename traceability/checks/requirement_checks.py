@@ -236,7 +236,7 @@ def _unneeded(model: Model) -> list[Finding]:
 
 
 def _spare(item: Justified) -> Sequence[str]:
-    """The names without a use. A path is used when any of its parts is."""
+    """The names without a use. A path is in use if any of its parts is in use."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]
@@ -294,8 +294,8 @@ def unmet(
 ) -> list[Finding]:
     """Evidence that is missing or beyond its bound.
 
-    ``others`` are the findings of the other checks. Evidence that only counts them, or that stale
-    results leave unmeasured, is no finding of its own: they report it at its place.
+    ``others`` are the findings of the other checks. Evidence that counts these findings, or that is
+    not measured because results are stale, is not reported a second time.
     """
     checks = {finding.check for finding in others}
     return [
@@ -303,7 +303,7 @@ def unmet(
             evidence.place,
             "req-evidence",
             f"{requirement.id} is not met: {reason}",
-            "run ./wr test, which measures it; when it was measured, correct the code",
+            "run ./wr test to measure it; if the value is beyond its bound, correct the code",
         )
         for requirement in model.requirements.values()
         for evidence in requirement.evidence

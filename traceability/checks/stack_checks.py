@@ -17,7 +17,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _self_calls(facts: Facts) -> list[Finding]:
-    """Recursion within a file of the sources, while the image is older than they are."""
+    """Finds recursion within a source file; used while the image is older than the sources."""
     calls: dict[str, dict[str, set[str]]] = {}
     for body in facts.syntax.bodies:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())
@@ -26,7 +26,7 @@ def _self_calls(facts: Facts) -> list[Finding]:
         Finding(
             body.place,
             "stack-recursion",
-            f"{body.id} calls itself, directly or over other functions of its file",
+            f"{body.id} calls itself, directly or through other functions of its file",
             "write a loop with a bound",
         )
         for body in facts.syntax.bodies

@@ -277,14 +277,14 @@ def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
             found.append(Finding(row.place, "fsm-code", text, "write it, or correct the guard"))
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):
-                text = f"{words(row)} needs '{question}', and the code does not ask it"
+                text = f"{words(row)} needs '{question}', and the code does not check it"
                 fix = "correct the guard, or the code"
                 found.append(Finding(change.place, "fsm-code", text, fix))
     for change in code.changes:
         known = _known_before(machine, code, change)
         for question in sorted(set(change.asked) - known):
             change_text = f"the change from {change.source} to {change.target}"
-            text = f"{change_text} asks '{question}', and no guard has it"
+            text = f"{change_text} checks '{question}', and no guard contains this condition"
             fix = f"declare it in [guards] of {machine.place.file}, or remove it"
             found.append(Finding(change.place, "fsm-code", text, fix))
     return found
@@ -317,7 +317,7 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
 
 
 def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
-    """The calls that can precede one of the changes: none below it in the same function."""
+    """The calls that can precede a change: within one function, the calls above it."""
     return {
         call.target
         for change in changes

@@ -114,7 +114,7 @@ def _executed(requirement: Requirement, model: Model) -> list[Finding]:
         return []
     if requirement.runs:
         return []
-    # When no passed test has a recording, no node is measured: the root is then the place.
+    # Without a recording of a passed test no node is measured, and the finding is at the root.
     failed = next((node for node in nodes if node.ran is False), requirement.tree)
     return [
         Finding(

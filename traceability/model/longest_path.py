@@ -20,7 +20,7 @@ from traceability.reading.machine_code import REFILL, Code, Loop
 class FlowFact:
     """A sum of executions of blocks, each with its factor, that does not exceed a number."""
 
-    factors: Mapping[int | str, int]  # block, or name of a callee that is counted apart -> factor
+    factors: Mapping[int | str, int]  # block, or callee with a separate count -> factor
     most: int
 
 
@@ -33,7 +33,7 @@ class Problem:
     rounds: Iterable[tuple[Loop, Bound]]
     counted: Iterable[tuple[int, int]]  # block, and the greatest number of its executions
     facts: Iterable[FlowFact] = field(default_factory=list)
-    apart: Mapping[str, int] = field(default_factory=dict)  # callee that facts count -> its cost
+    apart: Mapping[str, int] = field(default_factory=dict)  # counted callee -> its cost
 
     def solve(self) -> int | None:
         """The greatest cost of a path; nothing when it has no bound, or no path has an end."""

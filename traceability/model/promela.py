@@ -2,7 +2,7 @@
 
 Each machine of ``design/fsm`` becomes a variable for its state, and a step that executes the first
 transition at an event whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets
-them, calls the steps and reads the actions.
+the guards, calls the steps and reads the actions.
 """
 
 from __future__ import annotations

@@ -195,7 +195,7 @@ def _response(
 def _busy(
     own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, int], *, noise: bool
 ) -> float:
-    """Cycles until a number of own cycles is executed between all interrupts of this time."""
+    """Cycles that pass until a number of own cycles is executed, with all interrupts in between."""
     found = own
     for _ in range(MOST_ROUNDS):
         now = own
@@ -208,10 +208,10 @@ def _busy(
 
 
 def _entries(one: TimeBound, cycles: int, waits: Mapping[str, int], *, noise: bool) -> int:
-    """The entries of an interrupt in a time, with those whose requests wait when it begins.
+    """The entries of an interrupt in a time, including requests that wait at its beginning.
 
     With noise an input gets its edges once more after each tick in this time, and the handler of
-    the first one may be late.
+    the first edge may be late.
     """
     assert one.entries is not None
     if noise and one.noise is not None:

@@ -137,7 +137,7 @@ class LinkTexts:
         ]
 
     def of_design(self, covered: set[str]) -> list[LinkText]:
-        """The reasons, and the functions and specifications that no text of ``covered`` is."""
+        """The reasons, and the functions and specifications that are not in ``covered``."""
         found: dict[str, LinkText] = {}
         for place, end, text in self._uncovered(covered):
             name = f"{text.splitlines()[0]} in {place.file}"
@@ -411,7 +411,7 @@ def suspicions(
 
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
-    """Where a text was, and the reason why it is no longer one of the requirement."""
+    """Where a text was, and the reason why the requirement no longer depends on it."""
     module = model.modules.get(name.split("::", maxsplit=1)[0])
     methods = [one for one in module.methods if one.id == name] if module else []
     if kind == "method" and methods:
@@ -438,7 +438,7 @@ def _changed(
 def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> Iterator[Suspicion]:
     """The texts without a requirement that differ from the baseline.
 
-    One that a requirement has got or lost is a finding of this requirement.
+    A text that a requirement has gained or lost is a finding of the requirement.
     """
     linked = set(baseline.links[DESIGN])
     if not linked and texts:
@@ -456,6 +456,6 @@ def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> 
 
 
 def _is_in(keys: Container[str], name: str) -> bool:
-    """Whether a requirement has the body, the specification or the constants of this name."""
+    """Whether the body, the specification or the constants of this name are in the keys."""
     code, _, file = name.rpartition(" in ")
     return any(key in keys for key in (f"body {code}", f"method {code}", f"constants {file}"))

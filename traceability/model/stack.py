@@ -65,7 +65,7 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
-    """Method of a chain of objects -> greatest number of its nested calls."""
+    """Returns the greatest number of nested calls of each method of a chain of objects."""
     found = {
         method.id: most
         for name, most in declared.entries.items()

@@ -92,8 +92,8 @@ def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
-    """The methods whose call counts as the node: its own method, or an overriding method when it
-    has no body."""
+    """The methods whose calls match the node: its own method or, if this has no body, the
+    overriding methods."""
     if node.resolved is None:
         return set()
     if node.resolved in facts.bodies:
@@ -102,7 +102,7 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """Those of the methods that exist on a target: methods of the K64 do not exist on the host."""
+    """The methods that exist on a target: methods of the K64 do not exist on the host."""
     return {
         method
         for method in accepted(node, facts)

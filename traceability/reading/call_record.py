@@ -47,7 +47,7 @@ class Activation:
 
     exception: int
     priority: int | None  # None: no exception
-    raised: int  # instant of the request [ns]; the entry when no request was recorded
+    raised: int  # instant of the request, or of the entry if no request was recorded [ns]
     begin: int
     end: int
     below: int  # the interrupted activation

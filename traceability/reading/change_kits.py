@@ -45,7 +45,7 @@ class Kit:
     bases: dict[str, str] = field(default_factory=dict)  # class of a file -> base class
     patched: list[str] = field(default_factory=list)  # existing files
     composition_lines: int = 0  # existing lines of the composition, removed or changed
-    outside_lines: int = 0  # the same of other files
+    outside_lines: int = 0  # the same in other files
     added_lines: int = 0  # new lines in existing files
 
 
@@ -58,7 +58,7 @@ class KitRecord:
 
 
 def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
-    """Application -> its kit. The folders are the list."""
+    """Application -> its kit. The folders are the list of kits."""
     found = {}
     for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
         kit = _kit(root, path, entries)

@@ -174,7 +174,7 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 def read_comments(file: str, text: str) -> Iterator[Comment]:
     """The comments of a file that are documentation."""
     block: list[str] = []
-    start, behind = 0, False  # line of the block, and whether it is behind its declaration
+    start, behind = 0, False  # line of the block, and whether the comment follows the declaration
     for line, after_code, written in comment_tokens(text):
         slashes = SLASHES.fullmatch(written)
         follows = bool(block) and line == start + len(block) and not after_code
@@ -225,6 +225,6 @@ def _paragraphs(text: str) -> list[str]:
 
 
 def plain(text: str) -> str:
-    """A text on one line; the items of a list keep theirs."""
+    """A text on one line, except that each item of a list has its own line."""
     parts = re.split(r"\n(?=\s*- )", text.replace("\\,", ","))
     return "\n".join(" ".join(part.split()) for part in parts).strip()

@@ -78,7 +78,7 @@ def module_names(root: Path) -> set[str]:
 
 
 def modules_in(elf: Path, known: Iterable[str]) -> list[str]:
-    """The known modules of which an image contains code or constants, by its symbols."""
+    """The modules of this list whose code or constants an image contains, by its symbols."""
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     return sorted(modules_of(listed).intersection(known))

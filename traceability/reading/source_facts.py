@@ -261,8 +261,8 @@ class References:
     ) -> dict[str, str]:
         """Returns the methods and functions that may run below the start -> first caller of each.
 
-        ``within`` restricts a virtual method to one of its overriding methods. Calls below ``ends``
-        are ignored.
+        ``within`` restricts a virtual method to one of its overriding methods. The search does not
+        continue below the methods in ``ends``.
         """
         found = dict.fromkeys(start, "")
         work = list(found)

@@ -106,7 +106,7 @@ def code_hash(path: Path) -> str:
 def _reader_hash(board: bool) -> str:
     here = Path(__file__).parent
     own = b"".join((here / f"{name}.py").read_bytes() for name in READERS)
-    shape = repr(signature(Place))  # a part of most facts, and of no reader
+    shape = repr(signature(Place))  # types of most facts, without code of a reader
     return hashlib.sha256(own + f"{Place} {shape} {clang_arguments(board)}".encode()).hexdigest()
 
 

@@ -129,7 +129,7 @@ class Entries:
         """Records the expected files that do not exist."""
         for path in [path for path in files if not path.exists()]:
             place = Place(str(path.relative_to(self.root)), 1)
-            text, fix = "there is no such file", "write it: a complete design contains it"
+            text, fix = "there is no such file", "write the file: a complete design contains it"
             self.problems.append(Problem(place, text, fix))
 
     def place_of(self, path: Path, name: str) -> Place:
