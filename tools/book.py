@@ -171,14 +171,14 @@ def _parts(site: Path) -> Iterator[str]:
 
 
 def main_of(site: Path, page: str) -> str:
-    found = MAIN.search((site / f"{page}.html").read_text(encoding="utf-8"))
-    assert found, page
-    return found[1]
+    match = MAIN.search((site / f"{page}.html").read_text(encoding="utf-8"))
+    assert match, page
+    return match[1]
 
 
 def title_of(text: str) -> str:
-    found = HEADING.search(SCREEN_ONLY.sub("", text))
-    return html.escape(html.unescape(TAG.sub("", found[1])).strip()) if found else "Untitled"
+    match = HEADING.search(SCREEN_ONLY.sub("", text))
+    return html.escape(html.unescape(TAG.sub("", match[1])).strip()) if match else "Untitled"
 
 
 def name_of(page: str) -> str:

@@ -78,7 +78,7 @@ def report(findings: list[Finding], failed: Iterable[str]) -> int:
     from traceability.checks import message, sort
 
     first = ("syntax-error", "design-entry")  # the causes of many other findings
-    for finding in sorted(sort(findings), key=lambda one: one.check not in first):
+    for finding in sorted(sort(findings), key=lambda finding: finding.check not in first):
         print(message(finding))
     names = list(failed)
     if names:

@@ -85,10 +85,10 @@ def debian_version(name: str) -> str:
 
 def _python(root: Path) -> Iterable[Component]:
     """Packages of the tools: not part of an image."""
-    found = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
-    if not found:
+    packages = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
+    if not packages:
         raise FailureError(f"{LOCK} names no package")
-    for name, version in found:
+    for name, version in packages:
         yield Component(
             name=name,
             version=version,

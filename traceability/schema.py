@@ -347,7 +347,7 @@ class Test:
 
     def gave(self, result: str | None) -> list[str]:
         """The targets on which the test had this result."""
-        return [binding for binding, one in self.results.items() if one.result == result]
+        return [binding for binding, outcome in self.results.items() if outcome.result == result]
 
     @property
     def passed(self) -> bool:
@@ -790,7 +790,7 @@ class Proofs:
 
     def of(self, requirement: str) -> list[ProofProperty]:
         """Returns the properties that formalise a requirement."""
-        return [one for one in self.properties.values() if one.requirement == requirement]
+        return [item for item in self.properties.values() if item.requirement == requirement]
 
     @property
     def proven(self) -> int | None:
@@ -916,11 +916,12 @@ class StackProof:
         """For each priority the context that needs the most; the start is below them all."""
         worst: dict[int | None, StackContext] = {}
         for context in self.contexts:
-            held = worst.get(context.priority)
-            if held is None or context.bytes > held.bytes:
+            worst_here = worst.get(context.priority)
+            if worst_here is None or context.bytes > worst_here.bytes:
                 worst[context.priority] = context
         return sorted(
-            worst.values(), key=lambda one: -(1 << 10 if one.priority is None else one.priority)
+            worst.values(),
+            key=lambda context: -(1 << 10 if context.priority is None else context.priority),
         )
 
     @property
@@ -928,7 +929,7 @@ class StackProof:
         """The sum of all levels; each level except the lowest includes the frame that the hardware
         stores."""
         levels = self.levels
-        return sum(one.bytes for one in levels) + self.exception_frame * (len(levels) - 1)
+        return sum(level.bytes for level in levels) + self.exception_frame * (len(levels) - 1)
 
 
 @dataclass(frozen=True)

@@ -41,7 +41,7 @@ def box_of(text: ET.Element) -> Box:
 
 def points(path: str) -> Iterator[Point]:
     """Points on a path of cubic curves: ``M`` with a point, ``C`` with three points for each."""
-    numbers = [float(one) for one in NUMBER.findall(path)]
+    numbers = [float(match) for match in NUMBER.findall(path)]
     corners = list(zip(numbers[::2], numbers[1::2], strict=True))
     for first in range(0, len(corners) - 3, 3):
         a, b, c, d = corners[first : first + 4]

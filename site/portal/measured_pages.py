@@ -104,7 +104,7 @@ def robustness(portal: Portal) -> dict[str, Any]:
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
     """The modules with the most silent faults first, then those with the most faults."""
     return sorted(
-        modules.items(), key=lambda one: (-one[1]["silent"], -sum(one[1].values()), one[0])
+        modules.items(), key=lambda item: (-item[1]["silent"], -sum(item[1].values()), item[0])
     )
 
 
@@ -131,7 +131,7 @@ def made_changes(portal: Portal) -> dict[str, Any]:
 
 
 def usual_design(portal: Portal) -> dict[str, Any]:
-    found = baseline_record.read_comparison(portal.root)
+    comparison = baseline_record.read_comparison(portal.root)
     patches = {
         change: {
             design: (portal.root / baseline_record.patch_of(change, design)).read_text("utf-8")
@@ -139,9 +139,11 @@ def usual_design(portal: Portal) -> dict[str, Any]:
         }
         for change in baseline_record.changes_of(portal.root)
     }
-    functions = baseline_record.beside(found["functions"], LEAST_DIFFERENCE) if found else []
+    functions = (
+        baseline_record.beside(comparison["functions"], LEAST_DIFFERENCE) if comparison else []
+    )
     return {
-        "found": found,
+        "found": comparison,
         "record": baseline_record,
         "patches": patches,
         "functions": functions,

@@ -26,7 +26,7 @@ CAUSE = re.compile(r"^.*(the fuzzer found|runtime error:|ERROR: ).*$", re.MULTIL
 
 def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
     """Runs a fuzzer. Inputs that reach new code are kept in a folder that is removed afterwards."""
-    with tempfile.TemporaryDirectory() as found, tempfile.TemporaryDirectory() as failed:
+    with tempfile.TemporaryDirectory() as corpus, tempfile.TemporaryDirectory() as failed:
         words = [
             program,
             f"-seed={seed % (1 << 32) or 1}",
@@ -34,7 +34,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
             f"-timeout={LONGEST}",
         ]
         words += [f"-max_len={LONGEST_INPUT[name]}"] if name in LONGEST_INPUT else []
-        words += [f"-artifact_prefix={failed}/", found, CORPUS / name]
+        words += [f"-artifact_prefix={failed}/", corpus, CORPUS / name]
         run = subprocess.run(
             [str(word) for word in words],
             stdin=subprocess.DEVNULL,
@@ -59,8 +59,8 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
 
 def cause_in(output: str) -> str:
     """The text of a failure, beginning at the line of its cause."""
-    found = CAUSE.search(output)
-    return output[found.start() :][:MOST_OF_TEXT] if found else output[-MOST_OF_TEXT:]
+    match = CAUSE.search(output)
+    return output[match.start() :][:MOST_OF_TEXT] if match else output[-MOST_OF_TEXT:]
 
 
 def main() -> None:

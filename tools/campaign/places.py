@@ -182,8 +182,8 @@ def _path(die: DIE) -> str:
 
 
 def _text(die: DIE, name: str) -> str:
-    found: Any = die.attributes.get(name)
-    return found.value.decode() if found is not None else ""
+    attribute: Any = die.attributes.get(name)
+    return attribute.value.decode() if attribute is not None else ""
 
 
 def _plain(name: str) -> str:

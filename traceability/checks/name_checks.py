@@ -54,11 +54,11 @@ class Words:
         fact = self.facts.classes.get(owner)
         if fact is None:
             return set()
-        found = {one.name for one in fact.methods} | {one.name for one in fact.fields}
-        found |= {value.name for value in fact.values}
+        names = {method.name for method in fact.methods} | {field.name for field in fact.fields}
+        names |= {value.name for value in fact.values}
         inner = f"{owner}::"
-        found |= {name.removeprefix(inner) for name in self.facts.classes if name.startswith(inner)}
-        return found.union(*(self.members(base) for base in fact.bases))
+        names |= {name.removeprefix(inner) for name in self.facts.classes if name.startswith(inner)}
+        return names.union(*(self.members(base) for base in fact.bases))
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:

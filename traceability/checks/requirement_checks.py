@@ -77,7 +77,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 def _texts(model: Model) -> list[Finding]:
     """A requirement is one sentence with a shall, and has a rationale."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for requirement in model.requirements.values():
         parts = {
             "sentence with 'shall'": " shall " in requirement.text,
@@ -85,7 +85,7 @@ def _texts(model: Model) -> list[Finding]:
             "@source": requirement.source,
             f"@priority ({', '.join(PRIORITIES)})": requirement.priority in PRIORITIES,
         }
-        found += [
+        findings += [
             Finding(
                 requirement.place,
                 "req-text",
@@ -95,7 +95,7 @@ def _texts(model: Model) -> list[Finding]:
             for part, there in parts.items()
             if not there
         ]
-    return found
+    return findings
 
 
 def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -209,12 +209,12 @@ def _uncalled(model: Model, facts: Facts) -> list[Finding]:
     entries = [entry for entry in facts.declared.justified if entry.kind == "uncalled"]
     named = {name for entry in entries for name in entry.names}
     fix = "call it, remove it, or justify it in design/justified.toml"
-    found = [
+    findings = [
         Finding(method.place, "req-caller", f"only tests call {name}", fix)
         for name, method in spare.items()
         if name not in named
     ]
-    return found + [
+    return findings + [
         Finding(entry.place, "req-justified", f"{name} has a caller", "remove the name")
         for entry in entries
         for name in entry.names
@@ -266,10 +266,10 @@ def _old_image(facts: Facts) -> list[Finding]:
 
 
 def _requirements(model: Model) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for requirement in model.requirements.values():
         if requirement.by_calls and not requirement.satisfied_by:
-            found.append(
+            findings.append(
                 Finding(
                     requirement.place,
                     "req-satisfied",
@@ -278,7 +278,7 @@ def _requirements(model: Model) -> list[Finding]:
                 )
             )
         if not requirement.evidence and not requirement.verified_by:
-            found.append(
+            findings.append(
                 Finding(
                     requirement.place,
                     "req-verified",
@@ -286,7 +286,7 @@ def _requirements(model: Model) -> list[Finding]:
                     f"tag a test with @verifies {requirement.id}",
                 )
             )
-    return found
+    return findings
 
 
 def unmet(
@@ -327,13 +327,15 @@ def _results(model: Model) -> list[Finding]:
         Finding(
             test.place,
             "req-passed",
-            f"{test.id} {words[one.result]} on the {binding}"
+            f"{test.id} {words[result.result]} on the {binding}"
             + (f", and it verifies {', '.join(test.verifies)}" if test.verifies else ""),
             "correct the code or the test, then run ./wr test",
         )
         for test in model.tests.values()
-        for binding, one in test.results.items()
-        if one.result != "passed" and (test.verifies or one.result is None) and not one.stale
+        for binding, result in test.results.items()
+        if result.result != "passed"
+        and (test.verifies or result.result is None)
+        and not result.stale
     ]
 
 
@@ -360,7 +362,7 @@ def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
 def _built(folder: Path, words: set[str]) -> bool:
     """Whether the folder, or one above it, is named."""
     above = [folder, *folder.parents]
-    return any(str(one.relative_to("tests")) in words for one in above if one.parts[1:])
+    return any(str(folder.relative_to("tests")) in words for folder in above if folder.parts[1:])
 
 
 def _unknown(model: Model, facts: Facts) -> list[Finding]:
@@ -404,14 +406,14 @@ def _twice(facts: Facts) -> Iterator[Finding]:
 
 def _tags(model: Model) -> list[Finding]:
     """A test that is named after a requirement verifies it."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
         if match is None:
             continue
         name = f"{match[1]}-{match[2]}"
         if name not in test.verifies:
-            found.append(
+            findings.append(
                 Finding(
                     test.place,
                     "req-name",
@@ -419,7 +421,7 @@ def _tags(model: Model) -> list[Finding]:
                     f"write @verifies {name} above it, or rename it",
                 )
             )
-    return found
+    return findings
 
 
 def _lines(model: Model) -> list[Finding]:
@@ -447,29 +449,30 @@ def _suspects(model: Model) -> list[Finding]:
     """One finding for each text, with all requirements that depend on it."""
     asking: dict[Suspicion, list[str]] = {}
     for requirement in model.requirements.values():
-        for one in requirement.suspicions:
-            asking.setdefault(one, []).append(requirement.id)
-    found = [
+        for suspicion in requirement.suspicions:
+            asking.setdefault(suspicion, []).append(requirement.id)
+    findings = [
         Finding(
-            one.place,
-            f"suspect-{_LINKS[one.kind]}",
-            f"{', '.join(ids)}: {NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}",
+            suspicion.place,
+            f"suspect-{_LINKS[suspicion.kind]}",
+            f"{', '.join(ids)}: {NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} "
+            f"{suspicion.text}",
             f"review it: ./wr review {ids[0]}; or accept the change, without a review: "
             f"./wr review --baseline {' '.join(ids)}",
         )
-        for one, ids in asking.items()
+        for suspicion, ids in asking.items()
     ]
     fix = "compare it with the code; then accept the change: ./wr review --baseline design"
-    found += [
+    findings += [
         Finding(
-            one.place,
+            suspicion.place,
             "suspect-design",
-            f"{NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}",
+            f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}",
             fix,
         )
-        for one in model.suspicions
+        for suspicion in model.suspicions
     ]
-    return found + [
+    return findings + [
         Finding(
             Place(str(BASELINE), 1),
             "suspect-requirement",

@@ -26,9 +26,9 @@ def check(model: Model, _facts: Facts) -> list[Finding]:
     return [
         *_loops(model.times),
         *(
-            one
+            finding
             for what, seen_ms, bound_ms in seen
-            for one in _seen(model.times, what, seen_ms, bound_ms)
+            for finding in _seen(model.times, what, seen_ms, bound_ms)
         ),
     ]
 

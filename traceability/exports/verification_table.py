@@ -56,12 +56,17 @@ def row(model: Model, report: Report, requirement: Requirement) -> dict[str, Any
             for suspicion in requirement.suspicions
         ],
         "reviews": [
-            {"reviewer": one.reviewer, "date": one.date, "holds": one.holds, "remark": one.remark}
-            for one in requirement.reviews
+            {
+                "reviewer": review.reviewer,
+                "date": review.date,
+                "holds": review.holds,
+                "remark": review.remark,
+            }
+            for review in requirement.reviews
         ],
         "satisfied_by": requirement.satisfied_by,
         "tests": {
-            name: {binding: one.result for binding, one in model.tests[name].results.items()}
+            name: {binding: result.result for binding, result in model.tests[name].results.items()}
             for name in requirement.verified_by
         },
         "tree": [

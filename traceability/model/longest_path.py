@@ -65,7 +65,7 @@ class Problem:
             outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
             entries = [v for (b, e), v in ways.items() if e in loop.blocks and b not in loop.blocks]
             exits = self.code.blocks[loop.head].exits()
-            leaves = loop.head not in loop.back and any(one not in loop.blocks for one in exits)
+            leaves = loop.head not in loop.back and any(edge not in loop.blocks for edge in exits)
             # A loop with its condition at the end has a round before its first jump back.
             first = 0 if leaves else solver.qsum(outside)
             entered = 1 if bound.in_all else solver.qsum(entries)

@@ -59,12 +59,12 @@ class KitRecord:
 
 def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
     """Application -> its kit. The folders are the list of kits."""
-    found = {}
+    kits = {}
     for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
         kit = _kit(root, path, entries)
         if kit:
-            found[kit.application] = kit
-    return found
+            kits[kit.application] = kit
+    return kits
 
 
 def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
@@ -80,7 +80,7 @@ def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
     item["named_tests"] = item.pop("tests", [])
     kit = Kit(application=folder.name, place=place, **item)
     kit.image = kit.image or IMAGE + folder.name
-    own = sorted(one for one in folder.iterdir() if one.suffix in (".hpp", ".cpp"))
+    own = sorted(path for path in folder.iterdir() if path.suffix in (".hpp", ".cpp"))
     for source in own:
         if source.stem.endswith("Test"):
             kit.tests |= tests_in(root, source)

@@ -16,9 +16,9 @@ def last_mutation(root: Path, sources: str) -> LastRecord | None:
     data = read_json(root / RECORD)
     if not isinstance(data, dict):
         return last_score(root, "mutation")
-    found = sum(bool(item["killed_by"]) for item in data["tried"])
+    killed = sum(bool(item["killed_by"]) for item in data["tried"])
     current = data.get("sources") == sources
-    return LastRecord("mutate", data.get("commit", ""), found, len(data["tried"]), current)
+    return LastRecord("mutate", data.get("commit", ""), killed, len(data["tried"]), current)
 
 
 def read_mutation(root: Path, sources: str) -> Mutation | None:

@@ -45,6 +45,6 @@ def last_score(root: Path, name: str) -> LastRecord | None:
     record = read_published(root, name)
     if record is None:
         return None
-    found, tried = record.result["found"], record.result["tried"]
+    killed, tried = record.result["found"], record.result["tried"]
     command = record.command.removeprefix("./wr ")
-    return LastRecord(command, record.commit, found, tried, current=False, date=record.date)
+    return LastRecord(command, record.commit, killed, tried, current=False, date=record.date)
