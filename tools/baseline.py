@@ -81,19 +81,19 @@ def image_of(root: Path, design: str, suffix: str) -> Path:
 
 def measure_run(root: Path, log: TextIO, design: str) -> dict[str, Any]:
     """Plays the scenario with the image of a design on the virtual K64."""
-    found = root / WORK / f"{design}.json"
-    found.parent.mkdir(parents=True, exist_ok=True)
-    found.unlink(missing_ok=True)
+    record = root / WORK / f"{design}.json"
+    record.parent.mkdir(parents=True, exist_ok=True)
+    record.unlink(missing_ok=True)
     run(
         log,
         [
             root / "build/host/sim" / BOARD_PROGRAM,
             *("--image", image_of(root, design, ".bin")),
             *("--elf", image_of(root, design, ".elf")),
-            *("--scenario", root / SCENARIO, "--bench", found, "--profile"),
+            *("--scenario", root / SCENARIO, "--bench", record, "--profile"),
         ],
     )
-    measured: dict[str, Any] = json.loads(found.read_text(encoding="utf-8"))
+    measured: dict[str, Any] = json.loads(record.read_text(encoding="utf-8"))
     return measured
 
 
@@ -149,8 +149,8 @@ def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
 
 def own_sources(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
     """Returns the sources of one design, with the headers that no other design includes."""
-    closures = {one: closure(root, sources_in(root, sizes, one)) for one in sizes}
-    others = set().union(*(closures[one] for one in sizes if one != design))
+    closures = {name: closure(root, sources_in(root, sizes, name)) for name in sizes}
+    others = set().union(*(closures[name] for name in sizes if name != design))
     return sorted(closures[design] - others)
 
 
@@ -163,18 +163,18 @@ def sources_in(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> li
 
 def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
     """Sources, and all files of the project that they include."""
-    found: set[Path] = set()
+    files: set[Path] = set()
     waiting = list(sources)
     while waiting:
         path = waiting.pop()
-        if path in found:
+        if path in files:
             continue
-        found.add(path)
+        files.add(path)
         for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
             waiting += [
                 root / base / name for base in (SRC, "tests") if (root / base / name).is_file()
             ]
-    return found
+    return files
 
 
 def source_figures(paths: list[Path]) -> dict[str, float]:
@@ -223,10 +223,10 @@ def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
 
 def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
     """Design -> number of tests; the suites are named Suite/Usual and Suite/Patterns."""
-    found: dict[str, int] = defaultdict(int)
+    counts: dict[str, int] = defaultdict(int)
     for suite in results["testsuites"]:
-        found[suite["name"].rpartition("/")[2].lower()] += suite["tests"]
-    return {design: found[design] for design in DESIGNS}
+        counts[suite["name"].rpartition("/")[2].lower()] += suite["tests"]
+    return {design: counts[design] for design in DESIGNS}
 
 
 def apply(log: TextIO, tree: Path, patch: Path) -> None:

@@ -90,7 +90,7 @@ def print_bench(root: Path) -> None:
 
 @dataclass(frozen=True)
 class Orders:
-    """The same order every 100 ms in a period [s]."""
+    """A period in which the same order is sent every 100 ms."""
 
     first: float
     last: float
@@ -99,22 +99,22 @@ class Orders:
 
 def orders_of(text: str) -> list[Orders]:
     """The orders of a scenario of the bench."""
-    found = []
+    periods = []
     for line in text.splitlines():
         if match := ORDER.match(line.strip()):
             first, last, _, velocity, steering = match.groups(default="0")
             wish = Wish.of(Quantity.VELOCITY, int(velocity) / 10, int(steering) / 100)
-            found.append(Orders(int(first) / 1000, int(last) / 1000, wish))
-    return found
+            periods.append(Orders(int(first) / 1000, int(last) / 1000, wish))
+    return periods
 
 
 def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
     """One wish for each cycle of 100 ms, to the end or for a number of seconds."""
     end = orders[-1].last if seconds is None else min(orders[-1].last, orders[0].first + seconds)
-    for one in orders:
-        cycles = round((min(one.last, end) - one.first) * 1000 / PERIOD_MS) + 1
+    for period in orders:
+        cycles = round((min(period.last, end) - period.first) * 1000 / PERIOD_MS) + 1
         for _ in range(max(cycles, 0)):
-            yield one.wish
+            yield period.wish
 
 
 def on_board(root: Path, port: Path, seconds: float | None) -> int:
@@ -124,20 +124,20 @@ def on_board(root: Path, port: Path, seconds: float | None) -> int:
         text = (root / FOLDER / f"{paper.name}.scenario").read_text(encoding="utf-8")
         print(f"{paper.title} ... ", end="", flush=True)
         try:
-            found = costs(drive(port, wishes(orders_of(text), seconds)))
+            run = costs(drive(port, wishes(orders_of(text), seconds)))
         except FailureError as error:
             print(f"FAILED: {error}")
             return 1
         scenario = record.get(paper.name, BenchScenario())
-        record[paper.name] = replace(scenario, runs={**scenario.runs, BOARD: found})
-        times = found.report_ms
+        record[paper.name] = replace(scenario, runs={**scenario.runs, BOARD: run})
+        times = run.report_ms
         print(f"{times.average:.3f} ms, at most {times.maximum:.3f}, load "
-              f"{found.load.average:.2f} %, {found.cycles} cycles")  # fmt: skip
+              f"{run.load.average:.2f} %, {run.cycles} cycles")  # fmt: skip
     keep(root, BENCH, record)
     return 0
 
 
-def drive(port: Path, wanted: Iterator[Wish]) -> list[Report]:
+def drive(port: Path, plan: Iterator[Wish]) -> list[Report]:
     """Arms the robot and orders each wish for a cycle; returns the reports."""
     try:
         link = Link(port)
@@ -153,7 +153,7 @@ def drive(port: Path, wanted: Iterator[Wish]) -> list[Report]:
         reports = []
         due = time.monotonic()
         wish = Wish()
-        for wish in wanted:
+        for wish in plan:
             sender.send(wish)
             due += PERIOD_MS / 1000
             while (left := due - time.monotonic()) > 0:
@@ -166,17 +166,19 @@ def drive(port: Path, wanted: Iterator[Wish]) -> list[Report]:
 
 def costs(reports: list[Report]) -> BenchRun:
     """The numbers that a board reports about itself. The first cycles belong to earlier orders."""
-    told = [report for report in reports if report.order_read][2:]
-    if not told:
+    measured = [report for report in reports if report.order_read][2:]
+    if not measured:
         raise FailureError("no report of a cycle that read an order")
-    if not any(report.awake_cycles for report in told):
+    if not any(report.awake_cycles for report in measured):
         raise FailureError("this port counts no processor cycles: choose the port of the board")
-    starts = [report.start_cycles for report in told]
+    starts = [report.start_cycles for report in measured]
     return BenchRun(
-        report_ms=spread([report.report_cycles / CORE_PER_MS for report in told], 4),
-        load=spread([100 * report.awake_cycles / CORE_PER_MS / PERIOD_MS for report in told], 3),
+        report_ms=spread([report.report_cycles / CORE_PER_MS for report in measured], 4),
+        load=spread(
+            [100 * report.awake_cycles / CORE_PER_MS / PERIOD_MS for report in measured], 3
+        ),
         start_us=spread([1000 * cycles / CORE_PER_MS for cycles in starts], 2),
         jitter_us=round(1000 * (max(starts) - min(starts)) / CORE_PER_MS, 2),
-        times_us=[round(1000 * report.report_cycles / CORE_PER_MS) for report in told],
-        cycles=len(told),
+        times_us=[round(1000 * report.report_cycles / CORE_PER_MS) for report in measured],
+        cycles=len(measured),
     )

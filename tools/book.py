@@ -75,7 +75,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "book",
         description="Prints the pages of the portal that explain the system as one PDF: "
-        f"{PDF}. It shows the pages as ./wr portal or ./wr test made them last, and needs "
+        f"{PDF}. It uses the last pages of ./wr portal or ./wr test, and needs "
         "Chromium.",
     )
     parser.set_defaults(run=lambda root, _options: book(root))
@@ -176,14 +176,14 @@ def _parts(site: Path) -> Iterator[str]:
 
 
 def main_of(site: Path, page: str) -> str:
-    found = MAIN.search((site / f"{page}.html").read_text(encoding="utf-8"))
-    assert found, page
-    return found[1]
+    match = MAIN.search((site / f"{page}.html").read_text(encoding="utf-8"))
+    assert match, page
+    return match[1]
 
 
 def title_of(text: str) -> str:
-    found = HEADING.search(SCREEN_ONLY.sub("", text))
-    return html.escape(html.unescape(TAG.sub("", found[1])).strip()) if found else "Untitled"
+    match = HEADING.search(SCREEN_ONLY.sub("", text))
+    return html.escape(html.unescape(TAG.sub("", match[1])).strip()) if match else "Untitled"
 
 
 def name_of(page: str) -> str:
@@ -191,7 +191,7 @@ def name_of(page: str) -> str:
 
 
 def chapter(page: str, text: str) -> str:
-    """The content of a page for paper: all of it open, and its links inside of the book."""
+    """The content of a page for paper: with all parts opened, and with links inside the book."""
     text = SCREEN_ONLY.sub("", text).replace("<details", "<details open")
 
     def place(match: re.Match[str]) -> str:

@@ -31,29 +31,29 @@ def record_all(root: Path, log: TextIO) -> str:
     folder = root / "build" / "calls"
     folder.mkdir(parents=True, exist_ok=True)
     symbols = read_symbols(root / ELF, NAMES, folder / "symbols.json")
-    found: dict[str, Recording] = {}
+    recordings: dict[str, Recording] = {}
     for window in declared_recordings(root):
         lines = play(root, window, folder / f"{window.name}.csv", log)
         with lines.open(encoding="utf-8") as file:
-            found[window.name] = reduced(recording_of(file, symbols), window.without)
+            recordings[window.name] = reduced(recording_of(file, symbols), window.without)
         lines.unlink()
-        if not found[window.name].spans:
+        if not recordings[window.name].spans:
             raise FailureError(
                 f"{window.name} has no call: {window.place.file}:{window.place.line}"
             )
     for chain in declared_chains(root):
-        recording = found[chain.recording]
+        recording = recordings[chain.recording]
         if follow(chain, recording) is None:
             place = f"{chain.place.file}:{chain.place.line}"
             raise FailureError(
                 f"{place}: the recording {chain.recording} has no step "
                 f"{first_missing(chain, recording)!r} after the previous steps"
             )
-    content = {"recordings": {name: packed(one) for name, one in found.items()}}
+    content = {"recordings": {name: packed(recording) for name, recording in recordings.items()}}
     (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
     (root / RECORD).write_text(json.dumps(content, separators=(",", ":")), encoding="utf-8")
-    calls = sum(len(one.spans) for one in found.values())
-    return f"{len(found)} parts of scenarios, {calls} calls"
+    calls = sum(len(recording.spans) for recording in recordings.values())
+    return f"{len(recordings)} parts of scenarios, {calls} calls"
 
 
 def play(root: Path, window: Window, output: Path, log: TextIO) -> Path:

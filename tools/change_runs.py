@@ -18,7 +18,7 @@ from traceability.reading.products import PAPER, recorded_image_of
 from traceability.reading.toml_reader import Entries
 
 TESTS, IMAGES = "changes_tests", "change_images"  # targets of CMake
-COST = "instructions"  # property of a test: those of a cycle, on average
+COST = "instructions"  # property of a test: instructions of a cycle, on average
 
 
 def test_changes(root: Path, log: TextIO) -> Outcome:
@@ -37,7 +37,7 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
     sizes of its image, and those of the same design on the K64."""
     path = root / PORTS_RESULT
     path.parent.mkdir(parents=True, exist_ok=True)
-    found = {}
+    reports = {}
     for name, port in read_ports(root, Entries(root)).items():
         if port.needs and not shutil.which(port.needs):
             log.write(f"{name} is not tested: {port.needs} is not installed\n")
@@ -45,10 +45,10 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
         program = root / "build" / BOARD_PRESET / PORTS / name / port.program
         suites, _, _ = run_shards(path.with_suffix(f".{name}.json"), program, log, {})
         (image,) = (root / "build/k64_calls").rglob(f"{port.image}.elf")
-        found[name] = {"testsuites": suites, "image": size_of(image)}
-    whole = [suite for one in found.values() for suite in one["testsuites"]]
+        reports[name] = {"testsuites": suites, "image": size_of(image)}
+    whole = [suite for report in reports.values() for suite in report["testsuites"]]
     sizes = size_of(root / recorded_image_of(PAPER, ".elf"))
-    path.write_text(json.dumps({**found, "k64": sizes, "testsuites": whole}) + "\n")
+    path.write_text(json.dumps({**reports, "k64": sizes, "testsuites": whole}) + "\n")
     write_failures(path, log)
     return outcome_of(gtest_counts(path))
 
@@ -69,9 +69,9 @@ def costs(root: Path, suites: list[dict[str, Any]]) -> dict[str, dict[str, float
     """Image -> its flash and RAM [bytes], and the instructions of a cycle, where counted."""
     tests = [test for suite in suites for test in suite["testsuite"]]
     counted = {test["image"]: float(test[COST]) for test in tests if COST in test}
-    found: dict[str, dict[str, float]] = {}
+    images: dict[str, dict[str, float]] = {}
     for image in images_of(read_kits(root, Entries(root)).values()):
-        found[image] = size_of(root / recorded_image_of(image, ".elf"))
+        images[image] = size_of(root / recorded_image_of(image, ".elf"))
         if image in counted:
-            found[image][COST] = counted[image]
-    return found
+            images[image][COST] = counted[image]
+    return images

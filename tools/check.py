@@ -77,8 +77,8 @@ def report(findings: list[Finding], failed: Iterable[str]) -> int:
     """Prints the findings and the failed tasks; returns the exit code."""
     from traceability.checks import message, sort
 
-    first = ("syntax-error", "design-entry")  # these may cause other findings
-    for finding in sorted(sort(findings), key=lambda one: one.check not in first):
+    first = ("syntax-error", "design-entry")  # the causes of many other findings
+    for finding in sorted(sort(findings), key=lambda finding: finding.check not in first):
         print(message(finding))
     names = list(failed)
     if names:

@@ -62,14 +62,14 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     folder."""
     directory = root / "build" / preset
     made = directory / "build.ninja"
-    wanted = ["--target", *targets] if targets else []
+    arguments = ["--target", *targets] if targets else []
     with _building[preset]:
         newest = max((root / name).stat().st_mtime for name in SETTINGS)
         if made.exists() and made.stat().st_mtime < newest:
             shutil.rmtree(directory)  # notes of the compiler for objects that no longer exist
         if not made.exists():
             run(log, ["cmake", "--fresh", "-S", root, "--preset", preset])
-        run(log, ["cmake", "--build", directory, "--parallel", jobs(), *wanted])
+        run(log, ["cmake", "--build", directory, "--parallel", jobs(), *arguments])
 
 
 def gtest_counts(results: Path) -> Counts:
@@ -96,7 +96,7 @@ def write_failures(results: Path, log: TextIO) -> None:
             image = f" with the image {test['image']}" if "image" in test else ""
             log.write(f"\nFAILED {suite['name']}.{test['name']}{image}{seed}\n")
             log.write(f"to debug it: ./wr debug {suite['name']}.{test['name']}\n")
-            log.writelines(f"{one['failure']}\n" for one in test["failures"])
+            log.writelines(f"{failure['failure']}\n" for failure in test["failures"])
 
 
 def junit_counts(results: Path) -> Counts:
@@ -231,18 +231,18 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
 
     # Ninja quotes the inputs for a shell.
     inputs = {shlex.split(line)[0] for line in ask("inputs", *targets) if line}
-    found = set(inputs)
+    input_files = set(inputs)
     object_wanted = False
     for line in ask("deps"):
         if line.startswith("    "):
             if object_wanted:
-                found.add(line.strip())
+                input_files.add(line.strip())
         elif line:
             object_wanted = line.partition(": #deps")[0] in inputs
-    found |= {line.strip(" |") for line in ask("query", "build.ninja")}
-    paths = {(folder / name).resolve() for name in found}
-    kept = (path.relative_to(root) for path in paths if path.is_relative_to(root))
-    written = [path for path in kept if path.parts[0] != "build" and (root / path).is_file()]
+    input_files |= {line.strip(" |") for line in ask("query", "build.ninja")}
+    paths = {(folder / name).resolve() for name in input_files}
+    names = (path.relative_to(root) for path in paths if path.is_relative_to(root))
+    written = [path for path in names if path.parts[0] != "build" and (root / path).is_file()]
     return sorted(map(str, written))
 
 
@@ -251,12 +251,12 @@ def copy_sources(root: Path, target: Path, texts: Mapping[str, str] | None = Non
     times."""
     python = root / "tests/python"
     paths = [path for path in files_below(root, COPIED) if python not in path.parents]
-    wanted = {str(path.relative_to(root)): path.read_bytes() for path in paths}
-    wanted |= {name: text.encode() for name, text in (texts or {}).items()}
+    contents = {str(path.relative_to(root)): path.read_bytes() for path in paths}
+    contents |= {name: text.encode() for name, text in (texts or {}).items()}
     for path in files_below(target, COPIED):
-        if str(path.relative_to(target)) not in wanted:
+        if str(path.relative_to(target)) not in contents:
             path.unlink()
-    for name, content in wanted.items():
+    for name, content in contents.items():
         copy = target / name
         if not copy.exists() or copy.read_bytes() != content:
             copy.parent.mkdir(parents=True, exist_ok=True)

@@ -52,14 +52,14 @@ def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
 
 
 def read_findings(root: Path) -> list[Finding]:
-    """The findings of the documents that were made last."""
-    found = read_json(root / FINDINGS) or []
-    return [Finding(**{**one, "place": Place(**one["place"])}) for one in found]
+    """The findings of the last documents."""
+    records = read_json(root / FINDINGS) or []
+    return [Finding(**{**record, "place": Place(**record["place"])}) for record in records]
 
 
 def read_times(root: Path) -> dict[str, float]:
-    found = read_json(root / TIMES)
-    return found if isinstance(found, dict) else {}
+    times = read_json(root / TIMES)
+    return times if isinstance(times, dict) else {}
 
 
 def write_time(root: Path, name: str, seconds: float) -> None:
@@ -70,8 +70,8 @@ def write_time(root: Path, name: str, seconds: float) -> None:
 def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
     """Adds numbers to the metrics that were measured after the documents were made."""
     for path in (root / name for name in files or (METRICS,)):
-        known = read_json(path)
-        text = json.dumps((known or {}) | value, indent=1, sort_keys=True)
+        metrics = read_json(path)
+        text = json.dumps((metrics or {}) | value, indent=1, sort_keys=True)
         write_whole(path, f"{text}\n")
 
 
@@ -96,7 +96,7 @@ def no_collection() -> Iterator[None]:
 
 
 def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
-    """The findings, and whether no step failed."""
+    """The findings, and whether all steps succeeded."""
     from portal.site_build import build_site
     from traceability.checks import run_checks, run_link_checks
     from traceability.exports.metrics_file import site_figures, write_metrics
@@ -133,12 +133,12 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
     def check_links(_log: TextIO) -> str:
         assert built is not None and report is not None
         site = root / "build" / "site"
-        found = run_link_checks(*built, site)
-        findings.extend(found)
+        dead_links = run_link_checks(*built, site)
+        findings.extend(dead_links)
         measured = site_figures(site, findings) | read_times(root)
         metrics = write_metrics(root, built.model, report, measured)
         record_revision(root, built.model, report, metrics)
-        return counted(found)
+        return counted(dead_links)
 
     if not steps.run("model", make_model):
         for title in PARTS[1:]:

@@ -87,6 +87,6 @@ def identity(elf: Path, image: Path) -> tuple[str, str]:
         address, _, symbol = (*line.split(maxsplit=2), "", "")[:3]
         if symbol == "wr::firmwareIdentity":
             start = place_in_binary(elf, int(address, 16))
-            found = image.read_bytes()[start : start + 11]
-            return ".".join(map(str, found[:3])), found[3:].decode("ascii", errors="replace")
+            text = image.read_bytes()[start : start + 11]
+            return ".".join(map(str, text[:3])), text[3:].decode("ascii", errors="replace")
     raise FailureError(f"{elf.name} has no identity")

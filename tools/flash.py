@@ -22,7 +22,7 @@ from traceability.reading.products import image_of
 
 USB = Path("/sys/bus/usb/devices")
 ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
-# Messages of pyOCD and OpenOCD when they find none.
+# Messages of pyOCD and OpenOCD when they find no debug probe.
 NO_PROBE = ("No connected debug probes", "unable to find a matching CMSIS-DAP device")
 ADVICE = """\
 Connect a USB cable to the socket of the board that is marked SDA, and try again. Or name the
@@ -172,18 +172,20 @@ def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
 
 def compared(image: Path, copy: Path) -> str:
     """Reports that the flash equals the image; fails at the first byte that differs."""
-    wanted = image.read_bytes()
+    expected = image.read_bytes()
     try:
-        found = copy.read_bytes()
+        read_back = copy.read_bytes()
     except OSError as error:
         raise FailureError("the flash could not be read back: write the image again") from error
-    for address, (byte, other) in enumerate(zip(wanted, found, strict=False)):
+    for address, (byte, other) in enumerate(zip(expected, read_back, strict=False)):
         if byte != other:
             differs = f"flash at 0x{address:X} holds 0x{other:02X}, not 0x{byte:02X}"
             raise FailureError(f"{differs}: write the image again")
-    if len(found) < len(wanted):
-        raise FailureError(f"only {len(found)} of {len(wanted)} bytes were read back: try again")
-    return f"{len(wanted)} bytes read back, equal to the image"
+    if len(read_back) < len(expected):
+        raise FailureError(
+            f"only {len(read_back)} of {len(expected)} bytes were read back: try again"
+        )
+    return f"{len(expected)} bytes read back, equal to the image"
 
 
 def copy(image: Path, folder: Path | None) -> Way:
@@ -196,15 +198,15 @@ def copy(image: Path, folder: Path | None) -> Way:
     return Way(missing, f"copy {image} to {drive}", lambda log: usb_drive.copy(image, drive, log))
 
 
-def choose(found: dict[str, Way], name: str | None) -> tuple[str, Way]:
+def choose(available: dict[str, Way], name: str | None) -> tuple[str, Way]:
     """The chosen way, or the first way that finds a board."""
     probe = name is not None or has_probe()
-    for other, way in found.items():
+    for other, way in available.items():
         if name in (None, other) and not way.missing and (probe or other == "drive"):
             return other, way
-    said = [f"{other}: {way.missing or 'installed'}" for other, way in found.items()]
+    said = [f"{other}: {way.missing or 'installed'}" for other, way in available.items()]
     if name:
-        raise MissingError(f"{name}: {found[name].missing}\n{ADVICE}")
+        raise MissingError(f"{name}: {available[name].missing}\n{ADVICE}")
     said.append(f"debug probe on USB: {'one is connected' if probe else 'none'}")
     looked = "\n  ".join(said)
     raise MissingError(f"no board was found. Looked for\n  {looked}\n{ADVICE}")

@@ -21,7 +21,7 @@ def forbidden(program: Path) -> set[str]:
     """The kinds of FORBIDDEN in a program, found by its symbols and sections."""
     listed = _output("arm-none-eabi-nm", "--format=posix", program).splitlines()
     names = [line.split(maxsplit=1)[0] for line in listed]
-    found = {
+    kinds = {
         kind
         for kind, pattern in FORBIDDEN.items()
         if any(re.fullmatch(pattern, name) for name in names)
@@ -29,8 +29,8 @@ def forbidden(program: Path) -> set[str]:
     text = _output("arm-none-eabi-readelf", "--sections", "--wide", program)
     tables = [name for name, size in SECTION.findall(text) if int(size, 16)]
     if any(part in name for name in tables for part in UNWINDING):
-        found.add("unwinder")
-    return found
+        kinds.add("unwinder")
+    return kinds
 
 
 def _output(*words: str | Path) -> str:

@@ -26,9 +26,9 @@ def lock_problems(image: bytes) -> list[str]:
         return [f"the image has {len(image)} bytes, the flash of the chip {FLASH}"]
     field = image[FIELD : FIELD + SIZE]
     return [
-        f"byte 0x{address:X} is 0x{value:02X}, not 0x{wanted:02X}: {_why(address, value)}"
-        for address, (value, wanted) in enumerate(zip(field, WANTED, strict=True), FIELD)
-        if value != wanted
+        f"byte 0x{address:X} is 0x{value:02X}, not 0x{expected:02X}: {_why(address, value)}"
+        for address, (value, expected) in enumerate(zip(field, WANTED, strict=True), FIELD)
+        if value != expected
     ]
 
 

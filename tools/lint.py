@@ -168,9 +168,9 @@ def check_tidy(root: Path, log: TextIO) -> str:
         return [*words, "-p", str(directory)]
 
     checked = [
-        one
-        for one in sources(root, CHECKED, ".cpp")
-        if not one.is_relative_to(root / WEB) and one.parent.name != "tests"
+        source
+        for source in sources(root, CHECKED, ".cpp")
+        if not source.is_relative_to(root / WEB) and source.parent.name != "tests"
     ]
     return check_changed(root, "tidy", checked, command, log)
 
@@ -218,19 +218,19 @@ def check_changed(
 def settings(root: Path, path: Path) -> list[Path]:
     """The settings of clang-tidy for a file."""
     folders = [parent for parent in path.parents if parent.is_relative_to(root)]
-    return [one for folder in folders if (one := folder / ".clang-tidy").exists()]
+    return [file for folder in folders if (file := folder / ".clang-tidy").exists()]
 
 
 def included(root: Path, path: Path) -> set[Path]:
     """The file and all files of the project that it includes, directly or not."""
-    found: set[Path] = set()
+    files: set[Path] = set()
     waiting = [path]
     while waiting:
-        one = waiting.pop()
-        if one not in found:
-            found.add(one)
-            waiting += direct(root, one)
-    return found
+        file = waiting.pop()
+        if file not in files:
+            files.add(file)
+            waiting += direct(root, file)
+    return files
 
 
 @cache

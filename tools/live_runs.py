@@ -131,17 +131,17 @@ def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str
 def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
     """Opens a page of a folder, and returns the result that it posts."""
     came = threading.Event()
-    found: dict[str, Any] = {}
+    posted: dict[str, Any] = {}
 
     class Handler(SimpleHTTPRequestHandler):
         def do_POST(self) -> None:
-            found.update(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
+            posted.update(json.loads(self.rfile.read(int(self.headers["Content-Length"]))))
             self.send_response(204)
             self.end_headers()
             came.set()
 
         def log_message(self, *_arguments: Any) -> None:
-            """The log has the results, not the requests."""
+            """The log does not contain the requests."""
 
     handler = functools.partial(Handler, directory=str(folder))
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:
@@ -163,18 +163,18 @@ def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
                 program.terminate()
                 program.wait()
                 http.shutdown()
-    return found
+    return posted
 
 
 def differences(native: Run, run: dict[str, Any]) -> list[str]:
     """The differences of a run as WebAssembly from the native one, and its failures."""
-    found = [run["end"]] if run["end"] != "ended" else []
-    found += run["failures"]
+    problems = [run["end"]] if run["end"] != "ended" else []
+    problems += run["failures"]
     if run["reports"] != native.reports:
-        found.append("reports")
+        problems.append("reports")
     if (run["events"]["count"], run["events"]["hash"]) != (native.events, native.hash):
-        found.append("events")
-    return found
+        problems.append("events")
+    return problems
 
 
 def measure_live(root: Path, log: TextIO) -> Outcome:
@@ -209,8 +209,10 @@ def measure_live(root: Path, log: TextIO) -> Outcome:
     if wrong:
         return Outcome(f"different from the native run: {wrong[0]}", failed=True)
     speed = values.get("real_time_factor")
-    note = f"{len(scenarios)} scenarios, the same bytes in {' and '.join(engines) or 'no engine'}"
-    return Outcome(f"{note}, {speed} times real time" if speed else note)
+    summary = (
+        f"{len(scenarios)} scenarios, the same bytes in {' and '.join(engines) or 'no engine'}"
+    )
+    return Outcome(f"{summary}, {speed} times real time" if speed else summary)
 
 
 def _wrong(
@@ -218,14 +220,14 @@ def _wrong(
 ) -> list[str]:
     if not engines:
         return []
-    found = []
+    problems = []
     for number, scenario in enumerate(scenarios):
         native = play_native(root, scenario)
         for engine, runs in engines.items():
-            found += [
+            problems += [
                 f"{scenario.stem}: {part} in {engine}" for part in differences(native, runs[number])
             ]
-    return found
+    return problems
 
 
 def _bytes(root: Path) -> int:

@@ -29,7 +29,7 @@ class BusyError(Exception):
 def only_one(root: Path, command: str) -> Iterator[None]:
     """Locks the project; raises BusyError when another process holds it.
 
-    The system frees the lock of a process that ended, in whatever way.
+    The system frees the lock of each process that ends, also after a crash.
     """
     if os.environ.get(HOLDER) == str(root):
         yield
@@ -86,9 +86,9 @@ def end_programs_of(root: Path) -> None:
 def programs_of(root: Path) -> list[int]:
     """Returns the processes that began with the mark of the owner of the lock."""
     mark = f"{HOLDER}={root}".encode()
-    found = []
+    processes = []
     for path in Path("/proc").glob("[0-9]*/environ"):
         with suppress(OSError):
             if mark in path.read_bytes().split(b"\0"):
-                found.append(int(path.parent.name))
-    return found
+                processes.append(int(path.parent.name))
+    return processes

@@ -65,31 +65,31 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
     path.parent.mkdir(parents=True, exist_ok=True)
     content = {name: asdict(result) for name, result in results.items()}
     path.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
-    proven = sum(one.verdict == "proven" for one in results.values())
-    states = sum(one.states for one in results.values())
-    note = f"{proven} of {len(results)} properties proven, {states} states"
+    proven = sum(result.verdict == "proven" for result in results.values())
+    states = sum(result.states for result in results.values())
+    summary = f"{proven} of {len(results)} properties proven, {states} states"
     if recorded:
-        note += f"; {len(recorded)} by the record of the same models"
-    return Outcome(note, failed=proven < len(results))
+        summary += f"; {len(recorded)} by the record of the same models"
+    return Outcome(summary, failed=proven < len(results))
 
 
 def prove(
-    root: Path, declared: Declared, wanted: Iterable[ProofProperty], say: Callable[[str], None]
+    root: Path, declared: Declared, properties: Iterable[ProofProperty], say: Callable[[str], None]
 ) -> dict[str, ProofResult]:
     """Proves properties, some at the same time; each gets a line when it ends."""
-    asked = list(wanted)
-    found: dict[str, ProofResult] = {}
+    listed = list(properties)
+    results: dict[str, ProofResult] = {}
     with ThreadPoolExecutor(WORKERS) as pool:
-        made = pool.map(partial(prove_one, root, declared), asked)
-        for number, (one, result) in enumerate(zip(asked, made, strict=True), 1):
-            found[one.name] = result
+        made = pool.map(partial(prove_one, root, declared), listed)
+        for number, (proven, result) in enumerate(zip(listed, made, strict=True), 1):
+            results[proven.name] = result
             say(
-                f"[{number}/{len(asked)}] {one.name}: {result.verdict}, "
+                f"[{number}/{len(listed)}] {proven.name}: {result.verdict}, "
                 f"{result.states} states, depth {result.depth}, {result.seconds:.1f} s"
             )
             for line in result.events:
                 say(f"        {line}")
-    return found
+    return results
 
 
 def record_proofs(root: Path, declared: Declared, results: Mapping[str, ProofResult]) -> Path:
@@ -103,16 +103,16 @@ def record_proofs(root: Path, declared: Declared, results: Mapping[str, ProofRes
 
 
 def recorded_proofs(root: Path, declared: Declared) -> dict[str, ProofResult]:
-    """The results in the record whose models are the present ones, byte by byte."""
+    """The recorded results whose models are equal to the present models, byte by byte."""
     record = read_published(root, RECORD)
-    found: dict[str, ProofResult] = {}
+    results: dict[str, ProofResult] = {}
     for name, proof in declared.proofs.items():
         values = dict(record.result.get(name, {})) if record else {}
         if record and values.pop("model", "") == model_hash(root, declared, proof):
-            found[name] = replace(
+            results[name] = replace(
                 ProofResult(**values), recorded=record.commit, recorded_on=record.date
             )
-    return found
+    return results
 
 
 def model_hash(root: Path, declared: Declared, proof: ProofProperty) -> str:
@@ -172,8 +172,8 @@ def counterexample(root: Path, proof: ProofProperty) -> list[str]:
         if reached and reached[2] != "0":
             break
     said = call(folder, proof, [SPIN, "-t", "model.pml"])
-    found = [match[1] or "from here on for ever:" for match in EVENT.finditer(said)]
-    return found or ["the counterexample has no event"]
+    steps = [match[1] or "from here on for ever:" for match in EVENT.finditer(said)]
+    return steps or ["the counterexample has no event"]
 
 
 def call(folder: Path, proof: ProofProperty, words: Sequence[str]) -> str:

@@ -38,17 +38,17 @@ def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
     declared = read_declared(root)
     unknown = set(options.properties) - set(declared.proofs)
     if unknown:
-        known = ", ".join(declared.proofs)
-        parser.error(f"there is no property {min(unknown)}; the properties are {known}")
+        names = ", ".join(declared.proofs)
+        parser.error(f"there is no property {min(unknown)}; the properties are {names}")
     if missing := missing_program():
         raise MissingError(f"{missing} is not installed; ./wr setup installs it")
     with only_one(root, "prove"):
         if options.properties:
-            wanted = [declared.proofs[name] for name in options.properties]
-            results = prove(root, declared, wanted, print)
+            properties = [declared.proofs[name] for name in options.properties]
+            results = prove(root, declared, properties, print)
             return 0 if all(result.verdict == "proven" for result in results.values()) else 1
         if options.again:
             results = prove(root, declared, declared.proofs.values(), print)
             print(f"recorded in {record_proofs(root, declared, results).relative_to(root)}")
-            return 0 if all(one.verdict == "proven" for one in results.values()) else 1
+            return 0 if all(result.verdict == "proven" for result in results.values()) else 1
         return 1 if graph(root).run([PROOFS]).failed else 0

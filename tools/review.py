@@ -51,8 +51,8 @@ def review(root: Path, options: argparse.Namespace) -> int:
     if not options.baseline and len(options.ids) != 1:
         raise UsageError("name one requirement to review, such as ./wr review FR-15")
     built = build(root)
-    known = {*built.model.requirements, *([DESIGN] if options.baseline else [])}
-    unknown = [name for name in options.ids if name not in known]
+    names = {*built.model.requirements, *([DESIGN] if options.baseline else [])}
+    unknown = [name for name in options.ids if name not in names]
     if unknown:
         raise UsageError(f"there is no requirement {', '.join(unknown)}")
     texts = LinkTexts(built.model, built.facts)
@@ -67,14 +67,14 @@ def record_baseline(root: Path, model: Model, texts: LinkTexts, ids: list[str]) 
     from traceability.model.reviews import DESIGN, NAMES_OF_TEXTS, write_baseline
 
     requirements = model.requirements
-    doubts = {name: one.suspicions for name, one in requirements.items()}
+    doubts = {name: requirement.suspicions for name, requirement in requirements.items()}
     doubts[DESIGN] = model.suspicions
     changed = [name for name in ids or doubts if doubts[name]]
     for name in changed:
         for suspicion in doubts[name]:
             said = NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)
             print(f"{name}: {said} {suspicion.text}")
-    present = {name: texts.of(one) for name, one in requirements.items()}
+    present = {name: texts.of(requirement) for name, requirement in requirements.items()}
     covered = {text.key for listed in present.values() for text in listed}
     recorded = {name: present[name] for name in changed if name != DESIGN}
     if DESIGN in changed:

@@ -82,8 +82,8 @@ def test(root: Path, *, long: bool) -> int:
 
 def counts_of(run: Reporter, *counted: str | None) -> Counts:
     """The tests of all tasks; the tests with sanitizers are the same as the tests with traces."""
-    found = Counts()
+    counts = Counts()
     for name, values in run.values.items():
         if "passed" in values and (name in counted or name != TESTS_SANITIZE):
-            found += Counts(values["passed"], values["failed_tests"], values["skipped"])
-    return found
+            counts += Counts(values["passed"], values["failed_tests"], values["skipped"])
+    return counts

@@ -62,7 +62,7 @@ def _images(images: Mapping[str, str], version: str) -> Iterable[Component]:
 
 
 def _linked() -> Iterable[Component]:
-    """The C and C++ library, and that of the compiler, as installed on this machine."""
+    """The libraries of C, of C++ and of the compiler, as installed on this machine."""
     for name in LINKED:
         version = debian_version(name)
         yield Component(
@@ -85,10 +85,10 @@ def debian_version(name: str) -> str:
 
 def _python(root: Path) -> Iterable[Component]:
     """Packages of the tools: not part of an image."""
-    found = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
-    if not found:
+    packages = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
+    if not packages:
         raise FailureError(f"{LOCK} names no package")
-    for name, version in found:
+    for name, version in packages:
         yield Component(
             name=name,
             version=version,

@@ -98,7 +98,7 @@ def grouped(faults: list[Fault]) -> list[list[Fault]]:
         if not fault.compiles:
             continue
         files = {fault.place, *(edit.file for edit in fault.edits)}
-        taken, group = next((one for one in groups if not one[0] & files), (set(), []))
+        taken, group = next((group for group in groups if not group[0] & files), (set(), []))
         if not group:
             groups.append((taken, group))
         taken |= files
@@ -117,7 +117,7 @@ def _seed_part(root: Path, tree: Path, stage: str, groups: list[list[Fault]]) ->
 
 
 class Copy:
-    """A copy of the project, in which one fault after the other is seeded and removed again."""
+    """A copy of the project, in which faults are seeded and removed."""
 
     def __init__(self, root: Path, tree: Path, stage: str) -> None:
         self.tree = tree
@@ -132,7 +132,7 @@ class Copy:
             for name in LINKED:
                 if (root / name).exists():
                     (tree / name).symlink_to(root / name)
-        self.before = {_key(one) for one in self.findings()}
+        self.before = {_key(finding) for finding in self.findings()}
         self.cache = {path: path.read_bytes() for path in self._cached()}
         self.stamps = self._stamps()
 
@@ -145,22 +145,24 @@ class Copy:
         return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
-        """Seeds the faults together, and those that were not found again in halves.
+        """Seeds the faults together. Seeds the faults that were not found again, in halves.
 
         A fault can hide all others, for example when it makes a file of the design unreadable.
         Halves separate it from them in few runs.
         """
-        outcomes = {fault.name: one for fault, one in zip(faults, self._seed(faults), strict=True)}
+        outcomes = {
+            fault.name: outcome for fault, outcome in zip(faults, self._seed(faults), strict=True)
+        }
         missed = [fault for fault in faults if not outcomes[fault.name].caught]
         if len(faults) > 1:
             middle = (len(missed) + 1) // 2
             for half in filter(None, (missed[:middle], missed[middle:])):
-                outcomes |= {one.name: one for one in self.seed(half)}
+                outcomes |= {outcome.name: outcome for outcome in self.seed(half)}
         return [outcomes[fault.name] for fault in faults]
 
     def _seed(self, faults: list[Fault]) -> list[Outcome]:
         edits = [edit for fault in faults for edit in fault.edits]
-        kept = {edit.file: _content(self.tree / edit.file) for edit in edits}
+        before = {edit.file: _content(self.tree / edit.file) for edit in edits}
         new: list[Finding] = []
         lines = [0] * len(faults)
         error: list[str] = []
@@ -168,25 +170,25 @@ class Copy:
             for number, fault in enumerate(faults):
                 changed = [edit.apply(self.tree) for edit in fault.edits]
                 lines[number] = fault.expected_line(self.tree, changed[0])
-            new = [one for one in self.findings() if _key(one) not in self.before]
+            new = [finding for finding in self.findings() if _key(finding) not in self.before]
         except ValueError as problem:
             error = [str(problem)]
         finally:
-            self._restore(kept)
+            self._restore(before)
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
         """The files to keep. The messages of Doxygen are kept with its XML."""
-        found = sorted((self.tree / "build" / "model").rglob("*.*"))
+        files = sorted((self.tree / "build" / "model").rglob("*.*"))
         kinds = (".json", ".facts")
-        return [path for path in found if path.suffix in kinds and path.name != "doxygen.json"]
+        return [path for path in files if path.suffix in kinds and path.name != "doxygen.json"]
 
     def _stamps(self) -> dict[Path, int]:
         return {path: path.stat().st_mtime_ns for path in self._cached()}
 
-    def _restore(self, kept: dict[str, bytes | None]) -> None:
+    def _restore(self, before: dict[str, bytes | None]) -> None:
         """The files before the faults, with their parsed content, so that no file is read twice."""
-        for file, content in kept.items():
+        for file, content in before.items():
             if content is None:
                 (self.tree / file).unlink(missing_ok=True)
             else:
@@ -202,13 +204,13 @@ class Copy:
 
 def _outcome(fault: Fault, line: int, new: list[Finding], error: list[str]) -> Outcome:
     right = [
-        one
-        for one in new
-        if one.check == fault.check
-        and one.place.file == fault.place
-        and abs(one.place.line - line) <= NEAR
+        finding
+        for finding in new
+        if finding.check == fault.check
+        and finding.place.file == fault.place
+        and abs(finding.place.line - line) <= NEAR
     ]
-    compiles = not any(one.check == COMPILER for one in new)
+    compiles = not any(finding.check == COMPILER for finding in new)
     return Outcome(
         name=fault.name,
         check=fault.check,
@@ -217,7 +219,7 @@ def _outcome(fault: Fault, line: int, new: list[Finding], error: list[str]) -> O
         line=line,
         caught=bool(right) and compiles == fault.compiles,
         compiles=compiles,
-        said=error or [message(one) for one in right or new],
+        said=error or [message(finding) for finding in right or new],
     )
 
 

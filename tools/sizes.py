@@ -75,14 +75,14 @@ def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
     link-time optimisation removes this information.
     """
     sizes: dict[str, Size] = defaultdict(Size)
-    known = list(objects(elf, homes(recorded or elf)))
+    all_objects = list(objects(elf, homes(recorded or elf)))
     for section in sections(elf):
         rest = section.size
         if whole := owner(section):
             add(sizes[whole], section, section.size)
             continue
-        held = ((part, size) for address, part, size in known if section.holds(address))
-        for part, size in instructions(elf, section) if section.code else held:
+        inside = ((part, size) for address, part, size in all_objects if section.holds(address))
+        for part, size in instructions(elf, section) if section.code else inside:
             add(sizes[part], section, size)
             rest -= size
         if rest:
@@ -103,12 +103,12 @@ def homes(elf: Path) -> dict[str, str]:
     return {name: module for _, _, name, module in OBJECT.findall(listed) if module}
 
 
-def objects(elf: Path, known: Mapping[str, str]) -> Iterator[tuple[int, str, int]]:
+def objects(elf: Path, modules: Mapping[str, str]) -> Iterator[tuple[int, str, int]]:
     """Address, module and size of each object. A virtual method table belongs to its class."""
     for address, size, name, _ in OBJECT.findall(output("arm-none-eabi-nm", "--print-size", elf)):
         plain = name.partition(".lto_priv")[0]
         table = CLASS_TABLE.match(plain)
-        part = table[2][: int(table[1])] if table else known.get(plain, PADDING)
+        part = table[2][: int(table[1])] if table else modules.get(plain, PADDING)
         yield int(address, 16), part, int(size, 16)
 
 
@@ -128,15 +128,15 @@ def owner(section: Section) -> str:
 def sections(elf: Path) -> list[Section]:
     """The sections that use memory. A section that is copied into RAM also uses flash."""
     lines = output("arm-none-eabi-objdump", "-h", elf).splitlines()
-    found = []
+    parts = []
     for line, flags in pairwise(lines):
         match = HEADER.match(line)
         if match and "ALLOC" in flags:
             size, address, load = (int(number, 16) for number in match.groups()[1:])
             in_flash, in_ram = "CONTENTS" in flags, address >= SRAM
             code = "CODE" in flags
-            found.append(Section(match[1], size, address, load, in_flash, in_ram, code))
-    return found
+            parts.append(Section(match[1], size, address, load, in_flash, in_ram, code))
+    return parts
 
 
 def place_in_binary(elf: Path, address: int) -> int:
@@ -178,7 +178,7 @@ def sizes_of(root: Path, product: str) -> dict[str, Size]:
 def write_products(root: Path) -> dict[str, Size]:
     """Measures the images of all products, and writes the parts of each."""
     wholes, records = {}, {}
-    known = module_names(root)
+    modules = module_names(root)
     for product in PRODUCTS:
         elf = root / image_of(product, ".elf")
         whole = wholes[product] = whole_of(elf)
@@ -189,7 +189,7 @@ def write_products(root: Path) -> dict[str, Size]:
                 (section.size for section in sections(elf) if "stack" in section.name), 0
             ),
             "forbidden": sorted(forbidden(elf)),
-            "modules": modules_in(root / recorded_image_of(product, ".elf"), known),
+            "modules": modules_in(root / recorded_image_of(product, ".elf"), modules),
         }
     write_json(root / RESULTS, records)
     return wholes

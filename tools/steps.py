@@ -175,7 +175,7 @@ class Steps:
         start = time.monotonic()
         try:
             with log_file(path) as log, redirect_stdout(log), redirect_stderr(log):
-                note = attempt(action, log)
+                result = attempt(action, log)
         except FailureError as error:
             self.failed.append(title)
             self._say(f"FAILED, {time.monotonic() - start:.1f} s: {error}")
@@ -184,7 +184,7 @@ class Steps:
                 self._say(f"The whole log: {path.relative_to(self.root)}")
             return False
         seconds = f"{time.monotonic() - start:.1f} s"
-        self._say(f"{note}, {seconds}" if note else seconds)
+        self._say(f"{result}, {seconds}" if result else seconds)
         return True
 
     def skip(self, title: str, reason: str) -> None:

@@ -87,7 +87,7 @@ def clone(root: Path, copy: Path) -> None:
 
 
 def environment(root: Path, copy: Path) -> dict[str, str]:
-    """The modules of the copy come first. Its tests get the seed of the run here, if it had one."""
+    """Python searches the modules of the copy first; its tests get the seed of the run here."""
     path = os.pathsep.join(str(folder) for folder in (copy, copy / "client", copy / "site"))
     run = read_run(root, RUNS[HOST])
     seed = {"WR_SEED": run.seeds[0]} if run and len(run.seeds) == 1 else {}
@@ -95,7 +95,7 @@ def environment(root: Path, copy: Path) -> dict[str, str]:
 
 
 def compare(root: Path, copy: Path, *, images: bool) -> Iterator[str]:
-    """Returns the differences, a line each."""
+    """Returns the differences, one for each line."""
     for product in PRODUCTS:
         name = image_of(product, ".bin")
         if file_hash(root / name) != file_hash(copy / name):

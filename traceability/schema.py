@@ -347,7 +347,7 @@ class Test:
 
     def gave(self, result: str | None) -> list[str]:
         """The targets on which the test had this result."""
-        return [binding for binding, one in self.results.items() if one.result == result]
+        return [binding for binding, outcome in self.results.items() if outcome.result == result]
 
     @property
     def passed(self) -> bool:
@@ -808,7 +808,7 @@ class Proofs:
 
     def of(self, requirement: str) -> list[ProofProperty]:
         """Returns the properties that formalise a requirement."""
-        return [one for one in self.properties.values() if one.requirement == requirement]
+        return [item for item in self.properties.values() if item.requirement == requirement]
 
     @property
     def proven(self) -> int | None:
@@ -934,11 +934,12 @@ class StackProof:
         """For each priority the context that needs the most; the start is below them all."""
         worst: dict[int | None, StackContext] = {}
         for context in self.contexts:
-            held = worst.get(context.priority)
-            if held is None or context.bytes > held.bytes:
+            worst_here = worst.get(context.priority)
+            if worst_here is None or context.bytes > worst_here.bytes:
                 worst[context.priority] = context
         return sorted(
-            worst.values(), key=lambda one: -(1 << 10 if one.priority is None else one.priority)
+            worst.values(),
+            key=lambda context: -(1 << 10 if context.priority is None else context.priority),
         )
 
     @property
@@ -946,7 +947,7 @@ class StackProof:
         """The sum of all levels; each level except the lowest includes the frame that the hardware
         stores."""
         levels = self.levels
-        return sum(one.bytes for one in levels) + self.exception_frame * (len(levels) - 1)
+        return sum(level.bytes for level in levels) + self.exception_frame * (len(levels) - 1)
 
 
 @dataclass(frozen=True)
@@ -1073,7 +1074,7 @@ class Port:
     outside_lines: int  # the same of other files
     tests: Mapping[str, str] | None  # their results, when they are of these sources
     size: Mapping[str, int]  # flash and ram of its image [bytes], when it is of these sources
-    size_on_k64: Mapping[str, int]  # the same of this design on the K64
+    size_on_k64: Mapping[str, int]  # the same values for this design on the K64
 
     @property
     def passed(self) -> bool:

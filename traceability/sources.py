@@ -16,20 +16,20 @@ TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
 def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()) -> list[Path]:
     """The files of the named folders and files below the root, sorted, without Python caches."""
-    found: list[Path] = []
+    files: list[Path] = []
     for name in names:
         start = root / name
         if start.is_file():
-            found.append(start)
+            files.append(start)
         elif start.is_dir():
-            found += [
+            files += [
                 path
                 for path in start.rglob("*")
                 if path.is_file()
                 and "__pycache__" not in path.parts
                 and (not suffixes or path.suffix in suffixes)
             ]
-    return sorted(found)
+    return sorted(files)
 
 
 def include_options(root: Path) -> list[str]:

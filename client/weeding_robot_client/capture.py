@@ -58,7 +58,7 @@ class Capture(AbstractContextManager["Capture"]):
         for byte in data:
             pending.append(byte)
             if byte == 0 or len(pending) == MOST:
-                if len(pending) > 1:  # zeros with nothing between them are not a frame
+                if len(pending) > 1:  # successive zeros contain no frame
                     self._packet(direction, bytes(pending))
                 pending.clear()
 

@@ -109,7 +109,7 @@ class Hand:
             self._moved_at = float("-inf")
 
     def wish(self, now: float) -> Wish:
-        """Returns the wish of this time: neutral unless a motion key was repeated just now."""
+        """Returns the present wish: neutral unless a motion key was repeated recently."""
         acknowledges = now - self._acknowledged_at < ACKNOWLEDGE_S
         moves = self._moves(now) and not self.stop and not acknowledges
         velocity = self._direction * self.speed_rpm if moves else 0.0

@@ -35,7 +35,7 @@ BY_QUANTITY = "quantity"  # the unit of a set-point depends on its quantity
 
 
 class LayoutError(ValueError):
-    """A table of frames that cannot be used, or values that do not fit a frame."""
+    """The table of frames cannot be used, or values do not fit a frame."""
 
 
 @dataclass(frozen=True)

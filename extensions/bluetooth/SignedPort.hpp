@@ -36,6 +36,7 @@ class SignedPort final : public SerialPort {
   /// @param port line to the Bluetooth module
   /// @param key secret key; a key whose bytes are all 0xFF is no key: nothing is received or sent
   /// @param random draws the number of this start
+  /// @satisfies FR-264
   SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& random);
 
   /// @brief Returns the bytes of at most one frame whose tag is right and whose counter is new.

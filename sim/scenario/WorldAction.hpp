@@ -16,7 +16,7 @@ namespace wr::scenario {
 /// @brief Events around the robot: all actions of a scenario except those of the PC.
 namespace world {
 
-/// @brief The sticks move; nothing: the transmitter is off.
+/// @brief Moves the sticks; without a value, switches the transmitter off.
 struct MoveSticks {
   std::optional<plant::Sticks> sticks;
 };

@@ -48,5 +48,7 @@ def questions_of(root: Path) -> list[Question]:
 
 def by_topic(questions: list[Question]) -> dict[str, list[Question]]:
     topics = list(dict.fromkeys(question.topic for question in questions))
-    ordered = sorted(questions, key=lambda one: topics.index(one.topic))
-    return {topic: list(found) for topic, found in groupby(ordered, lambda one: one.topic)}
+    ordered = sorted(questions, key=lambda question: topics.index(question.topic))
+    return {
+        topic: list(group) for topic, group in groupby(ordered, lambda question: question.topic)
+    }

@@ -63,8 +63,10 @@ class Range:
 
 def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
     """The longest cycle of all scenarios, for each model of time."""
-    found = [(name, one.report_ms.maximum) for run in runs.values() for name, one in run.items()]
-    return {name: max(value for key, value in found if key == name) for name, _ in found}
+    times = [
+        (name, entry.report_ms.maximum) for run in runs.values() for name, entry in run.items()
+    ]
+    return {name: max(value for key, value in times if key == name) for name, _ in times}
 
 
 def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
@@ -78,9 +80,9 @@ def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
         paper.name: [
             shown("the paper", "paper", paper.average, paper.maximum),
             *(
-                shown(WORDS[name], kind, one.report_ms.average, one.report_ms.maximum)
+                shown(WORDS[name], kind, run.report_ms.average, run.report_ms.maximum)
                 for name, kind in ((MANUAL, "fast"), (SLOW, "slow"), ("board", "board"))
-                if (one := runs.get(paper.name, {}).get(name))
+                if (run := runs.get(paper.name, {}).get(name))
             ),
         ]
         for paper in SCENARIOS
@@ -104,7 +106,7 @@ def bands(run: Runs) -> Drawing:
         mean = [point(at, sum(part) / len(part), y) for at, part in zip(across, parts, strict=True)]
         lines.append(Line(f"band {style}", "", f"M{'L'.join([*high, *reversed(low)])}Z"))
         lines.append(Line(f"truth {style} thin", WORDS[kind], f"M{'L'.join(mean)}"))
-    words = "; ".join(f"{WORDS[kind]}: up to {max(found)} us" for kind, found in times.items())
+    words = "; ".join(f"{WORDS[kind]}: up to {max(micros)} us" for kind, micros in times.items())
     return Drawing("Time of the cycle", "ms", x.ticks, y.ticks, lines, words)
 
 
@@ -116,21 +118,23 @@ def distribution(run: Runs) -> Drawing:
     """A histogram of the cycle times, in steps of 20 us."""
     times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
     bins = {kind: Counter(time // BIN_US for time in values) for kind, values in times.items()}
-    most = max(max(found) for found in bins.values()) + 1
+    most = max(max(counts) for counts in bins.values()) + 1
     x = axis(0.0, most * BIN_US / 1000, rounded=True)
-    y = axis(0.0, float(max(max(found.values()) for found in bins.values())), rounded=True)
-    lines = [Line(CLASSES[kind], WORDS[kind], outline(found, x, y)) for kind, found in bins.items()]
+    y = axis(0.0, float(max(max(counts.values()) for counts in bins.values())), rounded=True)
+    lines = [
+        Line(CLASSES[kind], WORDS[kind], outline(counts, x, y)) for kind, counts in bins.items()
+    ]
     words = "; ".join(
         f"{WORDS[kind]}: {min(values)} to {max(values)} us" for kind, values in times.items()
     )
     return Drawing("Cycles by their time", "cycles in 20 us", x.ticks, y.ticks, lines, words)
 
 
-def outline(found: Counter[int], x: Axis, y: Axis) -> str:
+def outline(counts: Counter[int], x: Axis, y: Axis) -> str:
     """The steps of a histogram."""
     parts: list[str] = []
-    for number in range(min(found), max(found) + 1):
+    for number in range(min(counts), max(counts) + 1):
         left, right = (x.place(edge * BIN_US / 1000) * WIDTH / 100 for edge in (number, number + 1))
-        down = HEIGHT - y.place(found[number]) * HEIGHT / 100
+        down = HEIGHT - y.place(counts[number]) * HEIGHT / 100
         parts.append(f"{'V' if parts else f'M{left:.1f} {HEIGHT}V'}{down:.1f}H{right:.1f}")
     return "".join([*parts, f"V{HEIGHT}"])

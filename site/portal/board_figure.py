@@ -43,8 +43,8 @@ class Row:
 
 
 def headers() -> list[Row]:
-    """The headers as the Arduino R3 layout orders them, seen from above; the even pins are the
-    outer ones."""
+    """The headers as the Arduino R3 layout orders them, seen from above; the pins with even numbers
+    are outside."""
     outer, inner = LABEL, LABEL + SIZE + 4
     low_inner = inner + SIZE + LABEL + SHORT
     low_outer = low_inner + SIZE + 4
@@ -74,12 +74,12 @@ class Used:
     @property
     def part(self) -> tuple[str, str]:
         """The name and the class of the part of the robot at this pin."""
-        found = (
+        matches = (
             (name, kind)
             for words, name, kind in PARTS
             if re.search(words, f"{self.signal.replace('_', ' ')} {self.effect}".lower())
         )
-        return next(found, ("", ""))
+        return next(matches, ("", ""))
 
     @property
     def label(self) -> str:
@@ -122,7 +122,7 @@ def board_figure(root: Path) -> str:
 
 def _legend(used: dict[str, Used]) -> Markup:
     """A button for each part of the robot; app.js marks its pins."""
-    parts = [part for part in dict.fromkeys(one.part for one in used.values()) if part[0]]
+    parts = [part for part in dict.fromkeys(pin.part for pin in used.values()) if part[0]]
     buttons = (
         Markup('<button type="button" class="btn {}" data-part="{}">{}</button>').format(
             f"pin-{kind}", kind, name

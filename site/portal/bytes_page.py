@@ -47,13 +47,13 @@ class Followed:
 
 def follow_bytes(portal: Portal) -> dict[str, Any]:
     recordings = recordings_of(portal) or {}
-    found = [
+    chains = [
         _followed(portal, chain, recordings[chain.recording])
         for chain in declared_chains(portal.root)
         if chain.recording in recordings
     ]
     return {
-        "found": found,
+        "found": chains,
         "windows": windows_of(portal),
         "command": COMMAND,
         "time": shown_time,
@@ -95,6 +95,6 @@ def _choose_requirements(rows: list[Row]) -> None:
             if other.links
             for requirement in other.links.requirements
         }
-        wanted = sorted(row.links.requirements, key=lambda one: one not in near)
-        row.requirements = tuple(wanted[:SHOWN])
-        row.others = len(wanted) - len(row.requirements)
+        identifiers = sorted(row.links.requirements, key=lambda identifier: identifier not in near)
+        row.requirements = tuple(identifiers[:SHOWN])
+        row.others = len(identifiers) - len(row.requirements)

@@ -81,27 +81,27 @@ class CallGraph:
                     ends.append(End(caller, call.virtual, link))
 
     def rows(self, module: Module) -> list[Row]:
-        found: dict[str, Row] = {}
+        rows: dict[str, Row] = {}
         for method in module.methods:
-            row = found.setdefault(method.name, Row(method.name, self.links.method(method.id)))
+            row = rows.setdefault(method.name, Row(method.name, self.links.method(method.id)))
             self._fill(row, module, method)
-        return [row for row in found.values() if row.callers or row.callees]
+        return [row for row in rows.values() if row.callers or row.callees]
 
     def _fill(self, row: Row, module: Module, method: Method) -> None:
         outside = f"{module.name}::"
-        known = {end.method for end in row.callers}
+        methods = {end.method for end in row.callers}
         row.callers += [
             end
             for end in self.callers.get(method.id, [])
             if not end.method.startswith(outside)
-            and end.method not in known
+            and end.method not in methods
             and not is_heir_constructor(module, method, end.method)
         ]
-        known = {end.method for end in row.callees}
+        methods = {end.method for end in row.callees}
         for call in method.calls:
             inside = call.target.startswith(outside) or is_base_constructor(module, call.target)
-            if not inside and call.target not in known and self.links.find_method(call.target):
-                known.add(call.target)
+            if not inside and call.target not in methods and self.links.find_method(call.target):
+                methods.add(call.target)
                 row.callees.append(End(call.target, call.virtual, self.links.method(call.target)))
 
 

@@ -38,10 +38,10 @@ def constant_text(constant: Constant) -> str:
 
 def constant_links(model: Model, links: Links) -> dict[str, str]:
     """For each constant, its text in HTML."""
-    found = {}
+    texts = {}
     for name, constant in model.constants.items():
         text = html.escape(constant_text(constant).replace(" ", "\N{NO-BREAK SPACE}"))
         text = text.replace("^2", "<sup>2</sup>")
         address = links.source(constant.place)
-        found[name] = f'<a href="{address}" title="{name}">{text}</a>' if address else text
-    return found
+        texts[name] = f'<a href="{address}" title="{name}">{text}</a>' if address else text
+    return texts

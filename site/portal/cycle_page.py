@@ -88,17 +88,19 @@ def find_cycle(recording: Recording) -> Cycle | None:
 
 def cycle(portal: Portal) -> dict[str, Any]:
     recordings = recordings_of(portal)
-    found = find_cycle(recordings[RECORDING]) if recordings and RECORDING in recordings else None
+    first_cycle = (
+        find_cycle(recordings[RECORDING]) if recordings and RECORDING in recordings else None
+    )
     window = windows_of(portal).get(RECORDING)
     values = {"window": window, "command": COMMAND, "time": shown_time, "wide": True}
-    if found is None:
+    if first_cycle is None:
         return {**values, "cycle": None}
-    lanes = lanes_of(portal, found)
-    first, last = report_time(found)
-    bars = bars_of(portal, found, lanes, first, last)
+    lanes = lanes_of(portal, first_cycle)
+    first, last = report_time(first_cycle)
+    bars = bars_of(portal, first_cycle, lanes, first, last)
     return {
         **values,
-        "cycle": found,
+        "cycle": first_cycle,
         "lanes": lanes,
         "lane_height": LANE,
         "row_height": ROW,
@@ -107,46 +109,50 @@ def cycle(portal: Portal) -> dict[str, Any]:
         "bars_height": max((bar.y for bar in bars), default=0) + ROW,
         "bars_from": first,
         "bars_to": last,
-        "data": Markup(json.dumps(data_of(portal, found), separators=(",", ":"))),
+        "data": Markup(json.dumps(data_of(portal, first_cycle), separators=(",", ":"))),
     }
 
 
-def lanes_of(portal: Portal, found: Cycle) -> list[Lane]:
+def lanes_of(portal: Portal, shown_cycle: Cycle) -> list[Lane]:
     """The lanes, the highest priority first, and the main program last."""
     lanes: dict[int | None, Lane] = {}
-    inside = [a for a in found.recording.activations if a.begin < found.end and a.end > found.begin]
+    inside = [
+        a
+        for a in shown_cycle.recording.activations
+        if a.begin < shown_cycle.end and a.end > shown_cycle.begin
+    ]
     for activation in inside:
         lane = lanes.setdefault(activation.priority, Lane(activation.priority))
         name = name_of(portal, activation)
         if name not in lane.names:
             lane.names.append(name)
         lane.entries += 1
-    busy = busy_times(inside, found)
+    busy = busy_times(inside, shown_cycle)
     for priority, lane in lanes.items():
         lane.busy = busy[priority]
-        lane.path = path_of((a for a in inside if a.priority == priority), found)
-    return sorted(lanes.values(), key=lambda one: (one.priority is None, one.priority or 0))
+        lane.path = path_of((a for a in inside if a.priority == priority), shown_cycle)
+    return sorted(lanes.values(), key=lambda lane: (lane.priority is None, lane.priority or 0))
 
 
-def busy_times(activations: Iterable[Activation], found: Cycle) -> dict[int | None, int]:
+def busy_times(activations: Iterable[Activation], shown_cycle: Cycle) -> dict[int | None, int]:
     """The time of each priority, without the time of interrupts."""
     times: dict[int | None, int] = {}
-    for one in activations:
-        length = min(one.end, found.end) - max(one.begin, found.begin)
-        times[one.priority] = times.get(one.priority, 0) + length
-        if one.below >= 0:
-            below = found.recording.activations[one.below].priority
+    for activation in activations:
+        length = min(activation.end, shown_cycle.end) - max(activation.begin, shown_cycle.begin)
+        times[activation.priority] = times.get(activation.priority, 0) + length
+        if activation.below >= 0:
+            below = shown_cycle.recording.activations[activation.below].priority
             times[below] = times.get(below, 0) - length
     return times
 
 
-def path_of(activations: Iterable[Activation], found: Cycle) -> str:
-    """Bars as one path; those that touch are joined."""
-    scale = WIDTH / (found.end - found.begin)
+def path_of(activations: Iterable[Activation], shown_cycle: Cycle) -> str:
+    """Returns the bars as one path; bars that touch are joined."""
+    scale = WIDTH / (shown_cycle.end - shown_cycle.begin)
     bars: list[tuple[float, float]] = []
-    for one in activations:
-        x = max(0.0, (one.begin - found.begin) * scale)
-        end = min(float(WIDTH), max(x + LEAST, (one.end - found.begin) * scale))
+    for activation in activations:
+        x = max(0.0, (activation.begin - shown_cycle.begin) * scale)
+        end = min(float(WIDTH), max(x + LEAST, (activation.end - shown_cycle.begin) * scale))
         if bars and x <= bars[-1][1]:
             bars[-1] = bars[-1][0], max(end, bars[-1][1])
         else:
@@ -154,27 +160,29 @@ def path_of(activations: Iterable[Activation], found: Cycle) -> str:
     return "".join(f"M{x:.1f} 4h{end - x:.1f}v{LANE - 8}h{x - end:.1f}z" for x, end in bars)
 
 
-def report_time(found: Cycle) -> tuple[int, int]:
+def report_time(shown_cycle: Cycle) -> tuple[int, int]:
     """From the clock pulse to the end of the main thread."""
-    activations = found.recording.activations
+    activations = shown_cycle.recording.activations
     end = next(
         (
             activations[span.activation].end
-            for span in found.recording.spans
-            if span.method == MAIN_THREAD and found.begin <= span.begin < found.end
+            for span in shown_cycle.recording.spans
+            if span.method == MAIN_THREAD and shown_cycle.begin <= span.begin < shown_cycle.end
         ),
-        found.end,
+        shown_cycle.end,
     )
-    return found.begin, end
+    return shown_cycle.begin, end
 
 
-def bars_of(portal: Portal, found: Cycle, lanes: list[Lane], first: int, last: int) -> list[Bar]:
+def bars_of(
+    portal: Portal, shown_cycle: Cycle, lanes: list[Lane], first: int, last: int
+) -> list[Bar]:
     """The calls from the clock pulse to the end of the main thread, one row for each depth."""
     scale = WIDTH / (last - first)
-    activations = found.recording.activations
+    activations = shown_cycle.recording.activations
     chosen = [
         span
-        for span in (found.recording.spans[number] for number in found.spans())
+        for span in (shown_cycle.recording.spans[number] for number in shown_cycle.spans())
         if first <= span.begin < last
         and (span.end - span.begin) * scale >= SHOWN
         and activations[span.activation].priority is not None
@@ -213,10 +221,10 @@ def _bar(
     return Bar(x, tops[lane] + span.depth * ROW, width, span.method, href, lane)
 
 
-def data_of(portal: Portal, found: Cycle) -> dict[str, Any]:
+def data_of(portal: Portal, shown_cycle: Cycle) -> dict[str, Any]:
     """Returns the calls of the cycle in columns, for the script. Instants from the pulse [ns]."""
-    recording = found.recording
-    numbers = found.spans()
+    recording = shown_cycle.recording
+    numbers = shown_cycle.spans()
     spans = [recording.spans[number] for number in numbers]
     place = {number: index for index, number in enumerate(numbers)}
     trees = requirements_by_method(portal)
@@ -224,23 +232,25 @@ def data_of(portal: Portal, found: Cycle) -> dict[str, Any]:
     index = {name: number for number, name in enumerate(names)}
     used = list(dict.fromkeys(span.activation for span in spans))
     active = {number: index for index, number in enumerate(used)}
-    begins = [0, *(max(0, span.begin - found.begin) for span in spans)]
+    begins = [0, *(max(0, span.begin - shown_cycle.begin) for span in spans)]
     links = [links_of(portal, name, trees) for name in names]
     return {
-        "length": found.end - found.begin,
+        "length": shown_cycle.end - shown_cycle.begin,
         "methods": [[link.name, link.page, link.source, link.requirements] for link in links],
         "activations": [
             [
-                name_of(portal, one),
-                one.priority,
-                one.raised - found.begin,
-                one.begin - found.begin,
-                one.end - found.begin,
+                name_of(portal, activation),
+                activation.priority,
+                activation.raised - shown_cycle.begin,
+                activation.begin - shown_cycle.begin,
+                activation.end - shown_cycle.begin,
             ]
-            for one in (recording.activations[number] for number in used)
+            for activation in (recording.activations[number] for number in used)
         ],
         "begins": [after - before for before, after in pairwise(begins)],
-        "lengths": [min(span.end, found.end) - max(span.begin, found.begin) for span in spans],
+        "lengths": [
+            min(span.end, shown_cycle.end) - max(span.begin, shown_cycle.begin) for span in spans
+        ],
         "of": [index[span.method] for span in spans],
         "depths": [span.depth for span in spans],
         "in": [active[span.activation] for span in spans],

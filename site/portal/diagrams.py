@@ -158,26 +158,26 @@ def between(model: Model, bound: set[str]) -> set[str]:
         module = model.modules.get(name)
         return module is not None and any(b in bound or leads_to_bound(b) for b in module.bases)
 
-    found: set[str] = set()
+    modules: set[str] = set()
     for name in bound:
         pending = list(model.modules[name].bases)
         while pending:
             base = pending.pop()
-            if base in model.modules and base not in bound | found and leads_to_bound(base):
-                found.add(base)
+            if base in model.modules and base not in bound | modules and leads_to_bound(base):
+                modules.add(base)
                 pending += model.modules[base].bases
-    return found
+    return modules
 
 
 def shown_members(module: Module, role: str) -> list[str]:
     if role_family(role) == "context":
         return []
-    wanted = ("pure", "virtual", "plain") if module.abstract else ("override",)
+    kinds = ("pure", "virtual", "plain") if module.abstract else ("override",)
     names = [
         m
         for m in module.methods
         if (m.access == "public" or m.kind != "plain")  # a primitive is virtual and not public
-        and m.kind in wanted
+        and m.kind in kinds
         and not m.name.startswith(("operator", "~"))
     ]
     seen: dict[str, str] = {}
@@ -223,11 +223,11 @@ def pattern_diagram(model: Model, application: PatternApplication, links: Links)
 
 def relation_lines(model: Model, application: PatternApplication) -> list[str]:
     lines: list[str] = []
-    for one, other, arrow in RELATIONS:
-        for a in (r.module for r in application.roles if r.role == one):
+    for role, other, arrow in RELATIONS:
+        for a in (r.module for r in application.roles if r.role == role):
             for b in (r.module for r in application.roles if r.role == other):
                 module = model.modules.get(a)
-                derives = module is not None and b in module.bases and one != "Decorator"
+                derives = module is not None and b in module.bases and role != "Decorator"
                 if module and b in model.modules and a != b and not derives and b in uses(module):
                     lines.append(f"{a} {arrow} {b}")
     return lines
@@ -315,9 +315,9 @@ def high_level_diagram(model: Model, links: Links) -> Diagram:
         name for connection in model.connections for name in (connection.source, connection.target)
     ]
     lines += [part(model, name, links) for name in dict.fromkeys(ends) if name not in grouped]
-    for one in model.connections:
-        label = f" : {one.connector}" if one.connector not in ("", "Pipe") else ""
-        lines.append(f"{node(one.source)} {LINES[one.kind]} {node(one.target)}{label}")
+    for link in model.connections:
+        label = f" : {link.connector}" if link.connector not in ("", "Pipe") else ""
+        lines.append(f"{node(link.source)} {LINES[link.kind]} {node(link.target)}{label}")
     lines.append("@enduml")
     label = "High-level diagram. The table below lists the same connections."
     return Diagram("high-level", label, "\n".join(lines))
@@ -351,16 +351,16 @@ class DiagramError(Exception):
 def draw(diagrams: Iterable[Diagram], cache: Path) -> dict[str, str]:
     """The finished SVG of each diagram, by its id."""
     cache.mkdir(parents=True, exist_ok=True)
-    wanted = {d.id: (d, cache / f"{digest(d)}.svg") for d in diagrams}
-    stale = [(d, path) for d, path in wanted.values() if not path.exists()]
+    targets = {d.id: (d, cache / f"{digest(d)}.svg") for d in diagrams}
+    stale = [(d, path) for d, path in targets.values() if not path.exists()]
     if stale:
         run_plantuml(stale, cache)
-    return {name: path.read_text(encoding="utf-8") for name, (_, path) in wanted.items()}
+    return {name: path.read_text(encoding="utf-8") for name, (_, path) in targets.items()}
 
 
 def digest(diagram: Diagram) -> str:
-    asked = [step.requirements for steps in diagram.edges.values() for step in steps]
-    content = f"{FORMAT}\0{diagram.id}\0{diagram.label}\0{diagram.text}\0{asked}"
+    requirement_lists = [step.requirements for steps in diagram.edges.values() for step in steps]
+    content = f"{FORMAT}\0{diagram.id}\0{diagram.label}\0{diagram.text}\0{requirement_lists}"
     return hashlib.sha256(content.encode()).hexdigest()[:20]
 
 
@@ -520,5 +520,6 @@ def diagram_files(diagrams: list[Diagram]) -> dict[str, str]:
     The links in it lead to the pages, from the folder of the diagrams.
     """
     return {
-        f"{DIAGRAMS}/{one.id}.puml": one.text.replace("[[@/", "[[../") + "\n" for one in diagrams
+        f"{DIAGRAMS}/{diagram.id}.puml": diagram.text.replace("[[@/", "[[../") + "\n"
+        for diagram in diagrams
     }

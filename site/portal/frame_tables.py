@@ -53,7 +53,7 @@ def frame_tables(root: Path) -> dict[str, str]:
 def expanded(source: str, root: Path) -> str:
     """The text of a page with its tables of frames, for the search."""
     tables = frame_tables(root) if INCLUDED.search(source) else {}
-    return INCLUDED.sub(lambda found: tables.get(found[1], ""), source)
+    return INCLUDED.sub(lambda match: tables.get(match[1], ""), source)
 
 
 def types_table(frames: FrameTable) -> str:
@@ -75,43 +75,43 @@ def fields_table(layout: Layout) -> str:
     fields = list(layout.fields)
     rows = []
     while fields:
-        one = fields.pop(0)
-        rows.append(field_row(one, [other for other in fields if other.stem == one.stem]))
-        if one.wheel is not None:
-            fields = [other for other in fields if other.stem != one.stem]
+        field = fields.pop(0)
+        rows.append(field_row(field, [other for other in fields if other.stem == field.stem]))
+        if field.wheel is not None:
+            fields = [other for other in fields if other.stem != field.stem]
     heads = ("offset", "type", "name", "unit", "meaning")
     return list_table((12, 8, 22, 14, 44), heads, rows)
 
 
-def field_row(one: Field, of_other_wheels: Iterable[Field]) -> tuple[str, ...]:
-    offsets = [one.offset, *(other.offset for other in of_other_wheels)]
-    name = one.name if one.wheel is None else f"{one.stem}0`` to ``{WHEEL_COUNT - 1}"
+def field_row(field: Field, of_other_wheels: Iterable[Field]) -> tuple[str, ...]:
+    offsets = [field.offset, *(other.offset for other in of_other_wheels)]
+    name = field.name if field.wheel is None else f"{field.stem}0`` to ``{WHEEL_COUNT - 1}"
     where = ", ".join(map(str, offsets))
-    return where, one.type, f"``{name}``", unit_of(one), ". ".join(meanings(one))
+    return where, field.type, f"``{name}``", unit_of(field), ". ".join(meanings(field))
 
 
-def unit_of(one: Field) -> str:
-    if one.unit == BY_QUANTITY:
+def unit_of(field: Field) -> str:
+    if field.unit == BY_QUANTITY:
         return "of the quantity"
-    if not one.unit:
+    if not field.unit:
         return ""
-    unit = shown_unit(one.unit, one.scale)
-    return f"{unit}, -{one.limit} to {one.limit}" if one.limit else unit
+    unit = shown_unit(field.unit, field.scale)
+    return f"{unit}, -{field.limit} to {field.limit}" if field.limit else unit
 
 
-def meanings(one: Field) -> Iterator[str]:
+def meanings(field: Field) -> Iterator[str]:
     """The meaning of a field, and of its numbers and bits."""
-    yield one.meaning
-    if one.values:
-        yield f"See :ref:`{one.values.page}`" if one.values.page else in_line(one.values)
-    if one.none is not None:
-        yield f"{one.none} none"
-    if one.bits:
-        yield "; ".join(f"bit {bit.number} ``{bit.name}``: {bit.meaning}" for bit in one.bits)
-    if one.bits_of:
+    yield field.meaning
+    if field.values:
+        yield f"See :ref:`{field.values.page}`" if field.values.page else in_line(field.values)
+    if field.none is not None:
+        yield f"{field.none} none"
+    if field.bits:
+        yield "; ".join(f"bit {bit.number} ``{bit.name}``: {bit.meaning}" for bit in field.bits)
+    if field.bits_of:
         yield "bit n: the source whose number is n"
-    if one.valid:
-        bits = ", ".join(f"{number} ``{name}``" for number, name in enumerate(one.valid))
+    if field.valid:
+        bits = ", ".join(f"{number} ``{name}``" for number, name in enumerate(field.valid))
         yield f"The bit that is set when the value is valid: {bits}"
 
 

@@ -34,7 +34,7 @@ class GlossaryLinks:
         terms = {term.title.lower(): term for term in terms_of(GLOSSARY, source)}
         self.terms = {words: term for words, term in terms.items() if words not in OTHER_SENSES}
         self.longer = {
-            words: [(one, one.find(words)) for one in terms if words in one and words != one]
+            words: [(term, term.find(words)) for term in terms if words in term and words != term]
             for words in self.terms
         }
 
@@ -62,14 +62,14 @@ class GlossaryLinks:
         """Whether the words begin here and are not part of a longer term."""
         if at and NO_START.match(text, at - 1):
             return False
-        return not any(text.startswith(one, at - offset) for one, offset in self.longer[words])
+        return not any(text.startswith(term, at - offset) for term, offset in self.longer[words])
 
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
     """The page in lower case without the elements that are not changed; where each part of it
     begins, and how far this is from the place of the part on the page."""
     parts, starts, shifts, done, length = [], [], [], 0, 0
-    for begin, end in [*(one.span() for one in ELEMENTS.finditer(html)), (len(html), 0)]:
+    for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
         parts.append(html[done:begin])
         starts.append(length)
         shifts.append(done - length)

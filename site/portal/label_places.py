@@ -34,14 +34,14 @@ class Box:
 
 
 def box_of(text: ET.Element) -> Box:
-    """The place of a line of text, before the length that PlantUML measured is removed."""
+    """The place of a line of text, with the length that PlantUML measured."""
     x, y = float(text.get("x", "0")), float(text.get("y", "0"))
     return Box(x, y - ASCENT, x + float(text.get("textLength", "0")), y + DESCENT)
 
 
 def points(path: str) -> Iterator[Point]:
     """Points on a path of cubic curves: ``M`` with a point, ``C`` with three points for each."""
-    numbers = [float(one) for one in NUMBER.findall(path)]
+    numbers = [float(match) for match in NUMBER.findall(path)]
     corners = list(zip(numbers[::2], numbers[1::2], strict=True))
     for first in range(0, len(corners) - 3, 3):
         a, b, c, d = corners[first : first + 4]

@@ -30,9 +30,9 @@ def depth_prefix(page: str) -> str:
     return "../" * (len(PurePosixPath(page).parts) - 1)
 
 
-def address_in(known: Container[str], address: str, identifier: str) -> str | None:
+def address_in(pages: Container[str], address: str, identifier: str) -> str | None:
     """The address of a known element."""
-    return ROOT + address.format(slug(identifier)) if identifier in known else None
+    return ROOT + address.format(slug(identifier)) if identifier in pages else None
 
 
 class Links:
@@ -76,8 +76,8 @@ class Links:
             if candidate in seen:
                 continue
             seen.add(candidate)
-            if found := self.methods.get(f"{candidate}::{method}"):
-                return found
+            if inherited := self.methods.get(f"{candidate}::{method}"):
+                return inherited
             if module := self.model.modules.get(candidate):
                 pending += module.bases
         return None
@@ -97,8 +97,8 @@ class Links:
         )
 
     def logic(self, identifier: str) -> str | None:
-        known = identifier in self.model.logic_modules
-        return f"{ROOT}structure.html#{logic_anchor(identifier)}" if known else None
+        has_page = identifier in self.model.logic_modules
+        return f"{ROOT}structure.html#{logic_anchor(identifier)}" if has_page else None
 
     def source(self, place: Place) -> str | None:
         if place.file not in self.files:

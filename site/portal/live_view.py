@@ -37,7 +37,8 @@ class Image:
 
     name: str
     product: str
-    flashed: bool  # else each method is a separate function, so that its calls are visible
+    # In the other images each method is a separate function, so that its calls are visible.
+    flashed: bool
     commands: str
     size: int
     sha256: str
@@ -47,15 +48,15 @@ def images(root: Path) -> list[Image]:
     """The built images, if the module that runs them was built."""
     if not (root / MODULE).exists():
         return []
-    found = []
+    built = []
     for product, commands in PRODUCTS.items():
         for name, flashed in ((f"{product}{CALLS}", False), (product, True)):
             path = root / file_of(name, ".bin")
             if path.exists():
                 content = path.read_bytes()
                 digest = hashlib.sha256(content).hexdigest()
-                found.append(Image(name, product, flashed, commands, len(content), digest))
-    return found
+                built.append(Image(name, product, flashed, commands, len(content), digest))
+    return built
 
 
 def file_of(name: str, suffix: str) -> Path:
@@ -66,19 +67,19 @@ def file_of(name: str, suffix: str) -> Path:
 
 def run(portal: Portal) -> dict[str, Any]:
     """The values of the template of the page."""
-    found = images(portal.root)
+    built = images(portal.root)
     module = portal.root / MODULE
     ran = [scenario for scenario in portal.model.closed_loop if scenario.runs]
-    shown = [one for one in ran if one.name == RECORDED] or ran[:1]
+    shown = [scenario for scenario in ran if scenario.name == RECORDED] or ran[:1]
     return {
-        "images": found,
+        "images": built,
         "chosen": f"{PAPER}{CALLS}",
         "scenarios": scenarios(portal.root, portal.model),
-        "module_bytes": module.stat().st_size if found else 0,
+        "module_bytes": module.stat().st_size if built else 0,
         "recorded": shown,
         "drawings": {
-            one.name: [drawing for plot in one.plots if (drawing := plots.draw(plot))]
-            for one in shown
+            scenario.name: [drawing for plot in scenario.plots if (drawing := plots.draw(plot))]
+            for scenario in shown
         },
         "machines": list(portal.model.machines.values()),
         "measured": read_live(portal.root),
@@ -90,18 +91,20 @@ def run(portal: Portal) -> dict[str, Any]:
 def write_live(portal: Portal, site: Path) -> None:
     """Writes the files that the page loads when the reader starts the robot."""
     root, folder = portal.root, site / FOLDER
-    found = images(root)
-    names = [f"{one.name}.bin" for one in found]
-    remove_others(folder, "*", [*names, DATA, MODULE.name] if found else [])
-    if not found:
+    built = images(root)
+    names = [f"{image.name}.bin" for image in built]
+    remove_others(folder, "*", [*names, DATA, MODULE.name] if built else [])
+    if not built:
         return
     write_changed(folder / MODULE.name, (root / MODULE).read_bytes())
-    for one in found:
-        write_changed(folder / f"{one.name}.bin", (root / file_of(one.name, ".bin")).read_bytes())
-    write_changed(folder / DATA, json.dumps(facts(portal, found), separators=(",", ":")))
+    for image in built:
+        write_changed(
+            folder / f"{image.name}.bin", (root / file_of(image.name, ".bin")).read_bytes()
+        )
+    write_changed(folder / DATA, json.dumps(facts(portal, built), separators=(",", ":")))
 
 
-def facts(portal: Portal, found: list[Image]) -> dict[str, Any]:
+def facts(portal: Portal, built: list[Image]) -> dict[str, Any]:
     """The content of ``live.json``."""
     model = portal.model
     methods = [m.id for module in portal.designs for m in module.methods]
@@ -114,11 +117,16 @@ def facts(portal: Portal, found: list[Image]) -> dict[str, Any]:
         "methods": list(numbers),
         "hardware": sorted(numbers[name] for name in entered),
         "modules": [
-            {"name": one.name, "logic": one.logic, "page": address(portal.links.module(one.name))}
-            for one in portal.designs
+            {
+                "name": design.name,
+                "logic": design.logic,
+                "page": address(portal.links.module(design.name)),
+            }
+            for design in portal.designs
         ],
         "products": [
-            asdict(one) | {"functions": functions(portal.root, one.name, numbers)} for one in found
+            asdict(image) | {"functions": functions(portal.root, image.name, numbers)}
+            for image in built
         ],
         "trees": [
             {
@@ -171,13 +179,13 @@ def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]
 
     cache = root / "build" / "pages-cache" / "symbols" / name
     listed = cached_result(cache, [words, file_hash(elf)], symbols)
-    found = {}
+    numbered = {}
     for line in listed.splitlines():
         match = SYMBOL.match(line)
         method = match and (method_of(match[2]) or function_of(match[2]))
         if match and method in numbers:
-            found[int(match[1], 16) & ~1] = numbers[method]
-    return [list(pair) for pair in sorted(found.items())]
+            numbered[int(match[1], 16) & ~1] = numbers[method]
+    return [list(pair) for pair in sorted(numbered.items())]
 
 
 def overriders(model: Model) -> dict[str, list[str]]:
@@ -189,7 +197,7 @@ def overriders(model: Model) -> dict[str, list[str]]:
                 direct.setdefault(method.overrides, []).append(method.id)
 
     def below(name: str) -> list[str]:
-        return [one for own in direct.get(name, []) for one in (own, *below(own))]
+        return [method for own in direct.get(name, []) for method in (own, *below(own))]
 
     return {name: list(dict.fromkeys(below(name))) for name in direct}
 
@@ -199,33 +207,41 @@ def tree(
 ) -> dict[str, Any]:
     """A declared tree: for each node the numbers of the methods whose call counts as this node."""
     method: Method | None = portal.links.find_method(node.resolved) if node.resolved else None
-    wanted = [] if method is None else [method.id] if method.body else over.get(method.id, [])
-    found: dict[str, Any] = {"n": node.label, "m": [numbers[n] for n in wanted if n in numbers]}
+    accepted = [] if method is None else [method.id] if method.body else over.get(method.id, [])
+    node_data: dict[str, Any] = {
+        "n": node.label,
+        "m": [numbers[n] for n in accepted if n in numbers],
+    }
     if node.kind == "post":
-        found["post"] = 1
+        node_data["post"] = 1
     if node.children:
-        found["c"] = [tree(child, over, portal, numbers) for child in node.children]
-    return found
+        node_data["c"] = [tree(child, over, portal, numbers) for child in node.children]
+    return node_data
 
 
 def frame(layout: Layout) -> dict[str, Any]:
     return {
         "name": layout.name,
         "kind": layout.kind,
-        "fields": [field(one) for one in layout.fields],
+        "fields": [field(entry) for entry in layout.fields],
     }
 
 
-def field(one: Field) -> dict[str, Any]:
+def field(field_entry: Field) -> dict[str, Any]:
     """A field of a frame, with the names of its values."""
-    found: dict[str, Any] = {"n": one.name, "t": one.type, "o": one.offset, "m": one.meaning}
-    if one.unit:
-        found |= {"u": one.unit, "s": one.scale}
-    if one.values:
-        found["v"] = {entry.number: entry.shown for entry in one.values.entries}
-    if one.bits:
-        found["b"] = [bit.name for bit in one.bits]
-    return found
+    data: dict[str, Any] = {
+        "n": field_entry.name,
+        "t": field_entry.type,
+        "o": field_entry.offset,
+        "m": field_entry.meaning,
+    }
+    if field_entry.unit:
+        data |= {"u": field_entry.unit, "s": field_entry.scale}
+    if field_entry.values:
+        data["v"] = {entry.number: entry.shown for entry in field_entry.values.entries}
+    if field_entry.bits:
+        data["b"] = [bit.name for bit in field_entry.bits]
+    return data
 
 
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
@@ -234,14 +250,14 @@ def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
         scenario.name: (scenario.title.rstrip("."), "")
         for scenario in model.safety.scenarios.values()
     }
-    titles |= {one.name: (one.title, one.says) for one in model.closed_loop}
-    found = []
+    titles |= {loop_run.name: (loop_run.title, loop_run.says) for loop_run in model.closed_loop}
+    played = []
     for folder, product in ((EXAMPLES, PAPER), (SAFETY, DEFAULT)):
         for path in sorted((root / folder).glob("*.scenario")):
             text = path.read_text(encoding="utf-8")
             comment = next((x[1:].strip() for x in text.splitlines() if x.startswith("#")), "")
             title, says = titles.get(path.stem, (path.stem.replace("_", " "), comment))
-            found.append(
+            played.append(
                 {
                     "name": path.stem,
                     "folder": folder.name,
@@ -251,4 +267,4 @@ def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
                     "text": text,
                 }
             )
-    return found
+    return played

@@ -106,7 +106,7 @@ def robustness(portal: Portal) -> dict[str, Any]:
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
     """The modules with the most silent faults first, then those with the most faults."""
     return sorted(
-        modules.items(), key=lambda one: (-one[1]["silent"], -sum(one[1].values()), one[0])
+        modules.items(), key=lambda item: (-item[1]["silent"], -sum(item[1].values()), item[0])
     )
 
 
@@ -139,11 +139,13 @@ def patches_of(root: Path) -> dict[str, dict[str, str]]:
 
 
 def usual_design(portal: Portal) -> dict[str, Any]:
-    found = baseline_record.read_comparison(portal.root)
+    comparison = baseline_record.read_comparison(portal.root)
     patches = patches_of(portal.root)
-    functions = baseline_record.beside(found["functions"], LEAST_DIFFERENCE) if found else []
+    functions = (
+        baseline_record.beside(comparison["functions"], LEAST_DIFFERENCE) if comparison else []
+    )
     return {
-        "found": found,
+        "found": comparison,
         "record": baseline_record,
         "patches": patches,
         "functions": functions,

@@ -53,39 +53,39 @@ def doxygen_file(portal: Portal, module: Module) -> Path | None:
 
 def ancestors(portal: Portal, module: Module) -> list[str]:
     """Bases, nearest first."""
-    found: list[str] = []
+    names: list[str] = []
     pending = list(module.bases)
     while pending:
         base = pending.pop(0)
-        if base not in found:
-            found.append(base)
+        if base not in names:
+            names.append(base)
             if base in portal.model.modules:
                 pending += portal.model.modules[base].bases
-    return found
+    return names
 
 
 def inherited_methods(portal: Portal, module: Module) -> list[Method]:
     """Public methods that the module has from its bases and does not override."""
-    known = {m.name for m in module.methods}
-    found: list[Method] = []
+    overridden = {m.name for m in module.methods}
+    methods: list[Method] = []
     for base in ancestors(portal, module):
         for method in portal.model.modules[base].methods if base in portal.model.modules else []:
             skip = method.kind == "constructor" or method.name.startswith(("~", "operator"))
-            if method.access == "public" and not skip and method.name not in known:
-                known.add(method.name)
-                found.append(method)
-    return found
+            if method.access == "public" and not skip and method.name not in overridden:
+                overridden.add(method.name)
+                methods.append(method)
+    return methods
 
 
 def requirement_methods(module: Module) -> dict[str, list[str]]:
     """The methods through which a module serves each requirement."""
-    found: dict[str, list[str]] = {identifier: [] for identifier in module.requirements}
+    methods: dict[str, list[str]] = {identifier: [] for identifier in module.requirements}
     for method in module.methods:
         for identifier in method.satisfies:
-            names = found.setdefault(identifier, [])
+            names = methods.setdefault(identifier, [])
             if method.name not in names:
                 names.append(method.name)
-    return found
+    return methods
 
 
 def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:

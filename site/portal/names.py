@@ -114,17 +114,21 @@ class Names:
 
     def types(self, code: str, own: str = "") -> Markup:
         """A type or a signature, with the modules and value types in it as links."""
-        known = self.model.modules
+        modules = self.model.modules
         parts = re.split(r"(\w+)", code.replace("< ", "<").replace(" >", ">"))
         return Markup("").join(
-            anchor(self.links.module(part), part, "type") if part in known and part != own else part
+            anchor(self.links.module(part), part, "type")
+            if part in modules and part != own
+            else part
             for part in parts
         )
 
     def function(self, name: str) -> Markup:
         """A function outside classes, of the project or of a library."""
-        known = self.model.functions.get(name)
-        return anchor(self.links.source(known.place) if known else None, breakable(name), "meth")
+        function = self.model.functions.get(name)
+        return anchor(
+            self.links.source(function.place) if function else None, breakable(name), "meth"
+        )
 
     def logic(self, identifier: str) -> Markup:
         """A logic module; below its parent when another one has the same name."""
@@ -176,12 +180,12 @@ class Names:
 
     def result(self, test: Test, binding: str) -> Markup:
         """The result on one target; a dash where the test is not built for it."""
-        one = test.results.get(binding)
-        if one is None:
+        result = test.results.get(binding)
+        if result is None:
             return Markup('<span class="mut" title="not built for it">\N{EN DASH}</span>')
-        if one.stale and one.result:
-            return glyph("warn", f"{one.result}, stale")
-        return glyph(*RESULTS.get(one.result, ("none", str(one.result))))
+        if result.stale and result.result:
+            return glyph("warn", f"{result.result}, stale")
+        return glyph(*RESULTS.get(result.result, ("none", str(result.result))))
 
     def results(self, test: Test) -> Markup:
         """The result on each target that the test is built for."""

@@ -9,7 +9,8 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.reading.products import PRODUCTS
 
-# The hand-written pages of each group, in this order; a page that is not named is in "build".
+# The hand-written pages of each group, in this order;
+# the group "build" contains the pages that are not named.
 DOCS = {
     "understand": ("tour",),
     "build": (

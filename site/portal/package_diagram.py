@@ -24,7 +24,7 @@ def package_diagrams(root: Path) -> list[Diagram]:
         for contract in contracts
         if "containers" in contract
     }
-    (layers,) = (one["layers"] for one in contracts if one["id"] == PACKAGES)
+    (layers,) = (contract["layers"] for contract in contracts if contract["id"] == PACKAGES)
     lines = preamble()
     for layer in layers:
         lines.append(f"{box(root, layer)} {{" if layer in inside else box(root, layer))

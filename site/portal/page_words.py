@@ -1,4 +1,4 @@
-"""The headings and the words of the generated pages, as the search has them."""
+"""The headings and the words of the generated pages for the index of the search."""
 
 from __future__ import annotations
 

@@ -120,9 +120,9 @@ def home_page(portal: Portal) -> Page:
         method=method,
         tours=[tour.id for tour in portal.tours],
         paper_most=max(paper.maximum for paper in SCENARIOS),
-        shown_changes=sorted(portal.model.changes.values(), key=lambda one: not proven(one.made))[
-            :6
-        ],
+        shown_changes=sorted(
+            portal.model.changes.values(), key=lambda change: not proven(change.made)
+        )[:6],
         rows=aligned(portal, example, first_run(example))[:14] if example else [],
     )
 
@@ -131,8 +131,8 @@ def best_method(portal: Portal, requirement: Requirement) -> Method | None:
     """The deepest method of the tree that satisfies the requirement."""
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     methods = [m for m in (real_method(portal, node) for _, node in reversed(nodes)) if m]
-    wanted = [m for m in methods if requirement.id in m.satisfies]
-    return next(iter([*wanted, *methods]), None)
+    satisfying = [m for m in methods if requirement.id in m.satisfies]
+    return next(iter([*satisfying, *methods]), None)
 
 
 def real_method(portal: Portal, node: TreeNode) -> Method | None:
@@ -142,12 +142,12 @@ def real_method(portal: Portal, node: TreeNode) -> Method | None:
 
 def products(portal: Portal) -> dict[str, Any]:
     measured = portal.model.products
-    held = [set(product.modules) for product in (measured or {}).values()]
-    common = set.intersection(*held) if held else set()
+    module_sets = [set(product.modules) for product in (measured or {}).values()]
+    common = set.intersection(*module_sets) if module_sets else set()
     return {
         "listed": PRODUCTS,
         "products": measured,
-        "rows": sorted(set().union(*held) - common),
+        "rows": sorted(set().union(*module_sets) - common),
         "common": sorted(common),
     }
 
@@ -172,7 +172,9 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
         "patterns",
         "pattern",
         application=application,
-        roles=sorted(application.roles, key=lambda one: FAMILY_ORDER.index(role_family(one.role))),
+        roles=sorted(
+            application.roles, key=lambda binding: FAMILY_ORDER.index(role_family(binding.role))
+        ),
         machines=machines,
         modules=[portal.model.modules[name] for name in modules],
         kin=[a for a in portal.model.patterns.values() if a.pattern == application.pattern],
@@ -181,22 +183,26 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
 
 def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
     """The file of each diagram, and the page that shows it."""
-    found = []
+    sources = []
     for application in portal.model.patterns.values():
         page = portal.links.pattern(application.id) or ""
-        found.append((f"{DIAGRAMS}/pattern-{application.id}.puml", page, application.title))
+        sources.append((f"{DIAGRAMS}/pattern-{application.id}.puml", page, application.title))
     if portal.model.groups:
-        found.append((f"{DIAGRAMS}/high-level.puml", "@/architecture.html#high-level", HIGH_LEVEL))
+        sources.append(
+            (f"{DIAGRAMS}/high-level.puml", "@/architecture.html#high-level", HIGH_LEVEL)
+        )
     for machine in portal.model.machines.values():
         page = portal.links.machine(machine.id) or ""
-        found.append((f"{DIAGRAMS}/machine-{machine.id}.puml", page, machine.title))
-    return found
+        sources.append((f"{DIAGRAMS}/machine-{machine.id}.puml", page, machine.title))
+    return sources
 
 
 def execution(portal: Portal) -> dict[str, Any]:
     """The contexts, the highest priority first; modules without one come last."""
     contexts = portal.model.contexts.values()
-    ordered = sorted(contexts, key=lambda one: (one.priority is None, one.priority or 0))
+    ordered = sorted(
+        contexts, key=lambda context: (context.priority is None, context.priority or 0)
+    )
     return {"contexts": ordered, "wide": True}
 
 
@@ -207,23 +213,23 @@ def tests(portal: Portal) -> dict[str, Any]:
 
 def trees(portal: Portal) -> dict[str, Any]:
     """The trees by the sections of the requirements, with the values of their filters."""
-    found: dict[str, list[Requirement]] = {}
+    by_section: dict[str, list[Requirement]] = {}
     facets: dict[str, Facets] = {}
     for requirement in portal.model.requirements.values():
         if requirement.tree:
-            found.setdefault(requirement.section, []).append(requirement)
+            by_section.setdefault(requirement.section, []).append(requirement)
             nodes = portal.flat(requirement.tree)
             modules = {node.module for _, node in nodes} & set(portal.model.modules)
             seen = list(requirement.runs) or ["in no test"]
             facets[requirement.id] = {"seen": seen, "module": sorted(modules)}
-    return {"sections": found, "facets": facets, "options": options(facets.values())}
+    return {"sections": by_section, "facets": facets, "options": options(facets.values())}
 
 
 def suites(portal: Portal) -> dict[str, list[str]]:
-    found: dict[str, list[str]] = {}
+    tests_by_suite: dict[str, list[str]] = {}
     for test in portal.model.tests.values():
-        found.setdefault(test.suite, []).append(test.id)
-    return found
+        tests_by_suite.setdefault(test.suite, []).append(test.id)
+    return tests_by_suite
 
 
 @dataclass
@@ -267,16 +273,16 @@ def uses(portal: Portal) -> dict[str, Any]:
 
 
 def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
-    """The name of each logic module; two of one name also have that of their folder."""
-    known = portal.model.logic_modules
-    count = Counter(known[one].name for one in identifiers)
+    """The name of each logic module; equal names get the name of their folder in addition."""
+    logic_modules = portal.model.logic_modules
+    count = Counter(logic_modules[identifier].name for identifier in identifiers)
 
-    def name(one: str) -> str:
-        parent = known[one].parent
-        own = known[one].name
-        return f"{known[parent].name}/{own}" if parent and count[own] > 1 else own
+    def name(identifier: str) -> str:
+        parent = logic_modules[identifier].parent
+        own = logic_modules[identifier].name
+        return f"{logic_modules[parent].name}/{own}" if parent and count[own] > 1 else own
 
-    return {one: name(one) for one in identifiers}
+    return {identifier: name(identifier) for identifier in identifiers}
 
 
 def groups(portal: Portal) -> dict[str, Any]:
@@ -285,12 +291,12 @@ def groups(portal: Portal) -> dict[str, Any]:
 
 def structure(portal: Portal) -> dict[str, Any]:
     tops = [m for m in portal.model.logic_modules.values() if m.parent is None]
-    found: dict[str, list[Module]] = defaultdict(list)
+    modules: dict[str, list[Module]] = defaultdict(list)
     for module in portal.designs:
         parts = module.logic.split("/")
         for count in range(1, len(parts) + 1):
-            found["/".join(parts[:count])].append(module)
-    return {"tops": tops, "anchor": logic_anchor, "below": found.__getitem__, "wide": True}
+            modules["/".join(parts[:count])].append(module)
+    return {"tops": tops, "anchor": logic_anchor, "below": modules.__getitem__, "wide": True}
 
 
 # The pages of the navigation, each with the values that its template needs besides the model.

@@ -63,10 +63,12 @@ COMPARED = (
 
 def compared(portal: Portal, change: LikelyChange) -> Compared | None:
     """The products without and with the extension that makes the change, if there is one."""
-    known = {f"extensions/{one.extension}": one for one in COMPARED}
+    by_extension = {f"extensions/{pair.extension}": pair for pair in COMPARED}
     examples = (portal.model.modules[name].logic for name in change.examples)
     made = (change.made.extension,) if change.made else ()
-    return next((known[one] for one in (*examples, *made) if one in known), None)
+    return next(
+        (by_extension[example] for example in (*examples, *made) if example in by_extension), None
+    )
 
 
 def filled(step: str, change: LikelyChange) -> str:
@@ -94,10 +96,10 @@ def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
 
 def hidden_names(owner: Module | LogicModule) -> dict[str, list[str]]:
     """The hidden names of a module or of a folder, by kind."""
-    found = {"registers": list(owner.registers)} if isinstance(owner, Module) else {}
+    by_kind = {"registers": list(owner.registers)} if isinstance(owner, Module) else {}
     for name in owner.hides:
-        found.setdefault(kind_of(name), []).append(name)
-    return {kind: words for kind, words in found.items() if words}
+        by_kind.setdefault(kind_of(name), []).append(name)
+    return {kind: words for kind, words in by_kind.items() if words}
 
 
 def kind_of(name: str) -> str:
@@ -121,7 +123,7 @@ class Heir:
 
 
 def families(portal: Portal) -> list[list[Heir]]:
-    """A family for each module that others derive from and that derives from none itself."""
+    """A family for each base class that does not derive from another module."""
     modules = portal.model.modules
     roots = [m for m in portal.designs if any(h in modules for h in m.heirs)]
     return [
@@ -162,7 +164,7 @@ def concordance(portal: Portal) -> dict[str, Any]:
     for element in model.paper:
         if id(element) not in own:
             kinds.setdefault(element.kind, []).append(element)
-    back = {m.name: found for m in portal.designs if (found := portal.in_paper(m.name))}
+    back = {m.name: paper_names for m in portal.designs if (paper_names := portal.in_paper(m.name))}
     return {
         "places": places,
         "kinds": sorted(kinds.items()),
@@ -200,8 +202,14 @@ def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
     if kind == "arrow":
         return f"{ROOT}architecture.html#high-level", name
     if kind == "element":
-        found = next((element for element in model.architecture if element.id == name), None)
-        return (f"{ROOT}architecture.html#{name}", found.name) if found else (None, name)
+        drawn_element = next(
+            (element for element in model.architecture if element.id == name), None
+        )
+        return (
+            (f"{ROOT}architecture.html#{name}", drawn_element.name)
+            if drawn_element
+            else (None, name)
+        )
     page, _, part = (f"docs/{name}" if kind == "docs" else name).partition("#")
     address = f"{page}.html"
     entries = portal.navigation.entries.values()

@@ -1,4 +1,4 @@
-"""The table of pins for a page, read from the table that the firmware is compiled with."""
+"""The table of pins for a page, read from the table that is compiled into the firmware."""
 
 from __future__ import annotations
 

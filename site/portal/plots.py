@@ -71,7 +71,7 @@ def draw(plot: LoopPlot) -> Drawing | None:
     shown = [
         curve
         for number, curve in enumerate(curves)
-        if curve.kind != "set_point" or curve.kind not in {one.kind for one in curves[:number]}
+        if curve.kind != "set_point" or curve.kind not in {curve.kind for curve in curves[:number]}
     ]
     lines = [Line(class_of(curve), words_of(curve), path(curve, x, y)) for curve in shown]
     ends = "; ".join(
@@ -103,14 +103,14 @@ def axis(low: float, high: float, *, rounded: bool) -> Axis:
     before, after = math.floor(low / step), math.ceil(high / step)
     if rounded:
         after = max(after, before + 1)
-        found = Axis(before * step, after * step, [])
+        scale = Axis(before * step, after * step, [])
     else:
-        found = Axis(low, high, [])
+        scale = Axis(low, high, [])
         before, after = math.ceil(low / step), math.floor(high / step)
     for number in range(before, after + 1):
         value = number * step
-        found.ticks.append(Tick(f"{round(value, 6):g}", found.place(value)))
-    return found
+        scale.ticks.append(Tick(f"{round(value, 6):g}", scale.place(value)))
+    return scale
 
 
 def path(curve: Curve, x: Axis, y: Axis) -> str:

@@ -204,10 +204,10 @@ class Portal:
 
     def element_targets(self) -> dict[str, str]:
         """The linked module of each element of the architecture; "" when there is none."""
-        known = self.model.modules
+        modules = self.model.modules
         return {
             element.id: next(
-                (self.links.module(m) or "" for m in element.modules if m in known), ""
+                (self.links.module(m) or "" for m in element.modules if m in modules), ""
             )
             for element in self.model.architecture
             if element.modules
@@ -253,8 +253,8 @@ class Portal:
     def interrupts_of(self, pipe: SharedPipe) -> list[str]:
         """The interrupts that write or read a pipe."""
         users = [*pipe.writers.values(), *pipe.readers.values()]
-        found = dict.fromkeys(name for contexts in users for name in contexts)
-        return [name for name in found if self.model.contexts[name].kind == INTERRUPT]
+        used_by = dict.fromkeys(name for contexts in users for name in contexts)
+        return [name for name in used_by if self.model.contexts[name].kind == INTERRUPT]
 
     def contexts_of(self, module: Module) -> list[str]:
         """The interrupts and threads that may run methods of a module."""
@@ -288,10 +288,10 @@ class Portal:
     @functools.cached_property
     def marks(self) -> dict[str, dict[int, list[str]]]:
         """File -> line -> the methods and tests that begin there."""
-        found: dict[str, dict[int, list[str]]] = {}
+        marks: dict[str, dict[int, list[str]]] = {}
 
         def add(place: Place, name: str) -> None:
-            names = found.setdefault(place.file, {}).setdefault(place.line, [])
+            names = marks.setdefault(place.file, {}).setdefault(place.line, [])
             if name not in names:
                 names.append(name)
 
@@ -302,20 +302,20 @@ class Portal:
                         add(place, method.id)
         for test in self.model.tests.values():
             add(test.place, test.id)
-        return found
+        return marks
 
     @functools.cached_property
     def hits(self) -> dict[str, dict[int, int]]:
         """File -> line -> how often the tests executed it; on the virtual K64, whether they
         executed it."""
-        found: dict[str, dict[int, int]] = {}
+        hits: dict[str, dict[int, int]] = {}
         for module in self.model.modules.values():
             for path, lines in module.line_hits.items():
-                found.setdefault(path, {}).update(lines)
+                hits.setdefault(path, {}).update(lines)
         for path, measured in (self.model.board_lines or {}).items():
-            known = found.setdefault(path, {})
-            known.update({line: int(hit) for line, hit in measured.items()})
-        return found
+            counts = hits.setdefault(path, {})
+            counts.update({line: int(hit) for line, hit in measured.items()})
+        return hits
 
     def length(self, path: str) -> int:
         return len(self.code.lines(path))
@@ -327,10 +327,12 @@ class Portal:
         """The tests to read first: the tests of its own file, then the tests of the requirements
         that it satisfies."""
         file = f"tests/{module.logic}/{module.name}Test.cpp"
-        wanted = {identifier for method in module.methods for identifier in method.satisfies}
+        satisfied = {identifier for method in module.methods for identifier in method.satisfies}
         tests = self.tests_of(module)
         own = [test for test in tests if test.place.file == file]
-        verifying = [t for t in tests if t.place.file != file and wanted.intersection(t.verifies)]
+        verifying = [
+            t for t in tests if t.place.file != file and satisfied.intersection(t.verifies)
+        ]
         return [*own, *verifying]
 
     def source_of(self, source: SourceReference) -> Markup:
@@ -360,8 +362,8 @@ class Portal:
         """The targets on which a test of the requirement passed in this run."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         passed = {target for test in tests for target in test.gave("passed")}
-        found = [target for target in self.model.results_hashes if target in passed]
-        return f"{', '.join(found) or 'none in this run'}; real board: none yet"
+        targets = [target for target in self.model.results_hashes if target in passed]
+        return f"{', '.join(targets) or 'none in this run'}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:
         """The number of runs that passed; ``None`` when there are no results of these sources."""
@@ -382,8 +384,8 @@ class Portal:
     def passed_on(self, binding: str) -> tuple[int | None, int]:
         """The number of passed tests on a target, if known, and the number of tests for it."""
         runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
-        known = not self.model.stale_on(binding)
-        return sum(run.result == "passed" for run in runs) if known else None, len(runs)
+        is_fresh = not self.model.stale_on(binding)
+        return sum(run.result == "passed" for run in runs) if is_fresh else None, len(runs)
 
     def executed_count(self, binding: str) -> int:
         return sum(binding in requirement.runs for requirement in self.model.requirements.values())
@@ -394,18 +396,18 @@ class Portal:
 
     def callers(self, method: Method) -> list[Markup]:
         """Returns its callers: methods, nested classes, and first values of constants."""
-        found = []
+        callers = []
         for name in method.called_by:
             module, _, rest = name.partition("::")
             if name in self.links.methods:
-                found.append(self.names.meth(name))
+                callers.append(self.names.meth(name))
             elif module in self.model.modules:
-                found.append(Markup("{} ({})").format(self.names.mod(module), rest))
-        return found
+                callers.append(Markup("{} ({})").format(self.names.mod(module), rest))
+        return callers
 
     def computed_from(self, constant: str) -> list[Markup]:
         """The methods and constants that read a constant of the one instance."""
-        methods = (one for module in self.model.modules.values() for one in module.methods)
+        methods = (method for module in self.model.modules.values() for method in module.methods)
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
@@ -431,8 +433,8 @@ class Portal:
 
     def verdict_of(self, check: str) -> Markup:
         """Returns the result of a check at the time when the pages are written."""
-        if found := len(self.findings_of(check)):
-            return names.glyph("bad", f"{found} found")
+        if count := len(self.findings_of(check)):
+            return names.glyph("bad", f"{count} found")
         if self.is_later(check):
             return names.glyph("none", "after the pages")
         if check in DYNAMIC and self.model.results_stale:

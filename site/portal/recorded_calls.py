@@ -62,12 +62,12 @@ def name_of(portal: Portal, activation: Activation) -> str:
 
 def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
     """The requirements whose trees contain a method."""
-    found: dict[str, list[str]] = {}
+    requirements: dict[str, list[str]] = {}
     for requirement in portal.model.requirements.values():
         nodes = portal.flat(requirement.tree) if requirement.tree else []
         for method in dict.fromkeys(node.resolved or node.label for _, node in nodes):
-            found.setdefault(method, []).append(requirement.id)
-    return found
+            requirements.setdefault(method, []).append(requirement.id)
+    return requirements
 
 
 def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> MethodLinks:
@@ -75,8 +75,8 @@ def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> Metho
     the body."""
     method = portal.links.find_method(name)
     if method is None:
-        known = portal.model.functions.get(name)
-        source = portal.links.source(known.place) if known else None
+        function = portal.model.functions.get(name)
+        source = portal.links.source(function.place) if function else None
         page = portal.links.module(name.partition("::")[0]) if "::" in name else None
         return MethodLinks(name, page, source, trees.get(name, []))
     return MethodLinks(

@@ -18,7 +18,7 @@ from weeding_robot_client.mcap_file import read_mcap
 
 SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
-ROBOT = "robot"  # name of the source of the values, used like a target in the plots of the
+ROBOT = "robot"  # name of the source of the values, in place of a target in the plots of the
 # simulator
 MS_OF_S = 1000
 VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # as the reports name them
@@ -62,7 +62,7 @@ def read_recording(path: Path) -> list[Values]:
 def raw_columns(report: Layout) -> set[str]:
     """The columns of a scenario's table: numbers as on the line, and a column for each bit."""
     bits = {bit.name for field in report.fields for bit in field.bits}
-    return bits | {one.name for one in report.fields if not one.bits}
+    return bits | {field.name for field in report.fields if not field.bits}
 
 
 def numbers(report: Layout, row: Mapping[str, str]) -> dict[str, int]:
@@ -88,7 +88,7 @@ def _value(cell: str) -> float | str | None:
 
 def plots(reports: Sequence[Values]) -> list[LoopPlot]:
     """For each wheel its velocity, voltage and current with the set-points, then the steering."""
-    found = []
+    wheel_plots = []
     for wheel in range(WHEEL_COUNT):
         for title, unit, quantity, name in (
             ("velocity", "rpm", VELOCITY, f"velocity{wheel}_rpm"),
@@ -96,14 +96,16 @@ def plots(reports: Sequence[Values]) -> list[LoopPlot]:
             ("current", "A", CURRENT, f"current{wheel}_amperes"),
         ):
             ordered = [
-                (at, one[f"set_point{wheel}"])
-                for at, one in timed(reports)
-                if one[f"quantity{wheel}"] == quantity
+                (at, report[f"set_point{wheel}"])
+                for at, report in timed(reports)
+                if report[f"quantity{wheel}"] == quantity
             ]
-            found.append(_plot(f"Wheel {wheel}, {title}", unit, ordered, points(reports, name)))
+            wheel_plots.append(
+                _plot(f"Wheel {wheel}, {title}", unit, ordered, points(reports, name))
+            )
     steering = points(reports, "steering_set_point_degrees")
-    found.append(_plot("Steering", "degree", steering, points(reports, "steering_degrees")))
-    return found
+    wheel_plots.append(_plot("Steering", "degree", steering, points(reports, "steering_degrees")))
+    return wheel_plots
 
 
 def _plot(title: str, unit: str, ordered: Any, measured: Any) -> LoopPlot:
@@ -115,31 +117,31 @@ def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
     """Each report with its time since the first report [s]; the time continues when the robot is
     reset."""
     start, offset, last = None, 0.0, 0.0
-    for one in reports:
-        at = float(one["time_ms"]) / MS_OF_S
+    for report in reports:
+        at = float(report["time_ms"]) / MS_OF_S
         start = at if start is None else start
         if at + offset < last:
             offset = last - at
         last = at + offset
-        yield last - start, one
+        yield last - start, report
 
 
 def points(reports: Sequence[Values], name: str) -> list[tuple[float, float]]:
     """The values that are not missing."""
-    return [(at, one[name]) for at, one in timed(reports) if one[name] is not None]
+    return [(at, report[name]) for at, report in timed(reports) if report[name] is not None]
 
 
 def changes(reports: Sequence[Values]) -> list[Change]:
-    found: list[Change] = []
+    changed: list[Change] = []
     before: Values = {}
-    for at, one in timed(reports):
-        found += [
-            Change(at, name, text_of(before[name]), text_of(one[name]))
+    for at, report in timed(reports):
+        changed += [
+            Change(at, name, text_of(before[name]), text_of(report[name]))
             for name in STATES
-            if before and one[name] != before[name]
+            if before and report[name] != before[name]
         ]
-        before = one
-    return found
+        before = report
+    return changed
 
 
 def text_of(value: object) -> str:

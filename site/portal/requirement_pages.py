@@ -17,14 +17,14 @@ MOST_BETWEEN = 4  # calls that are shown between two nodes of a tree
 
 
 def requirements(portal: Portal) -> dict[str, Any]:
-    found = {
+    numbers = {
         item.id: verification_views.facets(portal.model, portal.report, item)
         for item in portal.model.requirements.values()
     }
     return {
         "sections": sections(portal),
-        "facets": found,
-        "options": verification_views.options(found.values()),
+        "facets": numbers,
+        "options": verification_views.options(numbers.values()),
         "bars": verification_views.chart(sections(portal)),
         "lines_of": verification_views.lines_of,
         "host": HOST,
@@ -150,13 +150,13 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
 
 def shortened(rows: list[Row]) -> list[Row]:
     """The rows, with one row instead of many calls between two nodes."""
-    found: list[Row] = []
+    shown: list[Row] = []
     for is_call, group in groupby(rows, lambda row: row.node is None):
         between = list(group)
         if is_call and len(between) > MOST_BETWEEN:
             between = [replace(between[0], call=f"{len(between)} calls")]
-        found += between
-    return found
+        shown += between
+    return shown
 
 
 def add_trunks(rows: list[Row]) -> None:
@@ -172,7 +172,7 @@ def add_trunks(rows: list[Row]) -> None:
 
 
 def sections(portal: Portal) -> dict[str, list[Requirement]]:
-    found: dict[str, list[Requirement]] = {}
+    groups: dict[str, list[Requirement]] = {}
     for requirement in portal.model.requirements.values():
-        found.setdefault(requirement.section, []).append(requirement)
-    return found
+        groups.setdefault(requirement.section, []).append(requirement)
+    return groups

@@ -1,4 +1,4 @@
-"""The sections of the hand-written pages, as the search has them."""
+"""The sections of the hand-written pages for the index of the search."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Section:
 
 
 def sections_of(doc: Entry, source: str) -> Iterator[Section]:
-    """Each section of a page; the text above the first section has the title of the page."""
+    """Each section of a page; the part above the first section gets the title of the page."""
     lines = [*source.splitlines(), ""]
     heads = [
         number

@@ -112,8 +112,8 @@ def messages_of(
     portal: Portal, recording: Recording, methods: frozenset[str], by_logic: bool
 ) -> Iterator[tuple[int, Message]]:
     """The messages of a recording with their instants, in their order."""
-    found = [*_calls(portal, recording, methods, by_logic), *_frames(recording)]
-    yield from sorted(found, key=lambda pair: pair[0])
+    timed = [*_calls(portal, recording, methods, by_logic), *_frames(recording)]
+    yield from sorted(timed, key=lambda pair: pair[0])
 
 
 def _calls(
@@ -158,31 +158,31 @@ def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> 
         if span.method == PULSE
     ]
     begins = [recording.spans[0].begin, *pulses]
-    found: list[CycleMessages] = []
+    cycles: list[CycleMessages] = []
     for begin, group in groupby(messages, lambda pair: max(b for b in begins if b <= pair[0])):
         parts = folded([message for _, message in group])
-        if found and found[-1].parts == parts:
-            found[-1].times += 1
+        if cycles and cycles[-1].parts == parts:
+            cycles[-1].times += 1
         else:
-            found.append(CycleMessages(begin, parts))
-    return found
+            cycles.append(CycleMessages(begin, parts))
+    return cycles
 
 
 def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
     """Groups of messages that are repeated immediately become loops, the longest repetition
     first."""
-    found: list[Message | Loop] = []
+    parts: list[Message | Loop] = []
     at = 0
     while at < len(messages):
         best, times = _repetition(messages, at)
         later = max(math.prod(_repetition(messages, at + step)) for step in range(1, LONGEST))
         if times > 1 and best * times >= later:
-            found.append(Loop(times, tuple(messages[at : at + best])))
+            parts.append(Loop(times, tuple(messages[at : at + best])))
             at += best * times
         else:
-            found.append(messages[at])
+            parts.append(messages[at])
             at += 1
-    return tuple(found)
+    return tuple(parts)
 
 
 def _repetition(messages: list[Message], at: int) -> tuple[int, int]:
@@ -269,9 +269,9 @@ def _participant(name: str, links: Links) -> str:
     if name == PC or address is None:
         return f'participant "{name}" as {alias(name)}'
     logic = links.model.logic_modules.get(name)
-    name, known = (logic.name if logic else name), name
+    name, module = (logic.name if logic else name), name
     fill = MARKERS["role-concrete-fill"]
-    return f'participant "{name}" as {alias(known)} [[{address}]] {fill}'
+    return f'participant "{name}" as {alias(module)} [[{address}]] {fill}'
 
 
 def _arrow(message: Message, links: Links) -> str:
@@ -305,11 +305,11 @@ def _drawn(
     windows: Mapping[str, Window],
     trees: Mapping[str, list[str]],
 ) -> Drawn:
-    wanted = {
+    lines = {
         method: [identifier for identifier in ids if identifier in sequence.requirements]
         for method, ids in trees.items()
     }
-    methods = frozenset(method for method, ids in wanted.items() if ids)
+    methods = frozenset(method for method, ids in lines.items() if ids)
     cycles: list[CycleMessages] = []
     for name in sequence.recordings:
         recording = recordings[name]
@@ -322,16 +322,16 @@ def _drawn(
         [windows[name] for name in sequence.recordings],
         cycles,
         sequence_diagram(sequence, cycles, portal.links) if cycles else None,
-        [(method, wanted[method]) for method in called],
+        [(method, lines[method]) for method in called],
     )
 
 
 def sequences(portal: Portal) -> dict[str, Any]:
-    found = drawn_sequences(portal)
-    diagrams = [one.diagram for one in found if one.diagram]
+    drawn = drawn_sequences(portal)
+    diagrams = [sequence.diagram for sequence in drawn if sequence.diagram]
     svgs = draw(diagrams, portal.root / "build" / "diagrams")
     return {
-        "sequences": found,
+        "sequences": drawn,
         "svgs": {name: Markup(svg) for name, svg in svgs.items()},
         "command": COMMAND,
         "wide": True,

@@ -43,7 +43,7 @@ def build_site(root: Path, model: Model, report: Report) -> SiteResult:
     except DiagramError as error:
         fix = "correct the source of the diagram, see the message of PlantUML"
         return SiteResult(0, [Finding(Place("design", 0), "doc-diagram", str(error), fix)])
-    kept = write_sources(portal, pages)
+    pages_written = write_sources(portal, pages)
     with get_context("fork").Pool(os.cpu_count() or 1, _share, (portal, site)) as pool:
         exported = pool.apply_async(_write_exports)
         written = pool.map_async(partial(_write_part, pages / BODIES), range(PARTS), 1)
@@ -51,10 +51,10 @@ def build_site(root: Path, model: Model, report: Report) -> SiteResult:
         made = {page.name for page in chain(*written.get())}
         exported.get()
     remove_others(pages / BODIES, "*.html", [f"{name}.html" for name in made])
-    kept |= made
-    remove_others(site, "*.html", [f"{name}.html" for name in kept])
+    pages_written |= made
+    remove_others(site, "*.html", [f"{name}.html" for name in pages_written])
     shutil.rmtree(site / "_sources", ignore_errors=True)
-    return SiteResult(len(kept), warnings)
+    return SiteResult(len(pages_written), warnings)
 
 
 def check_texts() -> list[CheckText]:
@@ -91,8 +91,8 @@ def _write_exports() -> None:
 def write_exports(portal: Portal, site: Path) -> None:
     """The files that the page of exports links."""
     files = diagram_files(portal.diagrams)
-    kept = [name.rpartition("/")[2] for name in files]
-    remove_others(site / DIAGRAMS, "*.puml", kept)
+    names_written = [name.rpartition("/")[2] for name in files]
+    remove_others(site / DIAGRAMS, "*.puml", names_written)
     files[model_json.MODEL] = model_json.model_text(portal.model, portal.report)
     files[model_json.SCHEMA] = model_json.schema_text()
     files[verification_table.SCHEMA] = verification_table.schema_text()

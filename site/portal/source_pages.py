@@ -11,10 +11,10 @@ from portal.portal import Page, Portal
 
 
 def folders(portal: Portal) -> dict[str, list[str]]:
-    found: dict[str, list[str]] = {}
+    files: dict[str, list[str]] = {}
     for path in portal.model.files:
-        found.setdefault(path.rpartition("/")[0], []).append(path)
-    return found
+        files.setdefault(path.rpartition("/")[0], []).append(path)
+    return files
 
 
 @dataclass

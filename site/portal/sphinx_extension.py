@@ -29,12 +29,12 @@ class NameRole(SphinxRole):
         self.targets = targets
 
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        known = self.targets.get(self.text.removesuffix("()"))
-        if known is None:
+        target = self.targets.get(self.text.removesuffix("()"))
+        if target is None:
             text = f"unknown target: there is no {self.name} {self.text!r}"
             LOGGER.warning(text, location=self.get_location())
             return [nodes.literal(self.rawtext, self.text)], []
-        html = known.replace(f'"{ROOT}', f'"{depth_prefix(self.env.docname)}')
+        html = target.replace(f'"{ROOT}', f'"{depth_prefix(self.env.docname)}')
         return [nodes.raw(self.rawtext, html, format="html")], []
 
 

@@ -44,29 +44,29 @@ INCLUDED = (
 )
 FRAME = "frame.txt"  # the part of all pages around their body
 INDEX = "search_index.js"
-BODIES = "_bodies"  # below the pages: those that templates make, without the layout
+BODIES = "_bodies"  # folder below the pages: bodies that templates make, without the layout
 UNKNOWN_TO_BREATHE = re.compile(r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>", re.DOTALL)
 
 
 def write_sources(portal: Portal, pages: Path) -> set[str]:
     """Writes the input of Sphinx; returns the names of the pages."""
     shown = [m for m in portal.designs if doxygen_file(portal, m)]
-    kept = copy_docs(portal.root / "docs", pages / "docs") | write_members(shown, pages)
-    remove_others(pages, "*.rst", [f"{name}.rst" for name in kept])
+    current = copy_docs(portal.root / "docs", pages / "docs") | write_members(shown, pages)
+    remove_others(pages, "*.rst", [f"{name}.rst" for name in current])
     write_included(portal, pages / "_generated")
     copy_doxygen(portal, shown, pages / "_doxygen")
     write_changed(pages / NAMES, json.dumps(search.inventory(search.entries(portal))))
     write_changed(pages / "links.json", json.dumps(search.targets(portal), sort_keys=True))
     write_changed(pages / "_static" / "portal.js", search.script(portal))
-    return kept
+    return current
 
 
 def copy_docs(docs: Path, target: Path) -> set[str]:
-    kept = {path.relative_to(docs) for path in docs.rglob("*") if path.is_file()}
-    for path in kept:
+    current = {path.relative_to(docs) for path in docs.rglob("*") if path.is_file()}
+    for path in current:
         write_changed(target / path, (docs / path).read_bytes())
-    remove_others(target, "*", map(str, kept))
-    return {f"docs/{path.with_suffix('')}" for path in kept if path.suffix == ".rst"}
+    remove_others(target, "*", map(str, current))
+    return {f"docs/{path.with_suffix('')}" for path in current if path.suffix == ".rst"}
 
 
 def write_members(modules: list[Module], pages: Path) -> set[str]:
@@ -191,6 +191,6 @@ def run_sphinx(
         app.connect("html-page-context", generated.fill)
         app.build()
     write_changed(site / "_static" / INDEX, search.index_script(portal, pages / BODIES))
-    found = collector.findings()
-    write_changed(sound, "" if found else docs)
-    return found
+    findings = collector.findings()
+    write_changed(sound, "" if findings else docs)
+    return findings

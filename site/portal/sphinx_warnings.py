@@ -31,8 +31,8 @@ class WarningCollector(io.StringIO):
 
     def findings(self) -> list[Finding]:
         lines = COLOUR.sub("", self.getvalue()).splitlines()
-        found = [self._finding(match) for line in lines if (match := MESSAGE.match(line))]
-        return list({(f.place.file, f.place.line, f.text): f for f in found}.values())
+        findings = [self._finding(match) for line in lines if (match := MESSAGE.match(line))]
+        return list({(f.place.file, f.place.line, f.text): f for f in findings}.values())
 
     def _finding(self, match: re.Match[str]) -> Finding:
         text = re.sub(r" \[[a-z._-]+\]$", "", match["text"])
@@ -42,7 +42,7 @@ class WarningCollector(io.StringIO):
         return Finding(place, "link-doc" if is_link else "doc-warning", text, fix)
 
     def _source(self, file: str) -> str:
-        """The hand-written page behind the copy that Sphinx reads."""
+        """The hand-written page from which the copy for Sphinx was made."""
         path = Path(file)
         for base in (self.pages, self.root):
             if path.is_relative_to(base):

@@ -45,7 +45,7 @@ def robot_values(model: Model) -> list[tuple[Method, Constant]]:
 
 def control_values(model: Model) -> dict[str, list[Value]]:
     """Module -> its named constants with a unit, and those that were chosen for another value."""
-    found: dict[str, list[Value]] = {}
+    values: dict[str, list[Value]] = {}
     for name, constant in model.constants.items():
         chosen_for = [
             tuned.to for tuned in model.tuned if name.partition(".")[0] in tuned.constants
@@ -54,5 +54,5 @@ def control_values(model: Model) -> dict[str, list[Value]]:
         if not constant.place.file.startswith(CONTROL) or not own.startswith("k"):
             continue
         if constant.unit or chosen_for:
-            found.setdefault(module, []).append(Value(name, constant, chosen_for))
-    return found
+            values.setdefault(module, []).append(Value(name, constant, chosen_for))
+    return values

@@ -103,11 +103,11 @@ def facets_of_test(test: Test) -> Facets:
     }
 
 
-def options(found: Iterable[Facets]) -> dict[str, list[str]]:
+def options(all_facets: Iterable[Facets]) -> dict[str, list[str]]:
     """Each facet with the values that a requirement has."""
     values: dict[str, set[str]] = defaultdict(set)
-    for one in found:
-        for name, own in one.items():
+    for facet in all_facets:
+        for name, own in facet.items():
             values[name].update(own)
     return {name: sorted(own, key=_numbers_in_order) for name, own in values.items()}
 

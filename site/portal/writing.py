@@ -18,7 +18,7 @@ def write_changed(path: Path, content: str | bytes) -> None:
 def remove_others(folder: Path, names: str, kept: Iterable[str]) -> None:
     """Removes the files that match these names and are not in the list of kept files, relative to
     the folder."""
-    known = set(kept)
+    kept_names = set(kept)
     for path in folder.rglob(names):
-        if path.is_file() and str(path.relative_to(folder)) not in known:
+        if path.is_file() and str(path.relative_to(folder)) not in kept_names:
             path.unlink()

@@ -52,6 +52,7 @@ class K64Timebase final : public Timebase {
   void start();
 
   /// @pre Two calls are less than 71 s apart.
+  /// @satisfies FR-200
   /// @isr{yes}
   [[nodiscard]] Instant now() const override;
 

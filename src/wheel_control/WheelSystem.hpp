@@ -81,6 +81,7 @@ class WheelSystem final : public ControlSystem {
   void apply(const SetPoints& setPoints) override;
   void halt() override;
   void release() override;
+  /// @satisfies FR-92
   void activate(std::uint32_t cycle) override;
   void note(WheelOrder& order);
   void work();

@@ -27,7 +27,7 @@ class Chunk:
 
 
 def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
-    """Divides a campaign into chunks. Chunks of a longer campaign begin with those of a shorter."""
+    """The chunks of a campaign; a longer campaign begins with those of a shorter campaign."""
     if count < 1 or count > size * SEEDS:
         raise ValueError(f"a campaign has from 1 to {size * SEEDS} cases")
     number = -(-count // size)
@@ -43,14 +43,14 @@ def identity_of(files: Iterable[Path]) -> str:
 
 
 class Store:
-    """The finished chunks of one campaign, a file each."""
+    """The finished chunks of one campaign; each has a file."""
 
     def __init__(self, root: Path, kind: str, identity: str, seed: int) -> None:
         self.identity = identity
         self.folder = root / FOLDER / kind / f"{identity}-{seed}"
 
     def keep(self, chunk: Chunk, cases: list[dict[str, Any]]) -> None:
-        """Writes the result of a chunk at once: its file is whole, or it does not exist."""
+        """Writes the result of a chunk: its file is complete, or it does not exist."""
         self.folder.mkdir(parents=True, exist_ok=True)
         path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
         draft = path.with_suffix(f".{os.getpid()}.draft")
@@ -73,7 +73,7 @@ class Store:
         return cases
 
     def finished(self) -> list[Chunk]:
-        """The chunks that are finished, by number, each once: the longest of its number."""
+        """The finished chunks by their numbers; of several with one number the longest."""
         seed = int(self.folder.name.rpartition("-")[2])
         longest: dict[int, int] = {}
         for path in self.folder.glob("*-*.json"):
@@ -83,7 +83,7 @@ class Store:
 
 
 def whole_part(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """The chunks up to the first missing or partial one, as a shorter campaign has them."""
+    """The chunks before the first missing or incomplete chunk: those of a shorter campaign."""
     whole: list[Chunk] = []
     for number, chunk in enumerate(chunks):
         if chunk.number != number or (whole and chunk.count > whole[0].count):

@@ -29,7 +29,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "result as one that was not ended.",
     )
     parser.add_argument("kind", choices=sorted(KINDS), help="kind of the cases")
-    parser.add_argument("--count", type=positive, help="number of cases; each kind has a usual one")
+    parser.add_argument("--count", type=positive, help="number of cases; each kind has a default")
     parser.add_argument("--seed", type=int, default=1, help="chooses the cases; by default 1")
     parser.add_argument(
         "--workers", type=positive, default=os.cpu_count() or 1, help="by default one for each core"
@@ -113,7 +113,7 @@ def merged(root: Path, kind: Kind, store: Store, chunks: list[Chunk]) -> dict[st
 
 
 class Progress:
-    """Prints now and then how many cases are done, and when the last one will be."""
+    """Prints the number of finished cases and the expected end, from time to time."""
 
     def __init__(self, kind: Kind, chunks: int, cases: int) -> None:
         self.kind, self.chunks, self.cases = kind, chunks, cases

@@ -53,7 +53,7 @@ def counted(cases: Iterable[Case]) -> dict[str, int]:
 
 
 def times(values: Sequence[int]) -> dict[str, float]:
-    """Median, 95th of a hundred, and greatest [ms]."""
+    """Median, 95th percentile, and maximum [ms]."""
     ordered = sorted(values)
     if not ordered:
         return {}

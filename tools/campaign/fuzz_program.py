@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the fuzzers of the firmware, some times. Prints a line of JSON for each run of all.
+"""Runs all fuzzers of the firmware a number of times; prints a line of JSON for each time.
 
 Needs the standard library only: it runs on any worker, in the folder of the project.
 """
@@ -17,7 +17,7 @@ from typing import Any
 # Inputs of one run. The last two need about 5 s each, the first 30 s of a processor.
 INPUTS = {"frames": 1_000_000, "link": 50_000, "robot": 1_000}
 LONGEST_INPUT = {"frames": 24}  # bytes
-LONGEST = 60  # [s] for one input; a usual one needs less than 0.02 s
+LONGEST = 60  # [s] for one input; most inputs need less than 0.02 s
 CORPUS = Path("tests/fuzz/corpus")
 MOST_OF_TEXT = 2_000
 # The line of the cause; those before it show the progress, those after it the calls.
@@ -26,7 +26,7 @@ CAUSE = re.compile(r"^.*(the fuzzer found|runtime error:|ERROR: ).*$", re.MULTIL
 
 def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
     """Runs a fuzzer. Inputs that reach new code are kept in a folder that is removed afterwards."""
-    with tempfile.TemporaryDirectory() as found, tempfile.TemporaryDirectory() as failed:
+    with tempfile.TemporaryDirectory() as corpus, tempfile.TemporaryDirectory() as failed:
         words = [
             program,
             f"-seed={seed % (1 << 32) or 1}",
@@ -34,7 +34,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
             f"-timeout={LONGEST}",
         ]
         words += [f"-max_len={LONGEST_INPUT[name]}"] if name in LONGEST_INPUT else []
-        words += [f"-artifact_prefix={failed}/", found, CORPUS / name]
+        words += [f"-artifact_prefix={failed}/", corpus, CORPUS / name]
         run = subprocess.run(
             [str(word) for word in words],
             stdin=subprocess.DEVNULL,
@@ -58,9 +58,9 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
 
 
 def cause_in(output: str) -> str:
-    """The text of a failure from the line of its cause on."""
-    found = CAUSE.search(output)
-    return output[found.start() :][:MOST_OF_TEXT] if found else output[-MOST_OF_TEXT:]
+    """The text of a failure, beginning at the line of its cause."""
+    match = CAUSE.search(output)
+    return output[match.start() :][:MOST_OF_TEXT] if match else output[-MOST_OF_TEXT:]
 
 
 def main() -> None:

@@ -21,8 +21,9 @@ class Kind:
     unit: str  # name of a case
     size: int  # cases of a chunk
     usual: int  # cases of a campaign, unless another number is given
-    targets: tuple[tuple[str, tuple[str, ...]], ...]  # preset and its targets to build
-    files: tuple[Path, ...]  # that a chunk executes and reads; the first is the program
+    # Preset and targets that are built before the campaign.
+    targets: tuple[tuple[str, tuple[str, ...]], ...]
+    files: tuple[Path, ...]  # files that a chunk needs; the first is its program
     options: Callable[[Sequence[Path]], list[str]]  # the options for these files
     summarise: Callable[[Path, Cases], dict[str, Any]]
 

@@ -35,7 +35,7 @@ class Places:
             self._functions.sort()
             self._starts = [item[0] for item in self._objects]
             self._first = [item[0] for item in self._functions]
-            # A type is read when it is asked for, as long as the file is open.
+            # A type is read when it is needed, while the file is open.
             self._members = {
                 address: dict(self._bytes(die, 0, source))
                 for address, _, die, source in self._objects
@@ -135,7 +135,7 @@ class Places:
                         yield from inner
 
     def _resolved(self, die: DIE) -> DIE:
-        """The type itself; of a class that is only declared the definition of another file."""
+        """The type itself; for a class that is only declared, its definition in another file."""
         while die.tag in _WRAPPERS:
             inner = _type_of(die)
             if inner is None:
@@ -182,8 +182,8 @@ def _path(die: DIE) -> str:
 
 
 def _text(die: DIE, name: str) -> str:
-    found: Any = die.attributes.get(name)
-    return found.value.decode() if found is not None else ""
+    attribute: Any = die.attributes.get(name)
+    return attribute.value.decode() if attribute is not None else ""
 
 
 def _plain(name: str) -> str:

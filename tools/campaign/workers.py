@@ -60,7 +60,7 @@ def run_here(kind: Kind, root: Path, chunks: Sequence[Chunk], workers: int) -> I
 def execute_copy(
     identity: str, contents: Mapping[str, bytes], words: Sequence[str]
 ) -> list[dict[str, Any]]:
-    """Runs a command on a worker, with copies of its files that each machine writes once."""
+    """Runs a command on a worker. Each machine writes the copies of its files once."""
     folder = Path(tempfile.gettempdir()) / f"campaign-{os.getuid()}-{identity}"
     if not folder.is_dir():
         draft = Path(tempfile.mkdtemp(prefix="campaign-"))

@@ -71,11 +71,11 @@ FAMILIES = (
 def run_checks(model: Model, facts: Facts) -> Report:
     """The report, with all findings but those of the site's links, sorted."""
     families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
-    found = [finding for family in families for finding in family(model, facts)]
+    all_findings = [finding for family in families for finding in family(model, facts)]
     clauses, broken = pattern_checks.decide(model, facts)
-    found += broken
-    measured = measured_values(model, figures(model, clauses), found, KNOWN)
-    findings = sort(found + requirement_checks.unmet(model, measured, found))
+    all_findings += broken
+    measured = measured_values(model, figures(model, clauses), all_findings, KNOWN)
+    findings = sort(all_findings + requirement_checks.unmet(model, measured, all_findings))
     return make_report(model, findings, clauses, measured)
 
 
@@ -86,7 +86,10 @@ def run_link_checks(model: Model, facts: Facts, site: Path) -> list[Finding]:
 
 
 def sort(findings: list[Finding]) -> list[Finding]:
-    return sorted(findings, key=lambda one: (one.place.file, one.place.line, one.check, one.text))
+    return sorted(
+        findings,
+        key=lambda finding: (finding.place.file, finding.place.line, finding.check, finding.text),
+    )
 
 
 def message(finding: Finding) -> str:

@@ -14,7 +14,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         names += [(name, element.place) for name in element.modules]
     for group in model.groups:
         names += [(name, group.place) for name in (group.module, *group.modules)]
-    found = [
+    findings = [
         Finding(
             facts.declared.entries.line_in(place, name),
             "arch-module",
@@ -24,12 +24,17 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for name, place in names
         if name not in model.modules
     ]
-    connectors = {"", *(one.name for one in model.architecture if one.kind == "connector")}
+    connectors = {
+        "",
+        *(element.name for element in model.architecture if element.kind == "connector"),
+    }
     for connection in model.connections:
         if connection.connector not in connectors:
             text = f"no element is the connector {connection.connector}"
             place = facts.declared.entries.line_in(connection.place, connection.connector)
-            found.append(Finding(place, "arch-module", text, "correct the name of the connector"))
+            findings.append(
+                Finding(place, "arch-module", text, "correct the name of the connector")
+            )
         ends = (connection.source, connection.target)
         if is_outside(connection):
             continue
@@ -38,9 +43,9 @@ def check(model: Model, facts: Facts) -> list[Finding]:
             text = f"there is no module {missing[0]}"
             fix = "correct the end of the connection"
             place = facts.declared.entries.line_in(connection.place, missing[0])
-            found.append(Finding(place, "arch-module", text, fix))
+            findings.append(Finding(place, "arch-module", text, fix))
         elif not connection.way:
             text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
             fix = "correct the connection, or the code"
-            found.append(Finding(connection.place, "arch-code", text, fix))
-    return found
+            findings.append(Finding(connection.place, "arch-code", text, fix))
+    return findings

@@ -18,11 +18,13 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     if not facts.declared.patterns:
         return []
     texts = facts.declared.changes
-    wrong = [one for name, item in texts.recipes.items() for one in _recipe(name, item, facts)]
+    wrong = [
+        problem for name, item in texts.recipes.items() for problem in _recipe(name, item, facts)
+    ]
     wrong += [
-        one
+        problem
         for name, item in texts.particulars.items()
-        for one in _particular(name, item, model, facts)
+        for problem in _particular(name, item, model, facts)
     ]
     wrong += [
         (pattern.place, pattern.name, f"there is no recipe for a change of a {pattern.name}")
@@ -37,13 +39,13 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, str, str]]:
-    known = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
-    if name not in known:
+    roles = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
+    if name not in roles:
         yield recipe.place, name, f"there is no pattern {name}"
         return
     added = re.split(r", | or ", recipe.adds)
     for role in [*recipe.alters, *added, recipe.derives]:
-        if role and role not in known[name]:
+        if role and role not in roles[name]:
             yield recipe.place, role, f"{role} is no role of {name}"
     sorts: list[tuple[str, tuple[str, ...], str]] = [
         (role, HEIRS, "heir") for role in added if role
@@ -51,13 +53,13 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
     sorts += [(role, (*HEIRS, "Singleton"), "heir") for role in recipe.alters]
     sorts += [(recipe.derives, ABSTRACTIONS, "abstraction")] if recipe.derives else []
     for role, fitting, sort in sorts:
-        if role in known[name] and role not in fitting:
+        if role in roles[name] and role not in fitting:
             yield recipe.place, role, f"{role} is no {sort}, which a change of a {name} is about"
     if not recipe.alters:
         yield recipe.place, "alters", f"a change alters no role of a {name}"
     for step in recipe.steps:
         for role in re.findall(r"@role\{\{id\}, ([^}]+)\}", step):
-            if role not in known[name]:
+            if role not in roles[name]:
                 yield recipe.place, role, f"{role} is no role of {name}"
         for word in set(re.findall(r"\{([^{}]*)\}", step)) - STANDING:
             yield recipe.place, step, f"nothing replaces {{{word}}} in a step"
@@ -72,7 +74,7 @@ def _particular(
         if module not in model.modules:
             yield particular.place, module, f"there is no module {module}"
     application = model.patterns.get(name)
-    bound = {one.module for one in application.roles} if application else set()
+    bound = {role.module for role in application.roles} if application else set()
     for module in particular.derives:
         if module in model.modules and not bound & {module, *_above(module, facts)}:
             yield particular.place, module, f"{module} has no role in {name}"

@@ -15,19 +15,19 @@ READ = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "
 
 
 def check(_model: Model, facts: Facts) -> list[Finding]:
-    found = [
+    findings = [
         Finding(place, "syntax-error", text, "correct the code")
         for place, text in facts.syntax.errors
     ]
-    found += missing_paths(facts.root) + missing_commands(facts.root)
-    found += missing_parts(facts.root)
+    findings += missing_paths(facts.root) + missing_commands(facts.root)
+    findings += missing_parts(facts.root)
     for problem in facts.declared.entries.problems:
-        found.append(Finding(problem.place, "design-entry", problem.text, problem.fix))
-    found += [
+        findings.append(Finding(problem.place, "design-entry", problem.text, problem.fix))
+    findings += [
         Finding(place, "doc-warning", text.rstrip(" ."), "correct the comment")
         for place, text in facts.warnings
     ]
-    return found + _unknown_tags(facts)
+    return findings + _unknown_tags(facts)
 
 
 def _unknown_tags(facts: Facts) -> list[Finding]:
@@ -46,7 +46,7 @@ def _unknown_tags(facts: Facts) -> list[Finding]:
 
 def not_text(root: Path) -> list[Finding]:
     """The first line of each source that is not UTF-8."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for path in files_below(root, READ):
         data = path.read_bytes()
         try:
@@ -54,5 +54,5 @@ def not_text(root: Path) -> list[Finding]:
         except UnicodeDecodeError as error:
             place = Place(str(path.relative_to(root)), data.count(b"\n", 0, error.start) + 1)
             text = f"the byte {data[error.start]:#x} is not UTF-8"
-            found.append(Finding(place, "doc-warning", text, "write the file in UTF-8"))
-    return found
+            findings.append(Finding(place, "doc-warning", text, "write the file in UTF-8"))
+    return findings

@@ -54,73 +54,77 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _contexts(model: Model, facts: Facts) -> list[Finding]:
-    declared, found = _handlers(model, facts)
+    declared, findings = _handlers(model, facts)
     lines = handler_lines(facts)
     for handler in sorted(set(lines) - set(declared)):
         text = f"the handler {handler} of line {lines[handler][0]} belongs to no context"
-        found.append(_declared(DECLARED, text, "declare its context in design/execution.toml"))
+        findings.append(_declared(DECLARED, text, "declare its context in design/execution.toml"))
     for handler, context in declared.items():
         if handler not in facts.bodies:
             text = f"{context.id} names the handler {handler}, which does not exist"
-            found.append(_declared(context.place, text, "correct the name"))
+            findings.append(_declared(context.place, text, "correct the name"))
         elif handler not in lines and context.kind in (INTERRUPT, THREAD):
             text = f"the vector table does not contain {handler}"
-            found.append(_declared(context.place, text, "enter it in the table, or remove it here"))
+            findings.append(
+                _declared(context.place, text, "enter it in the table, or remove it here")
+            )
     for context in model.contexts.values():
         if context.kind == THREAD and context.body not in facts.bodies:
             text = f"the thread {context.id} names the body {context.body}, which does not exist"
-            found.append(_declared(context.place, text, "correct the name of the body"))
-    return found
+            findings.append(_declared(context.place, text, "correct the name of the body"))
+    return findings
 
 
 def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
-    """Handler -> its only context, of a known kind."""
+    """Returns the context of each handler; a handler has one context, and its kind must exist."""
     declared: dict[str, ExecutionContext] = {}
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for context in model.contexts.values():
         if context.kind not in KINDS:
             text = f"{context.id} has the kind {context.kind}, and not one of: {', '.join(KINDS)}"
-            found.append(_declared(context.place, text, "correct the kind"))
+            findings.append(_declared(context.place, text, "correct the kind"))
         if (context.kind == THREAD) != bool(context.body):
-            held = "a body" if context.body else "no body"
-            text = f"{context.id} is of the kind {context.kind}, and has {held}"
+            body = "a body" if context.body else "no body"
+            text = f"{context.id} is of the kind {context.kind}, and has {body}"
             key = "body" if context.body else "kind"
             place = facts.declared.entries.line_in(context.place, key)
-            found.append(_declared(place, text, "only a thread has one"))
+            findings.append(_declared(place, text, "only a thread has one"))
         if len(set(context.handlers)) != len(context.handlers):
             text = f"{context.id} names a handler twice"
             place = facts.declared.entries.line_in(context.place, "handlers")
-            found.append(_declared(place, text, "remove one of the two"))
+            findings.append(_declared(place, text, "remove one of the two"))
         for handler in context.handlers:
             other = declared.setdefault(handler, context)
             if other is not context:
-                for one, two in (context, other), (other, context):
-                    text = f"{one.id} has the handler {handler}, as {two.id} has"
-                    found.append(_declared(one.place, text, "remove it from one of the two"))
-    return declared, found
+                for first, two in (context, other), (other, context):
+                    text = f"{first.id} has the handler {handler}, as {two.id} has"
+                    findings.append(_declared(first.place, text, "remove it from one of the two"))
+    return declared, findings
 
 
 def _pipes(model: Model, facts: Facts) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for pipe in model.pipes:
         if pipe.id not in facts.declared.pipes:
             text = f"the pipe {pipe.id} has no name"
-            found.append(_declared(pipe.place, text, "name it in design/execution.toml"))
-        writing = {one for contexts in pipe.writers.values() for one in contexts}
-        reading = {one for contexts in pipe.readers.values() for one in contexts}
+            findings.append(_declared(pipe.place, text, "name it in design/execution.toml"))
+        writing = {context for contexts in pipe.writers.values() for context in contexts}
+        reading = {context for contexts in pipe.readers.values() for context in contexts}
         for what, contexts in (("writes", writing), ("reads", reading)):
             if len(contexts) > 1:
                 text = (
                     f"more than one context {what} the {pipe.name}: {', '.join(sorted(contexts))}"
                 )
                 fix = "add a pipe for each writer and reader"
-                found.append(Finding(pipe.place, "exec-shared", text, fix))
-    known = {pipe.id for pipe in model.pipes}
+                findings.append(Finding(pipe.place, "exec-shared", text, fix))
+    names = {pipe.id for pipe in model.pipes}
     for name, pipe_text in facts.declared.pipes.items():
-        if name not in known:
+        if name not in names:
             text = f"the robot has no pipe {name}"
-            found.append(_declared(pipe_text.place, text, "correct the name, or remove the entry"))
-    return found
+            findings.append(
+                _declared(pipe_text.place, text, "correct the name, or remove the entry")
+            )
+    return findings
 
 
 def _priorities(model: Model, facts: Facts) -> list[Finding]:
@@ -132,18 +136,18 @@ def _priorities(model: Model, facts: Facts) -> list[Finding]:
         for line in context.lines
         if line in names and facts.syntax.constants[names[line]] == context.intended
     }
-    found: dict[tuple[str, str], Finding] = {}
+    findings: dict[tuple[str, str], Finding] = {}
     for context in model.contexts.values():
         for name in {names[line] for line in context.lines if line in names}:
             given = facts.syntax.constants[name]
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
                 fix = "correct the priority, or change the design"
-                # A constant that is right for another context is not the fault: the call is.
+                # The finding is at the call, because the constant may be right for another context.
                 place = _enabled_at(name, facts) if name in right else _place_of(name, facts)
                 key = (name, context.id if name in right else "")
-                found[key] = _declared(place, f"{text}{context.place.file}", fix)
-    return list(found.values())
+                findings[key] = _declared(place, f"{text}{context.place.file}", fix)
+    return list(findings.values())
 
 
 def _enabled_at(constant: str, facts: Facts) -> Place:
@@ -168,7 +172,7 @@ def _ends(facts: Facts) -> list[Finding]:
     called = {call.target for body in facts.syntax.bodies for call in body.calls}
     place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
     return [
-        _declared(place, f"nothing calls {name}, which is to end the firmware", "correct the name")
+        _declared(place, f"nothing calls {name}, which must end the firmware", "correct the name")
         for name in facts.declared.ends
         if name not in called
     ]
@@ -186,7 +190,7 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods
         if method.interrupt == "no"
     }
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for context in model.contexts.values():
         if context.kind != INTERRUPT:
             continue
@@ -196,8 +200,8 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
             way = " > ".join(way_to(name, reached))
             text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
             fix = "let a thread call it, or make it safe and write @isr{yes}"
-            found.append(Finding(forbidden[name].place, "exec-isr", text, fix))
-    return found
+            findings.append(Finding(forbidden[name].place, "exec-isr", text, fix))
+    return findings
 
 
 def _claims(model: Model, facts: Facts) -> list[Finding]:
@@ -225,7 +229,7 @@ def _claims(model: Model, facts: Facts) -> list[Finding]:
 
 def _floats(model: Model, facts: Facts) -> list[Finding]:
     """Finds floating-point numbers in interrupts, which do not save the registers for them."""
-    found: dict[Place, Finding] = {}
+    findings: dict[Place, Finding] = {}
     for context in model.contexts.values():
         if context.kind != INTERRUPT:
             continue
@@ -235,8 +239,8 @@ def _floats(model: Model, facts: Facts) -> list[Finding]:
             if body.floats:
                 place = Place(body.place.file, body.floats)
                 text = f"{body.id} uses floating point, and the interrupt '{context.name}' runs it"
-                found[place] = Finding(place, "exec-float", text, "compute with integers")
-    return list(found.values())
+                findings[place] = Finding(place, "exec-float", text, "compute with integers")
+    return list(findings.values())
 
 
 def _loops(facts: Facts) -> list[Finding]:
@@ -245,7 +249,7 @@ def _loops(facts: Facts) -> list[Finding]:
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
     fix = "count the rounds in the head of the loop, or state in design/justified.toml why it ends"
-    found = [
+    findings = [
         Finding(
             Place(body.place.file, body.loops[0]),
             "exec-loop",
@@ -255,7 +259,7 @@ def _loops(facts: Facts) -> list[Finding]:
         for name, body in looping.items()
         if name not in named
     ]
-    return found + [
+    return findings + [
         Finding(entry.place, "exec-loop", f"{name} has no such loop", "remove the name")
         for entry in entries
         for name in entry.names
@@ -270,8 +274,8 @@ def _heap(facts: Facts) -> Iterator[Finding]:
         file = str(path.relative_to(facts.root))
         bare = comment_blanked(path.read_text(encoding="utf-8"))
         for number, line in enumerate(bare.splitlines(), 1):
-            if found := HEAP.search(line):
-                words = found[0] if found[0].startswith("#") else found[0].split()[0]
+            if match := HEAP.search(line):
+                words = match[0] if match[0].startswith("#") else match[0].split()[0]
                 text = f"'{words.partition('(')[0]}' uses the heap"
                 yield Finding(Place(file, number), "exec-heap", text, fix)
 
@@ -302,27 +306,27 @@ def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
 def _unprotected(model: Model, facts: Facts) -> list[Finding]:
     """Finds members without the declared protection: no atomic, or no lock at a use."""
     contexts = {context.id: context for context in model.contexts.values()}
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for member in model.shared:
         if "atomic" in member.protection and "atomic" not in member.type:
             text = f"{member.id} is declared as atomic, and is {member.type}"
-            found.append(Finding(member.place, "exec-shared", text, "make it std::atomic"))
+            findings.append(Finding(member.place, "exec-shared", text, "make it std::atomic"))
         if member.protection != MASKED:
             continue
         using = [contexts[name] for name in (*member.writers, *member.readers) if name in contexts]
-        handlers = [name for one in using for name in one.handlers]
+        handlers = [name for context in using for name in context.handlers]
         reached = facts.references.reached(handlers, {}, facts.declared.ends)
         for body in facts.syntax.bodies:
             locked = any(call.target == f"{LOCK}::{LOCK}" for call in body.calls)
             if member.id in body.touches and body.id in reached and not locked:
                 text = f"{body.id} uses {member.id} without the {LOCK} that is to protect it"
                 fix = f"make an {LOCK} first, or declare the actual protection"
-                found.append(Finding(body.place, "exec-shared", text, fix))
-    return found
+                findings.append(Finding(body.place, "exec-shared", text, fix))
+    return findings
 
 
 def _shared(model: Model, facts: Facts) -> list[Finding]:
-    found = [
+    findings = [
         Finding(
             member.place,
             "exec-shared",
@@ -340,5 +344,5 @@ def _shared(model: Model, facts: Facts) -> list[Finding]:
         owner, _, last = name.rpartition("::")
         if name not in members and not (last == "*" and owner in owners):
             text = f"{name} is not shared by two contexts"
-            found.append(_declared(protection.place, text, "remove it from the entry"))
-    return found
+            findings.append(_declared(protection.place, text, "remove it from the entry"))
+    return findings

@@ -35,24 +35,24 @@ def _finding(place: Place, text: str) -> Finding:
 
 def _files(model: Model, facts: Facts) -> list[Finding]:
     """Every file belongs to a module, to data types or to a composition, or is listed as shared."""
-    known = {fact.place.file for fact in facts.syntax.classes if _is_described(fact, facts)}
-    known |= {shared.file for shared in facts.declared.shared}
-    found: list[Finding] = []
+    described = {fact.place.file for fact in facts.syntax.classes if _is_described(fact, facts)}
+    described |= {shared.file for shared in facts.declared.shared}
+    findings: list[Finding] = []
     for path in files_below(facts.root, DESIGN):
         file = str(path.relative_to(facts.root))
         header = str(Path(file).with_suffix(".hpp"))
         folder = str(Path(file).parent)
         if path.name in OTHERS or path.suffix in OTHER_ENDINGS:
             continue
-        if file in known or header in known or _composes(model, folder):
+        if file in described or header in described or _composes(model, folder):
             continue
         if path.suffix in (".cpp", ".hpp"):
-            found.append(_finding(Place(file, 1), f"{file} belongs to no module"))
+            findings.append(_finding(Place(file, 1), f"{file} belongs to no module"))
         else:
-            found.append(
+            findings.append(
                 _finding(Place(file, 1), f"{file} is read by no check: rename it to .hpp or .cpp")
             )
-    return found
+    return findings
 
 
 def _is_described(fact: ClassFact, facts: Facts) -> bool:
@@ -71,7 +71,7 @@ def _outside(facts: Facts) -> list[Finding]:
     """Finds functions and classes in the file of a module that other files can use without the
     module."""
     shared = {Path(item.file).stem for item in facts.declared.shared}
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for body in facts.syntax.bodies:
         stem = Path(body.place.file).stem
         module = facts.written_in.get(body.place.file)
@@ -79,8 +79,8 @@ def _outside(facts: Facts) -> list[Finding]:
             continue
         if not body.id.startswith("operator"):
             text = f"the function {body.id} is next to {module}, and other files can call it"
-            found.append(_finding(body.place, text))
-    found += [
+            findings.append(_finding(body.place, text))
+    findings += [
         _finding(fact.place, f"the class {fact.name} has no header")
         for fact in facts.syntax.classes
         if fact.place.file.endswith(".cpp")
@@ -88,19 +88,19 @@ def _outside(facts: Facts) -> list[Finding]:
         and not fact.local
         and "::" not in fact.name
     ]
-    return found
+    return findings
 
 
 def _loose(facts: Facts) -> list[Finding]:
     """Finds a variable that belongs to no object, so that all objects of a class share it."""
-    found: list[Finding] = []
-    for held in facts.syntax.objects:
-        module = facts.written_in.get(held.place.file)
+    findings: list[Finding] = []
+    for variable in facts.syntax.objects:
+        module = facts.written_in.get(variable.place.file)
         if module in facts.modules:
-            text = f"{held.name} can change, and is outside the objects of {module}"
+            text = f"{variable.name} can change, and is outside the objects of {module}"
             fix = "make it a member, or a constant"
-            found.append(Finding(held.place, "module-file", text, fix))
-    return found
+            findings.append(Finding(variable.place, "module-file", text, fix))
+    return findings
 
 
 def _idle(facts: Facts) -> list[Finding]:
@@ -113,7 +113,7 @@ def _idle(facts: Facts) -> list[Finding]:
 
 def _preprocessor(root: Path) -> list[Finding]:
     """The same text is compiled for every product: no macro, no condition."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for path in files_below(root, DESIGN, (".cpp", ".hpp")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             match = DIRECTIVE.match(line)
@@ -121,7 +121,7 @@ def _preprocessor(root: Path) -> list[Finding]:
                 continue
             if (match[1], match[2].strip()) == ("pragma", "once"):
                 continue
-            found.append(
+            findings.append(
                 Finding(
                     Place(str(path.relative_to(root)), number),
                     "module-preprocessor",
@@ -129,4 +129,4 @@ def _preprocessor(root: Path) -> list[Finding]:
                     "use a constant, a template, or another module that the build chooses",
                 )
             )
-    return found
+    return findings

@@ -26,8 +26,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
             place = model.patterns[name].place
             wrong.append((place, f"no folder of changes/ makes the likely change of {name}"))
         else:
-            found = _change(model, facts, change, change.made, kits[name])
-            wrong += [(change.made.place, text) for text in found]
+            problems = _change(model, facts, change, change.made, kits[name])
+            wrong += [(change.made.place, text) for text in problems]
     return [Finding(place, "change-kit", text, FIX) for place, text in wrong]
 
 
@@ -40,8 +40,11 @@ def _change(
         if name not in kit.bases and name not in model.modules:
             yield f"there is no class {name}"
         elif not _plays(model, facts, change, kit, name):
-            wanted = " or ".join(change.derives or change.altered)
-            yield f"{name} has no part of {change.application}: it has nothing of {wanted}"
+            parts = " or ".join(change.derives or change.altered)
+            yield (
+                f"{name} has no role in {change.application}: "
+                f"it neither derives from {parts} nor uses it"
+            )
     if not made.classes and not _touches(model, change, made):
         yield f"the kit edits none of {', '.join(change.altered)}"
     targets = {test.target for test in made.tests}
@@ -54,14 +57,14 @@ def _change(
 
 
 def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str) -> bool:
-    """Derives from a base class of the recipe, or, without one, from or with an altered module."""
+    """Whether a class of the kit makes the change of the recipe."""
     above = set(_above(facts, kit, name))
     if change.derives:
         return not above.isdisjoint(change.derives)
     kin = {
         base
-        for one in change.altered
-        for base in (*model.modules[one].bases, *model.modules[one].uses)
+        for module in change.altered
+        for base in (*model.modules[module].bases, *model.modules[module].uses)
     }
     uses = set(model.modules[name].uses) if name in model.modules else set()
     altered = set(change.altered)

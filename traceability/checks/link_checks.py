@@ -19,7 +19,7 @@ from traceability.reading.products import LIST, listed
 from traceability.schema import Finding, Place
 from traceability.sources import file_hash, files_below
 
-# A path of the project, as it is written; or as a link of the README.
+# A path of the project, in backticks or as the target of a link.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
@@ -32,7 +32,7 @@ PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
 CACHE = "pages-cache/links"  # next to the site
-FEW = 100  # pages that one process reads as fast as several
+FEW = 100  # up to this number of pages, one process is as fast as several
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
@@ -50,7 +50,7 @@ def _text(file: str) -> str:
 def _read(file: str) -> _Page:
     text, page = _text(file), _Page({"", "top"}, {})
     if file.endswith(".css"):
-        page.links |= {found[1]: found.start() for found in URL.finditer(text)}
+        page.links |= {match[1]: match.start() for match in URL.finditer(text)}
         return page
     for attribute in ATTRIBUTE.finditer(text):
         start = text.rfind("<", 0, attribute.start())
@@ -69,23 +69,23 @@ def _read(file: str) -> _Page:
 
 
 def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
-    """Reads the files, and those again that changed since they were read last."""
-    known: dict[str, tuple[object, _Page]] = {}
+    """Reads each file that is new or has changed since the last read."""
+    cached: dict[str, tuple[object, _Page]] = {}
     code = file_hash(Path(__file__))
     with suppress(OSError, EOFError, pickle.UnpicklingError), cache.open("rb") as stream:
-        known = pickle.load(stream) if pickle.load(stream) == code else {}
+        cached = pickle.load(stream) if pickle.load(stream) == code else {}
     stats = {name: Path(name).stat() for name in names}
     states = {name: (stat.st_mtime_ns, stat.st_size) for name, stat in stats.items()}
-    changed = [name for name in names if name not in known or known[name][0] != states[name]]
+    changed = [name for name in names if name not in cached or cached[name][0] != states[name]]
     with get_context("fork").Pool() if len(changed) > FEW else nullcontext() as pool:
         read = pool.map(_read, changed) if pool else map(_read, changed)
-        known |= {name: (states[name], page) for name, page in zip(changed, read, strict=True)}
-    known = {name: known[name] for name in names}
+        cached |= {name: (states[name], page) for name, page in zip(changed, read, strict=True)}
+    cached = {name: cached[name] for name in names}
     cache.parent.mkdir(parents=True, exist_ok=True)
     new = cache.with_suffix(f".{os.getpid()}")  # another process may read the cache
-    new.write_bytes(pickle.dumps(code) + pickle.dumps(known))
+    new.write_bytes(pickle.dumps(code) + pickle.dumps(cached))
     new.replace(cache)
-    return {name: page for name, (_, page) in known.items()}
+    return {name: page for name, (_, page) in cached.items()}
 
 
 class _Site:
@@ -99,7 +99,7 @@ class _Site:
         self.away = functools.cache(self._away)
 
     def reason(self, file: str, folder: str, link: str) -> str:
-        """Why a link is dead; empty for a live one."""
+        """The reason why a link is dead; empty when its target exists."""
         if link.startswith(("#", "?")):
             return self._without(file, link.partition("#")[2])
         return self.away(folder, link)
@@ -129,14 +129,14 @@ class _Site:
 def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
     """Page, line, link and reason of each dead link."""
     site = _Site(root)
-    found: list[tuple[Path, int, str, str]] = []
+    dead: list[tuple[Path, int, str, str]] = []
     for file, page in site.pages.items():
         folder = posixpath.dirname(file)
         for link, start in page.links.items():
             if reason := site.reason(file, folder, link):
                 line = _text(file).count("\n", 0, start) + 1
-                found.append((Path(file), line, link, reason))
-    return found
+                dead.append((Path(file), line, link, reason))
+    return dead
 
 
 def check(model: Model, site: Path) -> list[Finding]:
@@ -154,15 +154,15 @@ def check(model: Model, site: Path) -> list[Finding]:
         Finding(
             Place(file, line),
             "link-site",
-            f"dead link '{target}' in {found[0][0]}{_others(found)}: {found[0][1]}",
+            f"dead link '{target}' in {links[0][0]}{_others(links)}: {links[0][1]}",
             "correct the source of the page",
         )
-        for (file, line, target), found in pages.items()
+        for (file, line, target), links in pages.items()
     ]
 
 
-def _others(found: list[tuple[str, str]]) -> str:
-    count = len({page for page, _ in found}) - 1
+def _others(links: list[tuple[str, str]]) -> str:
+    count = len({page for page, _ in links}) - 1
     return f" and {count} more" if count else ""
 
 
@@ -171,14 +171,14 @@ def dead_clicks(site: Path) -> list[Finding]:
     have."""
     path = site.resolve().parent.parent / QUESTIONS
     lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for number, line in enumerate(lines, 1):
         for click in CLICK.findall(line) if line.startswith("clicks") else ():
             if not has_page(site, click):
                 text = f"the site has no page {click}, to which a question leads"
                 fix = "name the page with the answer"
-                found.append(Finding(Place(QUESTIONS, number), "link-site", text, fix))
-    return found
+                findings.append(Finding(Place(QUESTIONS, number), "link-site", text, fix))
+    return findings
 
 
 def has_page(site: Path, name: str) -> bool:
@@ -198,7 +198,7 @@ class Texts:
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """The place of a link; nowhere when it is composed from parts."""
+        """The place of a link; no place when the text contains only parts of the link."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""
@@ -224,7 +224,7 @@ class Texts:
 
 def missing_paths(root: Path) -> list[Finding]:
     """Finds files and folders that a page or a text of the design names and that do not exist."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for path in files_below(root, ("README.md", "docs", "design"), (".md", ".rst", ".toml")):
         file = str(path.relative_to(root))
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
@@ -233,11 +233,11 @@ def missing_paths(root: Path) -> list[Finding]:
             for named in filter(None, sum(NAMED.findall(line), ())):
                 top, name = named.split("/")[0], root / named
                 listed = path.name == "README.md" and named.endswith("/")
-                known = (root / top).is_dir() or name.suffix in SOURCES or listed
-                if known and top != "build" and not name.exists():
+                is_path = (root / top).is_dir() or name.suffix in SOURCES or listed
+                if is_path and top != "build" and not name.exists():
                     text, fix = f"there is no {named}", "name a file that exists"
-                    found.append(Finding(Place(file, number), "link-doc", text, fix))
-    return found
+                    findings.append(Finding(Place(file, number), "link-doc", text, fix))
+    return findings
 
 
 def missing_commands(root: Path) -> list[Finding]:
@@ -245,7 +245,7 @@ def missing_commands(root: Path) -> list[Finding]:
     code = "".join(
         path.read_text(encoding="utf-8") for path in files_below(root, PROGRAMS, (".py",))
     )
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for path in files_below(root, ("README.md", "docs") if code else (), (".md", ".rst")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             for command, options in COMMAND.findall(line):
@@ -254,16 +254,16 @@ def missing_commands(root: Path) -> list[Finding]:
                 for word in [word for word in words if f'"{word}"' not in code + HELP]:
                     place = Place(str(path.relative_to(root)), number)
                     text, fix = f"./wr has no {word}", "name a command that ./wr --help lists"
-                    found.append(Finding(place, "link-doc", text, fix))
-    return found
+                    findings.append(Finding(place, "link-doc", text, fix))
+    return findings
 
 
 def missing_parts(root: Path) -> list[Finding]:
     """Finds products, programs and pins that a page names and that do not exist."""
-    products = {one.name for one in listed(root)} if (root / LIST).exists() else set()
+    products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     targets, keys = _targets(root), _keys(root)
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for path in files_below(root, ("README.md", "docs"), (".md", ".rst")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             wrong = [f"product {name}" for name in PRODUCT.findall(line) if name not in products]
@@ -272,8 +272,10 @@ def missing_parts(root: Path) -> list[Finding]:
             wrong += [f"pin {name} in use" for name in PIN.findall(line) if name not in pins]
             for name in wrong:
                 place = Place(str(path.relative_to(root)), number)
-                found.append(Finding(place, "link-doc", f"there is no {name}", "correct the name"))
-    return found
+                findings.append(
+                    Finding(place, "link-doc", f"there is no {name}", "correct the name")
+                )
+    return findings
 
 
 def _pins(root: Path) -> set[str]:
@@ -301,12 +303,12 @@ def _targets(root: Path) -> set[str]:
 
 def _sources(model: Model) -> dict[str, Place]:
     """Page -> the place that it was generated from."""
-    found = {f"modules/{module.name}.html": module.place for module in model.modules.values()}
-    found |= {f"patterns/{item.id}.html": item.place for item in model.patterns.values()}
-    found |= {f"requirements/{item.id}.html": item.place for item in model.requirements.values()}
-    found |= {f"safety/{item.id}.html": item.place for item in model.safety.goals.values()}
-    found |= {f"source/{file}.html": Place(file, 1) for file in model.files}
-    return found
+    places = {f"modules/{module.name}.html": module.place for module in model.modules.values()}
+    places |= {f"patterns/{item.id}.html": item.place for item in model.patterns.values()}
+    places |= {f"requirements/{item.id}.html": item.place for item in model.requirements.values()}
+    places |= {f"safety/{item.id}.html": item.place for item in model.safety.goals.values()}
+    places |= {f"source/{file}.html": Place(file, 1) for file in model.files}
+    return places
 
 
 def _place(path: Path, line: int, site: Path, places: dict[str, Place]) -> Place:

@@ -38,23 +38,23 @@ INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # what @isr says
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     secrets: dict[str, str] = {}
     functions: dict[str, str] = {}
     for module in model.modules.values():
         if module.datatype:
             continue
         comment = facts.comment_of(module.name)
-        found += _place_and_name(module, facts)
-        found += _function(module, comment, functions)
-        found += _secret(module, comment, secrets)
+        findings += _place_and_name(module, facts)
+        findings += _function(module, comment, functions)
+        findings += _secret(module, comment, secrets)
         for method in module.methods:
             if method.access == "public":
-                found += _specification(method)
-    found += _folders(model, facts) + _written(model, facts) + _nested(facts)
-    found += _products(model, facts)
-    found += _unused(model, facts) + _behaviour(model, facts)
-    return [*found, *_silent(facts, found), *_units(model, facts)]
+                findings += _specification(method)
+    findings += _folders(model, facts) + _written(model, facts) + _nested(facts)
+    findings += _products(model, facts)
+    findings += _unused(model, facts) + _behaviour(model, facts)
+    return [*findings, *_silent(facts, findings), *_units(model, facts)]
 
 
 def _unused(model: Model, facts: Facts) -> list[Finding]:
@@ -115,10 +115,10 @@ def _behaviour(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     folder = Path(module.header).parent
     if not (facts.root / folder / "module.dox").exists() or str(folder) in DESIGN:
-        found.append(
+        findings.append(
             Finding(
                 module.place,
                 "module-logic",
@@ -127,7 +127,7 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
             )
         )
     if Path(module.header).stem != module.name:
-        found.append(
+        findings.append(
             Finding(
                 module.place,
                 "module-name",
@@ -137,7 +137,7 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
         )
     names = facts.declared.names
     if names and not module.extension and module.name not in names.get(module.logic, []):
-        found.append(
+        findings.append(
             Finding(
                 module.place,
                 "module-count",
@@ -145,13 +145,13 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
                 "remove it, mark a value type with @datatype, or change the design",
             )
         )
-    return found
+    return findings
 
 
 def _written(model: Model, facts: Facts) -> list[Finding]:
     """Finds missing modules of the design, and a number of modules that differs from the paper."""
     names = facts.declared.names
-    found = [
+    findings = [
         Finding(
             facts.declared.name_places[folder],
             "module-count",
@@ -163,7 +163,7 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
         if name not in facts.classes
         or str(Path(facts.classes[name].place.file).parent) != folder_of(folder)
     ]
-    found += [
+    findings += [
         Finding(
             module.place,
             "module-count",
@@ -179,8 +179,8 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
         different = len(set(listed))
         text = f"the design lists {len(listed)} modules, {different} different; the paper {total}"
         fix = "correct the lists of design/modules.toml"
-        found.append(Finding(Place("design/modules.toml", 1), "module-count", text, fix))
-    return found
+        findings.append(Finding(Place("design/modules.toml", 1), "module-count", text, fix))
+    return findings
 
 
 def _function(module: Module, comment: Comment, functions: dict[str, str]) -> list[Finding]:
@@ -204,7 +204,7 @@ def says(text: str) -> bool:
 
 
 def words_of(text: str) -> str:
-    """A text without capitals and marks."""
+    """The text in lower case, without punctuation."""
     return " ".join(re.findall(r"\w+", text.casefold()))
 
 
@@ -227,16 +227,22 @@ def _nested(facts: Facts) -> list[Finding]:
     ]
 
 
-def _silent(facts: Facts, known: list[Finding]) -> Iterator[Finding]:
+def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
     """Finds public parts of a header without a brief. The manual defines the registers."""
-    seen = {(one.place.file, one.place.line) for one in known if one.check == "module-spec"}
+    seen = {
+        (finding.place.file, finding.place.line)
+        for finding in findings
+        if finding.check == "module-spec"
+    }
     fix = "make it private, or write a brief next to it"
-    for one in facts.syntax.silent:
-        place = one.place
+    for declaration in facts.syntax.silent:
+        place = declaration.place
         if (place.file, place.line) in seen or place.file == REGISTERS:
             continue
         if place.end is None or not _has_words(place, facts):
-            yield Finding(place, "module-spec", f"{one.name} is public, and has no @brief", fix)
+            yield Finding(
+                place, "module-spec", f"{declaration.name} is public, and has no @brief", fix
+            )
     for fact in facts.syntax.classes:
         described = facts.comment(fact).words("tparam")
         for name in fact.parameters if described else ():
@@ -247,28 +253,28 @@ def _silent(facts: Facts, known: list[Finding]) -> Iterator[Finding]:
 
 def _units(model: Model, facts: Facts) -> list[Finding]:
     """Finds a unit in a text that differs from that of the type."""
-    told: list[tuple[Place, str, str, str]] = []  # place, name, type, text
+    texts: list[tuple[Place, str, str, str]] = []  # place, name, type, text
     for module in model.modules.values():
         for method in module.methods:
-            told += [
+            texts += [
                 (method.place, f"{param.name} of {method.id}", param.type, param.text)
                 for param in method.params
             ]
             result = _result_of(method).rpartition(" ")[0]
-            told.append((method.place, f"the result of {method.id}", result, method.returns))
+            texts.append((method.place, f"the result of {method.id}", result, method.returns))
     for fact in facts.classes.values():
-        told += [
+        texts += [
             (field.place, f"{fact.name}::{field.name}", field.type, facts.comment(field).brief)
             for field in fact.fields
         ]
-    found: list[Finding] = []
-    for place, name, kind, text in told:
+    findings: list[Finding] = []
+    for place, name, kind, text in texts:
         said = UNITS.findall(text)
         unit = UNITS.findall(unit_text(kind, model)) if said else []
         if unit and unit[0].split(" since ")[0] not in said:
             wrong = f"the text of {name} has the unit [{said[0]}], and its type has [{unit[0]}]"
-            found.append(Finding(place, "module-spec", wrong, "write the unit of the type"))
-    return found
+            findings.append(Finding(place, "module-spec", wrong, "write the unit of the type"))
+    return findings
 
 
 def _has_words(place: Place, facts: Facts) -> bool:
@@ -281,10 +287,10 @@ def _has_words(place: Place, facts: Facts) -> bool:
 
 
 def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     count = len([secret for secret in comment.all("secret") if says(secret)])
     if count != 1:
-        found.append(
+        findings.append(
             Finding(
                 module.place,
                 "module-secret",
@@ -293,7 +299,7 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[F
             )
         )
     elif words_of(module.secret) in (words_of(module.function), words_of(module.brief)):
-        found.append(
+        findings.append(
             Finding(
                 module.place,
                 "module-secret",
@@ -302,7 +308,7 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[F
             )
         )
     elif words_of(module.secret) in secrets:
-        found.append(
+        findings.append(
             Finding(
                 module.place,
                 "module-secret",
@@ -312,7 +318,7 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[F
         )
     else:
         secrets[words_of(module.secret)] = module.name
-    return found
+    return findings
 
 
 def _specification(method: Method) -> list[Finding]:
@@ -366,7 +372,7 @@ def folder_of(logic: str) -> str:
 
 
 def _folders(model: Model, facts: Facts) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     secrets: dict[str, str] = {}
     for logic in model.logic_modules.values():
         if logic.id not in facts.folders and not logic.place.file.endswith(".dox"):
@@ -381,7 +387,7 @@ def _folders(model: Model, facts: Facts) -> list[Finding]:
                 missing = ["@secret besides its public description"]
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
                 missing = [f"@secret of its own: it is that of {secrets[secret]}"]
-        found += [
+        findings += [
             Finding(
                 logic.place,
                 "module-folder",
@@ -390,4 +396,4 @@ def _folders(model: Model, facts: Facts) -> list[Finding]:
             )
             for name in missing
         ]
-    return found
+    return findings

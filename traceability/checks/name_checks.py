@@ -16,7 +16,7 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-# In a comment only names that are no English words: HallCount, Wheel::stop, kPeriod, read().
+# Forms of names in comments; none is an English word: HallCount, Wheel::stop, kPeriod, read().
 IN_COMMENT = re.compile(
     r"`([A-Za-z_]\w*(?:::\w+)*)`|\b([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+"
     r"|k[A-Z][a-z]{2,}\w*|[a-z]\w*(?=\(\)))"
@@ -54,11 +54,11 @@ class Words:
         fact = self.facts.classes.get(owner)
         if fact is None:
             return set()
-        found = {one.name for one in fact.methods} | {one.name for one in fact.fields}
-        found |= {value.name for value in fact.values}
+        names = {method.name for method in fact.methods} | {field.name for field in fact.fields}
+        names |= {value.name for value in fact.values}
         inner = f"{owner}::"
-        found |= {name.removeprefix(inner) for name in self.facts.classes if name.startswith(inner)}
-        return found.union(*(self.members(base) for base in fact.bases))
+        names |= {name.removeprefix(inner) for name in self.facts.classes if name.startswith(inner)}
+        return names.union(*(self.members(base) for base in fact.bases))
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:

@@ -25,14 +25,14 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for entry in facts.declared.numbers_without
         for number in entry.numbers
     }
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for requirement in model.requirements.values() if links or without else []:
         stated = stated_numbers(requirement.text)
-        found += _unlinked(requirement, stated, links.get(requirement.id), without)
+        findings += _unlinked(requirement, stated, links.get(requirement.id), without)
     for entry in links.values():
-        known = model.requirements.get(entry.requirement)
-        found += _linked(entry, stated_numbers(known.text if known else ""), facts)
-    return found + _unneeded(model, without)
+        stated_in = model.requirements.get(entry.requirement)
+        findings += _linked(entry, stated_numbers(stated_in.text if stated_in else ""), facts)
+    return findings + _unneeded(model, without)
 
 
 def _unlinked(

@@ -17,11 +17,11 @@ PAGES = ("view", "docs")  # only in the built site
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    found = _complete(model, facts)
+    findings = _complete(model, facts)
     for entry in model.paper:
-        found += _stale(entry, model, facts) + _alias(entry, model, facts)
-        found += _figure(entry, facts)
-    return [*found, *_statements(model, facts), *_unstated(model)]
+        findings += _stale(entry, model, facts) + _alias(entry, model, facts)
+        findings += _figure(entry, facts)
+    return [*findings, *_statements(model, facts), *_unstated(model)]
 
 
 def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -44,7 +44,9 @@ def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 def _unstated(model: Model) -> Iterator[Finding]:
     """Each requirement whose source is a place of the paper answers a statement of it."""
-    answered = {(one.where, target) for one in model.statements for target in one.here}
+    answered = {
+        (statement.where, target) for statement in model.statements for target in statement.here
+    }
     for requirement in model.requirements.values() if model.statements else ():
         for source in requirement.sources:
             pair = (source.name, f"requirement:{requirement.id}")
@@ -58,18 +60,18 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
     """Each element has one entry, and each entry an element."""
     concordance = facts.declared.concordance
     entries: dict[tuple[str, str], PaperElement] = {}
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for entry in model.paper:
         key = (entry.kind, entry.name)
         if key in entries:
             text = f"the {entry.kind} {entry.name} has a second entry"
-            found.append(Finding(entry.place, "paper-complete", text, "remove one of the two"))
+            findings.append(Finding(entry.place, "paper-complete", text, "remove one of the two"))
         elif key not in concordance.named:
             text = f"design/paper.toml lists no {entry.kind} {entry.name}"
             fix = "correct the kind or the name, or remove the entry"
-            found.append(Finding(entry.place, "paper-complete", text, fix))
+            findings.append(Finding(entry.place, "paper-complete", text, fix))
         entries[key] = entry
-    found += [
+    findings += [
         Finding(
             place,
             "paper-complete",
@@ -79,7 +81,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
         for key, place in concordance.lines.items()
         if key not in entries
     ]
-    found += [
+    findings += [
         Finding(
             entry.place,
             "paper-complete",
@@ -89,7 +91,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
         for entry in model.paper
         if not entry.here and not entry.deviation
     ]
-    return found + _arrows(model)
+    return findings + _arrows(model)
 
 
 def _arrows(model: Model) -> list[Finding]:
@@ -133,7 +135,7 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
         from traceability.checks.registry import KNOWN
 
         return name in KNOWN
-    known: dict[str, Collection[str]] = {
+    names_of: dict[str, Collection[str]] = {
         "module": model.modules,
         "pattern": model.patterns,
         "change": model.patterns,
@@ -143,7 +145,7 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
         "element": {element.id for element in model.architecture},
         "arrow": {connection.arrow for connection in model.connections},
     }
-    return kind == "view" or name in known.get(kind, {})
+    return kind == "view" or name in names_of.get(kind, {})
 
 
 def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
@@ -176,7 +178,9 @@ def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
         counts = {"module": facts.modules, "application": facts.declared.applications}
         true = {str(len(things)) for word, things in counts.items() if word in entry.name}
     else:
-        methods = [one.partition(":")[2] for one in entry.here if one.startswith("method:")]
+        methods = [
+            target.partition(":")[2] for target in entry.here if target.startswith("method:")
+        ]
         true = {figure for method in methods for figure in _returned(method, facts)}
     if not true or said[0] in true:
         return []
@@ -187,11 +191,11 @@ def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
 
 def _returned(method: str, facts: Facts) -> list[str]:
     """The number that a method returns."""
-    found: list[str] = []
+    numbers: list[str] = []
     for body in facts.bodies.get(method, []):
         lines = facts.lines_of(body.place.file)[body.place.line - 1 : body.end]
-        found += re.findall(r"\breturn (\d+);", "\n".join(lines))
-    return found
+        numbers += re.findall(r"\breturn (\d+);", "\n".join(lines))
+    return numbers
 
 
 def _name_here(target: str, model: Model) -> str:

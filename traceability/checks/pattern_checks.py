@@ -28,31 +28,31 @@ ALTERNATIVES = ("State", "Strategy", "Abstract Class")
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    found = _roles(model, facts) + _declared_once(model, facts) + _heirs(model, facts)
-    found += _required(facts) + _undeclared(model, facts) + _counts(facts)
-    found += _lost(model, facts) + _undecided(facts)
+    findings = _roles(model, facts) + _declared_once(model, facts) + _heirs(model, facts)
+    findings += _required(facts) + _undeclared(model, facts) + _counts(facts)
+    findings += _lost(model, facts) + _undecided(facts)
     for application in model.patterns.values():
-        found += _known(application, facts)
-        found += _missing_roles(application, model, facts)
-    return found
+        findings += _known(application, facts)
+        findings += _missing_roles(application, model, facts)
+    return findings
 
 
 def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Finding]]:
     """Decides every clause in every application of its pattern."""
-    parts = {name: _clauses(one, model, facts) for name, one in model.patterns.items()}
+    parts = {name: _clauses(pattern, model, facts) for name, pattern in model.patterns.items()}
     clauses = {name: clauses for name, (clauses, _) in parts.items()}
-    return clauses, [finding for _, found in parts.values() for finding in found]
+    return clauses, [finding for _, findings in parts.values() for finding in findings]
 
 
 def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
-    known = facts.declared.applications.get(application.id)
+    declared = facts.declared.applications.get(application.id)
     problems: list[tuple[str, str]] = []
-    if known is None:
+    if declared is None:
         problems.append((f"there is no application {application.id}", "correct the id"))
-    elif known.pattern != application.pattern:
+    elif declared.pattern != application.pattern:
         problems.append(
             (
-                f"{application.id} is an application of {known.pattern}, not of "
+                f"{application.id} is an application of {declared.pattern}, not of "
                 f"{application.pattern}",
                 "correct the pattern",
             )
@@ -71,20 +71,20 @@ def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
 
 
 def _declared_once(model: Model, facts: Facts) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     first: dict[str, str] = {}
     for module in model.modules.values():
         for tag in facts.comment_of(module.name).of("patternapp"):
             name = tag.argument
             if name in first:
                 words = f"{name} is declared above {first[name]} already"
-                found.append(Finding(tag.place, "pattern-known", words, "remove one of the two"))
+                findings.append(Finding(tag.place, "pattern-known", words, "remove one of the two"))
             first.setdefault(name, module.name)
-    return found
+    return findings
 
 
 def _roles(model: Model, facts: Facts) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for module in model.modules.values():
         seen: set[tuple[str, str]] = set()
         for binding in module.roles:
@@ -95,14 +95,14 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
             seen.add((binding.application, binding.role))
             if problem:
                 text, fix = problem
-                found.append(Finding(binding.place, "pattern-role-unknown", text, fix))
-    return found
+                findings.append(Finding(binding.place, "pattern-role-unknown", text, fix))
+    return findings
 
 
 def _lost(model: Model, facts: Facts) -> list[Finding]:
     """Marks in comments that are not above a module, so that no document shows them."""
     above = {(b.place.file, b.place.line) for m in model.modules.values() for b in m.roles}
-    above |= {(one.place.file, one.place.line) for one in model.patterns.values()}
+    above |= {(pattern.place.file, pattern.place.line) for pattern in model.patterns.values()}
     checks = {"role": "pattern-role-unknown", "patternapp": "pattern-known"}
     return [
         Finding(
@@ -118,14 +118,14 @@ def _lost(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str, str] | None:
-    known = facts.declared.applications.get(binding.application)
-    if known is None:
+    declared = facts.declared.applications.get(binding.application)
+    if declared is None:
         return f"there is no application {binding.application}", "correct the id"
-    if binding.role not in known.roles:
-        roles = ", ".join(known.roles)
+    if binding.role not in declared.roles:
+        roles = ", ".join(declared.roles)
         return f"{binding.application} has no role '{binding.role}'", f"use one of: {roles}"
     added = model.modules[binding.module].extension
-    if binding.module not in known.roles[binding.role] and not added:
+    if binding.module not in declared.roles[binding.role] and not added:
         return (
             f"design/applications.toml does not assign {binding.module} to the role {binding.role} "
             f"of "
@@ -177,16 +177,18 @@ def _undecided(facts: Facts) -> list[Finding]:
 
 def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
     """Yields the faults of a clause: text, word and fix."""
-    found: list[tuple[str, str, str]] = []
+    problems: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
         fix = "correct the id, or write its function in traceability/checks/pattern_clauses.py"
-        found.append((f"nothing decides the clause {clause.id}", clause.id, fix))
+        problems.append((f"nothing decides the clause {clause.id}", clause.id, fix))
     if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
         text = f"{clause.id} is not a clause of the pattern {clause.pattern}"
-        found.append((text, clause.pattern, "correct the pattern"))
-        return found
-    roles = next((one.roles for one in facts.declared.patterns if one.name == clause.pattern), [])
-    return found + [
+        problems.append((text, clause.pattern, "correct the pattern"))
+        return problems
+    roles = next(
+        (pattern.roles for pattern in facts.declared.patterns if pattern.name == clause.pattern), []
+    )
+    return problems + [
         (f"{role} is not a role of {clause.pattern}", role, "correct the role")
         for role in clause.about
         if role not in roles
@@ -195,22 +197,24 @@ def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, s
 
 def _counts(facts: Facts) -> list[Finding]:
     """The number of applications of each pattern is that of the paper."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for pattern in facts.declared.patterns:
-        known = [i for i in facts.declared.applications.values() if i.pattern == pattern.name]
-        if len(known) != pattern.applications:
+        applications = [
+            i for i in facts.declared.applications.values() if i.pattern == pattern.name
+        ]
+        if len(applications) != pattern.applications:
             text = (
-                f"the design has {len(known)} applications of {pattern.name}, not "
+                f"the design has {len(applications)} applications of {pattern.name}, not "
                 f"{pattern.applications}"
             )
             fix = f"correct the entries of {APPLICATIONS}"
-            found.append(Finding(pattern.place, "pattern-count", text, fix))
-    return found
+            findings.append(Finding(pattern.place, "pattern-count", text, fix))
+    return findings
 
 
 def _required(facts: Facts) -> list[Finding]:
     """Each application of the design binds every role of its pattern to modules that exist."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     patterns = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
     for item in facts.declared.applications.values():
         roles = patterns.get(item.pattern, [])
@@ -219,13 +223,13 @@ def _required(facts: Facts) -> list[Finding]:
         else:
             problems = _roles_of(item, roles)
         problems += [
-            (f"there is no module {module}, which is to be {role} in {item.id}", module)
+            (f"there is no module {module}, which the design binds to {role} in {item.id}", module)
             for role, modules in item.roles.items()
             for module in modules
             if module not in facts.classes
         ]
         fix = f"bind each role of the pattern in {APPLICATIONS}"
-        found += [
+        findings += [
             Finding(
                 facts.declared.entries.line_in(item.place, word),
                 "pattern-role-required",
@@ -234,7 +238,7 @@ def _required(facts: Facts) -> list[Finding]:
             )
             for text, word in problems
         ]
-    return found
+    return findings
 
 
 def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:
@@ -258,7 +262,7 @@ def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]
 
 
 def _missing_roles(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
-    known = facts.declared.applications.get(application.id)
+    declared = facts.declared.applications.get(application.id)
     bound = {(item.role, item.module) for item in application.roles}
     return [
         Finding(
@@ -267,7 +271,7 @@ def _missing_roles(application: PatternApplication, model: Model, facts: Facts) 
             f"{module} has no mark that it is {role} in {application.id}",
             f"write @role{{{application.id}, {role}}} above it",
         )
-        for role, modules in (known.roles if known else {}).items()
+        for role, modules in (declared.roles if declared else {}).items()
         for module in modules
         if module in model.modules and (role, module) not in bound
     ]
@@ -275,7 +279,7 @@ def _missing_roles(application: PatternApplication, model: Model, facts: Facts) 
 
 def _heirs(model: Model, facts: Facts) -> list[Finding]:
     """A nested Command is the body of a thread; any other subclass has the role of a subclass."""
-    found: dict[str, Finding] = {}
+    findings: dict[str, Finding] = {}
     for application in model.patterns.values():
         for binding in application.roles:
             if binding.role not in ABSTRACTIONS:
@@ -285,7 +289,7 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
                 body = binding.role == "Command" and "::" in heir and not fact.local
                 if body or _plays_heir(heir, binding, model, facts):
                     continue
-                found.setdefault(
+                findings.setdefault(
                     heir,
                     Finding(
                         fact.place,
@@ -295,7 +299,7 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
                         "bind it to such a role, or derive it from something else",
                     ),
                 )
-    return list(found.values())
+    return list(findings.values())
 
 
 def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
@@ -309,9 +313,9 @@ def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> 
         if role.role not in HEIRS or role.application not in model.patterns:
             continue
         above = {
-            one.module
-            for one in model.patterns[role.application].roles
-            if one.role in ABSTRACTIONS and heir in facts.heirs.get(one.module, [])
+            binding.module
+            for binding in model.patterns[role.application].roles
+            if binding.role in ABSTRACTIONS and heir in facts.heirs.get(binding.module, [])
         }
         whole = binding.role not in ALTERNATIVES or role.role in EXTENDED
         if above and (whole or role.application == binding.application):
@@ -324,7 +328,7 @@ def _clauses(
 ) -> tuple[list[Clause], list[Finding]]:
     """Decides every clause of the pattern in one application."""
     clauses: list[Clause] = []
-    found: list[Finding] = []
+    findings: list[Finding] = []
     shape = Shape(application, facts)
     for clause in facts.declared.clauses.values():
         if clause.pattern != application.pattern or clause.id not in CLAUSES:
@@ -332,11 +336,11 @@ def _clauses(
         broken = list({(p.file, p.line, t): (p, t) for p, t in CLAUSES[clause.id](shape)}.values())
         places = [place for place, _ in broken] or _about(application, clause, model)
         clauses.append(Clause(clause.id, clause.says, not broken, places))
-        found += [
+        findings += [
             Finding(place, clause.id, f"{text} ({application.id})", clause.fix)
             for place, text in broken
         ]
-    return clauses, found
+    return clauses, findings
 
 
 def _about(application: PatternApplication, clause: ClauseText, model: Model) -> list[Place]:

@@ -26,14 +26,14 @@ class Shape:
     @property
     def replaced(self) -> list[str]:
         """The operations that decorators of the application replace instead of extending them."""
-        known = self.facts.declared.applications.get(self.application.id)
-        return known.replaces if known else []
+        declared = self.facts.declared.applications.get(self.application.id)
+        return declared.replaces if declared else []
 
     @property
     def declared_at(self) -> Place:
         """Returns the place in the design with the replaced operations."""
-        known = self.facts.declared.applications.get(self.application.id)
-        place = known.place if known else self.application.place
+        declared = self.facts.declared.applications.get(self.application.id)
+        place = declared.place if declared else self.application.place
         return self.facts.declared.entries.line_in(place, "replaces")
 
     def playing(self, role: str) -> list[str]:
@@ -69,8 +69,8 @@ class Shape:
         return self.facts.user(body.owner, body.place)
 
     def bases(self, module: str) -> list[str]:
-        found = list(self.facts.classes[module].bases)
-        return found + [upper for base in found for upper in self.bases(base)]
+        above = list(self.facts.classes[module].bases)
+        return above + [upper for base in above for upper in self.bases(base)]
 
     def holds(self, module: str, base: str) -> bool:
         return any(
@@ -117,14 +117,14 @@ class Shape:
         """Returns the calls of a method, also through methods and functions of its class."""
         own = {body.id: body for body in self.bodies(module)}
         work, seen = [method], {method}
-        found: set[str] = set()
+        called: set[str] = set()
         while work:
             body = own.get(work.pop())
             targets = {call.target for call in body.calls} if body else set()
-            found |= targets
+            called |= targets
             work += [name for name in targets - seen if name in own]
             seen |= targets
-        return found
+        return called
 
 
 def owner_of(method: str) -> str:
@@ -159,7 +159,8 @@ def held(role: str) -> Callable[[Shape], Broken]:
         for context in shape.playing("Context"):
             for base in shape.playing(role):
                 if not shape.holds(context, base) and not shape.is_given(context, base):
-                    yield shape.place(context), f"{context} neither holds {base} nor is given it"
+                    text = f"{context} has no member or parameter of the type {base}"
+                    yield shape.place(context), text
 
     return clause
 
@@ -205,10 +206,14 @@ def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
     for body in shape.facts.syntax.bodies:
         if body.owner not in contexts:
             continue
-        held = [one.name for one in shape.fields(body.owner) if one.refers and one.classes == bases]
+        members = [
+            field.name
+            for field in shape.fields(body.owner)
+            if field.refers and field.classes == bases
+        ]
         lines = (shape.facts.root / body.place.file).read_text(encoding="utf-8").splitlines()
         for number in range(body.place.line, body.end + 1):
-            if any(re.search(rf"&\s*{name}\.get\(\)", lines[number - 1]) for name in held):
+            if any(re.search(rf"&\s*{name}\.get\(\)", lines[number - 1]) for name in members):
                 text = f"{body.owner} takes the address of its present {bases[0]}"
                 yield Place(body.place.file, number), text
 
@@ -282,7 +287,9 @@ def decorator_holds(shape: Shape) -> Broken:
 def on_wrapped(call: CallFact, decorators: set[str]) -> bool:
     """Whether a call goes to the component of the Decorator, which is its only member of this
     type."""
-    return all(one.startswith("this ") or owner_of(one.split()[1]) in decorators for one in call.on)
+    return all(
+        place.startswith("this ") or owner_of(place.split()[1]) in decorators for place in call.on
+    )
 
 
 def forwards(body: BodyFact, wrapped: set[str], decorators: set[str]) -> bool:
@@ -410,7 +417,7 @@ def command_invoker(shape: Shape) -> Broken:
             yield shape.place(invoker), f"{invoker} does not call {', '.join(commands)}"
         elif calls and not executed(shape, calls):
             concrete = " or ".join(shape.playing("Concrete Command"))
-            yield shape.place(invoker), f"{invoker} is given no {concrete} to execute"
+            yield shape.place(invoker), f"{invoker} gets no {concrete} to execute"
 
 
 def executed(shape: Shape, calls: list[CallFact]) -> bool:
@@ -497,14 +504,14 @@ def builder_parts(shape: Shape) -> Broken:
 
 def parts_of(shape: Shape, builders: list[str]) -> set[str]:
     """The modules with a role that the builders store or construct."""
-    held = {
+    parts = {
         name
         for builder in builders
         for field in shape.fields(builder)
         if not field.refers
         for name in field.classes
     }
-    return held & shape.facts.with_role - set(shape.playing("Product"))
+    return parts & shape.facts.with_role - set(shape.playing("Product"))
 
 
 def builder_director(shape: Shape) -> Broken:
@@ -530,8 +537,8 @@ def builder_director(shape: Shape) -> Broken:
 
 def unknown_to(shape: Shape, director: str) -> list[str]:
     """Returns the parts of builders, without Builders and the parts of the Director itself."""
-    known = shape.facts.declared.applications.values()
-    bound = [item.roles for item in known if item.pattern == shape.application.pattern]
+    applications = shape.facts.declared.applications.values()
+    bound = [item.roles for item in applications if item.pattern == shape.application.pattern]
     bound.append({role: shape.playing(role) for role in ("Builder", "Concrete Builder", "Product")})
     builders = {name for roles in bound for name in roles.get("Builder", [])}
     made = {
@@ -608,8 +615,8 @@ def serializer_used(shape: Shape) -> Broken:
 
 def together(*clauses: Callable[[Shape], Broken]) -> Callable[[Shape], Broken]:
     def clause(shape: Shape) -> Broken:
-        for one in clauses:
-            yield from one(shape)
+        for clause in clauses:
+            yield from clause(shape)
 
     return clause
 

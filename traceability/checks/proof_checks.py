@@ -50,7 +50,7 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
                 machine.place, "proof-composition", said, f"call its step in {COMPOSITION}"
             )
             continue
-        missing = [one for one in guards_of(machine) if one not in words]
+        missing = [guard for guard in guards_of(machine) if guard not in words]
         missing += [
             name
             for event in dict.fromkeys(step.event for step in machine.transitions)
@@ -63,16 +63,16 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
 
 def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
     """Each hand-written step names the methods that it models, and they exist."""
-    known = {method.id for module in model.modules.values() for method in module.methods}
-    known |= set(facts.bodies)
+    methods = {method.id for module in model.modules.values() for method in module.methods}
+    methods |= set(facts.bodies)
     for above, line in zip([Line("", lines[0].place), *lines], lines, strict=False):
         match, named = INLINE.match(line.text), CODE.match(above.text)
         if match and not named and above.text not in APART:
             said = f"the step {match[1]} has no comment with the methods that it models"
             fix = "write // code: and the methods above it"
             yield Finding(line.place, "proof-composition", said, fix)
-        for name in [one.strip() for one in named[1].split(",")] if match and named else []:
-            if name not in known:
+        for name in [listed.strip() for listed in named[1].split(",")] if match and named else []:
+            if name not in methods:
                 said = f"the step {match[1] if match else ''} models {name}, which does not exist"
                 yield Finding(above.place, "proof-composition", said, "write its present name")
 
@@ -83,12 +83,12 @@ def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
         match = NUMBER.match(line.text)
         if not match:
             continue
-        found = [model.constants.get(name) for name in match.groups()[2:] if name]
-        if None in found:
+        constants = [model.constants.get(name) for name in match.groups()[2:] if name]
+        if None in constants:
             said = f"{match[1]} names a constant that does not exist"
             yield Finding(line.place, "proof-composition", said, "write its present name")
             continue
-        first, *rest = [one.number for one in found if one]
+        first, *rest = [constant.number for constant in constants if constant]
         value = first // rest[0] if rest else first
         if value != int(match[2]):
             said = f"{match[1]} is {match[2]}, and the code has {value}"

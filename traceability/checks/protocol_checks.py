@@ -24,12 +24,14 @@ def _numbers(facts: Facts) -> Iterator[Finding]:
     path = facts.root / FRAMES
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     for table in facts.declared.entries.whole(path).get("enumeration", []):
-        held = _enumerators(str(table.get("firmware", "")), facts)
+        numbers = _enumerators(str(table.get("firmware", "")), facts)
         for value in table.get("values", []):
             name, number = value.get("name"), value.get("number")
-            known = {name, value.get("firmware")} & held.keys()
-            if held and known and held[next(iter(known))] != number:
-                text = f"{name} of {table['firmware']} is {held[next(iter(known))]}, not {number}"
+            common = {name, value.get("firmware")} & numbers.keys()
+            if numbers and common and numbers[next(iter(common))] != number:
+                text = (
+                    f"{name} of {table['firmware']} is {numbers[next(iter(common))]}, not {number}"
+                )
                 written = re.compile(rf'\b{number}, *name *= *"{re.escape(str(name))}"')
                 at = next((n for n, line in enumerate(lines, 1) if written.search(line)), 1)
                 fix = "correct the number; a number on the line never changes its meaning"
@@ -44,12 +46,12 @@ def _enumerators(name: str, facts: Facts) -> dict[str, int]:
     lines = (facts.root / fact.place.file).read_text(encoding="utf-8").splitlines()
     text = code_of("\n".join(lines[fact.place.line - 1 : fact.end]))
     body = text.partition("{")[2].partition("}")[0]
-    found: dict[str, int] = {}
+    numbers: dict[str, int] = {}
     following = 0
     for written, number in ENUMERATOR.findall(body):
-        found[written] = int(number, 0) if number else following
-        following = found[written] + 1
-    return found
+        numbers[written] = int(number, 0) if number else following
+        following = numbers[written] + 1
+    return numbers
 
 
 def _examples(facts: Facts) -> Iterator[Finding]:

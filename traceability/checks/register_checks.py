@@ -24,9 +24,11 @@ MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # reads
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    found = _undeclared(facts) + _used(model, facts) + _past_the_table(facts) + _twice(facts)
-    found += _borrowed(facts) + _given(facts) + _linked(facts) + _outside(facts)
-    return found + [finding for block in facts.declared.blocks for finding in _idle(block, facts)]
+    findings = _undeclared(facts) + _used(model, facts) + _past_the_table(facts) + _twice(facts)
+    findings += _borrowed(facts) + _given(facts) + _linked(facts) + _outside(facts)
+    return findings + [
+        finding for block in facts.declared.blocks for finding in _idle(block, facts)
+    ]
 
 
 def _finding(place: Place, text: str, fix: str) -> Finding:
@@ -47,7 +49,7 @@ def _files(module: str, facts: Facts) -> set[str]:
 
 
 def _undeclared(facts: Facts) -> list[Finding]:
-    known = _owners(facts)
+    owners = _owners(facts)
     return [
         _finding(
             fact.place,
@@ -55,15 +57,15 @@ def _undeclared(facts: Facts) -> list[Finding]:
             "declare the module that owns it",
         )
         for fact in facts.syntax.blocks
-        if fact.declares and fact.place.file == REGISTERS and fact.block not in known
+        if fact.declares and fact.place.file == REGISTERS and fact.block not in owners
     ]
 
 
 def _used(model: Model, facts: Facts) -> list[Finding]:
-    known = _owners(facts)
-    found: dict[tuple[str, int, str], Finding] = {}
+    owners = _owners(facts)
+    findings: dict[tuple[str, int, str], Finding] = {}
     for fact in facts.syntax.blocks:
-        block = known.get(fact.block)
+        block = owners.get(fact.block)
         if block is None or fact.file != REGISTERS or fact.place.file == REGISTERS:
             continue
         if not any(fact.place.file in _files(owner, facts) for owner in block.owners):
@@ -71,13 +73,13 @@ def _used(model: Model, facts: Facts) -> list[Finding]:
                 m.name for m in model.modules.values() if fact.place.file in (m.header, m.source)
             ]
             user = names[0] if names else fact.place.file
-            found[fact.place.file, fact.place.line, block.name] = _finding(
+            findings[fact.place.file, fact.place.line, block.name] = _finding(
                 fact.place,
                 f"{user} names registers of {block.name}, which {' and '.join(block.owners)} own"
                 f"{'s' if len(block.owners) == 1 else ''}",
                 "call an operation of the owner",
             )
-    return list(found.values())
+    return list(findings.values())
 
 
 def _past_the_table(facts: Facts) -> list[Finding]:
@@ -117,20 +119,20 @@ def _reaches(place: Place, facts: Facts) -> bool:
 def _twice(facts: Facts) -> list[Finding]:
     """Finds an address in two blocks: the owners of one block could access the registers of the
     other."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     first: dict[int, str] = {}
     for number, block, address in _table(facts):
         if address is None:
             text = "the address of the register is not a number"
             fix = "write the address from the manual"
-            found.append(_finding(Place(REGISTERS, number), text, fix))
+            findings.append(_finding(Place(REGISTERS, number), text, fix))
             continue
         owner = first.setdefault(address, block)
         if owner != block:
             text = f"the address {address:#x} of {block} is in {owner} already"
             fix = "keep it only in the block that the manual names"
-            found.append(_finding(Place(REGISTERS, number), text, fix))
-    return found
+            findings.append(_finding(Place(REGISTERS, number), text, fix))
+    return findings
 
 
 def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
@@ -154,19 +156,21 @@ def _outside(facts: Facts) -> list[Finding]:
     for _, block, address in _table(facts):
         if address is not None:
             blocks.setdefault(block, []).append(address)
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for fact in facts.syntax.offsets:
         if fact.offset >= PERIPHERALS:
             text = f"an offset contains the address {fact.offset:#x}"
-            found.append(_finding(fact.place, text, "call an operation of the owner"))
+            findings.append(_finding(fact.place, text, "call an operation of the owner"))
             continue
-        own = {block for block, held in blocks.items() if fact.base in held}
+        own = {block for block, registers in blocks.items() if fact.base in registers}
         reached = fact.base + fact.offset
-        others = {block for block, held in blocks.items() if _lies_in(reached, held)} - own
+        others = {
+            block for block, registers in blocks.items() if _lies_in(reached, registers)
+        } - own
         if others and not any(_lies_in(reached, blocks[block]) for block in own):
             text = f"an offset from {', '.join(sorted(own))} leads to {', '.join(sorted(others))}"
-            found.append(_finding(fact.place, text, "call an operation of the owner"))
-    return found
+            findings.append(_finding(fact.place, text, "call an operation of the owner"))
+    return findings
 
 
 def _lies_in(address: int, registers: list[int]) -> bool:
@@ -206,7 +210,7 @@ def _given(facts: Facts) -> list[Finding]:
     flows = facts.syntax.flows
     table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
     table.add(f"result {CLASS}::at")
-    found: dict[tuple[str, int], Finding] = {}
+    findings: dict[tuple[str, int], Finding] = {}
     for flow in flows:
         word, _, rest = flow.into.partition(" ")
         function = rest.rpartition(" ")[0] if word == "param" else rest
@@ -218,14 +222,14 @@ def _given(facts: Facts) -> list[Finding]:
                 continue
             text = f"{function} {'gives' if word == 'result' else 'is handed'} a register"
             fix = "let the owner read or write it, and return the meaning of its value"
-            found[body.place.file, body.place.line] = _finding(body.place, text, fix)
+            findings[body.place.file, body.place.line] = _finding(body.place, text, fix)
     for fact in facts.syntax.classes:
         for field in fact.fields:
             if field.access == "public" and CLASS in field.classes:
                 text = f"{fact.name}::{field.name} is a register that others can use"
                 fix = "make it private"
-                found[field.place.file, field.place.line] = _finding(field.place, text, fix)
-    return list(found.values())
+                findings[field.place.file, field.place.line] = _finding(field.place, text, fix)
+    return list(findings.values())
 
 
 def _module_of(file: str) -> str:

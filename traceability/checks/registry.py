@@ -55,7 +55,7 @@ WHY = {
     "time": "A cycle that comes too late is a fault of a control system; the longest one may occur "
     "in no test.",
     "req": "A requirement counts as fulfilled only when code, tests and results show it.",
-    "suspect": "A verdict holds for the texts that it was given for: the baseline shows which of "
+    "suspect": "A verdict is valid for the texts that were judged: the baseline shows which of "
     "them changed.",
     "hazard": "The safety case argues from each hazard to tests that ran: a missing link "
     "breaks the argument unnoticed.",
@@ -273,8 +273,8 @@ _FIXED = [
         "Nothing depends on an extension",
         "No file of src includes or calls one of extensions, so a product can omit it; nor "
         "does it contain a number that an extension adds to an enumeration. An extension uses "
-        "another one "
-        "one only where design/uses.toml gives the reason.",
+        "another extension "
+        "only where design/uses.toml gives the reason.",
         "the parts that the linker adds to the image of a product; tests of products check them.",
         "remove the include or the call: a composition of the extension binds it to the robot.",
     ),
@@ -348,8 +348,9 @@ _FIXED = [
     Check(
         "arch-code",
         "Connections of the high-level diagram are in the code",
-        "Calls connect the one module with the other, over a Command where the connection is one; "
-        "a pipe has a writer in the one and a reader in the other.",
+        "Calls lead from the first module to the second, through a Command if the connection is "
+        "a command; "
+        "a pipe has its writer in the first module and its reader in the second.",
         "physical connections; connections that nobody declared.",
         "correct the connection, or the code.",
     ),

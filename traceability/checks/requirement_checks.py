@@ -78,7 +78,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 def _texts(model: Model) -> list[Finding]:
     """A requirement is one sentence with a shall, and has a rationale."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for requirement in model.requirements.values():
         parts = {
             "sentence with 'shall'": " shall " in requirement.text,
@@ -86,7 +86,7 @@ def _texts(model: Model) -> list[Finding]:
             "@source": requirement.source,
             f"@priority ({', '.join(PRIORITIES)})": requirement.priority in PRIORITIES,
         }
-        found += [
+        findings += [
             Finding(
                 requirement.place,
                 "req-text",
@@ -96,7 +96,7 @@ def _texts(model: Model) -> list[Finding]:
             for part, there in parts.items()
             if not there
         ]
-    return found
+    return findings
 
 
 def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -210,12 +210,12 @@ def _uncalled(model: Model, facts: Facts) -> list[Finding]:
     entries = [entry for entry in facts.declared.justified if entry.kind == "uncalled"]
     named = {name for entry in entries for name in entry.names}
     fix = "call it, remove it, or justify it in design/justified.toml"
-    found = [
+    findings = [
         Finding(method.place, "req-caller", f"only tests call {name}", fix)
         for name, method in spare.items()
         if name not in named
     ]
-    return found + [
+    return findings + [
         Finding(entry.place, "req-justified", f"{name} has a caller", "remove the name")
         for entry in entries
         for name in entry.names
@@ -264,7 +264,7 @@ def _lines_of(root: Path, body: BodyFact) -> list[str]:
 
 
 def _spare(item: Justified) -> Sequence[str]:
-    """The names without a use. A path is used when any of its parts is."""
+    """The names without a use. A path is in use if any of its parts is in use."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]
@@ -306,10 +306,10 @@ def _old_image(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _requirements(model: Model) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for requirement in model.requirements.values():
         if requirement.by_calls and not requirement.satisfied_by:
-            found.append(
+            findings.append(
                 Finding(
                     requirement.place,
                     "req-satisfied",
@@ -318,7 +318,7 @@ def _requirements(model: Model) -> list[Finding]:
                 )
             )
         if not requirement.evidence and not requirement.verified_by:
-            found.append(
+            findings.append(
                 Finding(
                     requirement.place,
                     "req-verified",
@@ -326,7 +326,7 @@ def _requirements(model: Model) -> list[Finding]:
                     f"tag a test with @verifies {requirement.id}",
                 )
             )
-    return found
+    return findings
 
 
 def unmet(
@@ -334,8 +334,8 @@ def unmet(
 ) -> list[Finding]:
     """Evidence that is missing or beyond its bound.
 
-    ``others`` are the findings of the other checks. Evidence that only counts them, or that stale
-    results leave unmeasured, is no finding of its own: they report it at its place.
+    ``others`` are the findings of the other checks. Evidence that counts these findings, or that is
+    not measured because results are stale, is not reported a second time.
     """
     checks = {finding.check for finding in others}
     return [
@@ -343,7 +343,7 @@ def unmet(
             evidence.place,
             "req-evidence",
             f"{requirement.id} is not met: {reason}",
-            "run ./wr test, which measures it; when it was measured, correct the code",
+            "run ./wr test to measure it; if the value is beyond its bound, correct the code",
         )
         for requirement in model.requirements.values()
         for evidence in requirement.evidence
@@ -367,13 +367,15 @@ def _results(model: Model) -> list[Finding]:
         Finding(
             test.place,
             "req-passed",
-            f"{test.id} {words[one.result]} on the {binding}"
+            f"{test.id} {words[result.result]} on the {binding}"
             + (f", and it verifies {', '.join(test.verifies)}" if test.verifies else ""),
             "correct the code or the test, then run ./wr test",
         )
         for test in model.tests.values()
-        for binding, one in test.results.items()
-        if one.result != "passed" and (test.verifies or one.result is None) and not one.stale
+        for binding, result in test.results.items()
+        if result.result != "passed"
+        and (test.verifies or result.result is None)
+        and not result.stale
     ]
 
 
@@ -400,7 +402,7 @@ def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
 def _built(folder: Path, words: set[str]) -> bool:
     """Whether the folder, or one above it, is named."""
     above = [folder, *folder.parents]
-    return any(str(one.relative_to("tests")) in words for one in above if one.parts[1:])
+    return any(str(folder.relative_to("tests")) in words for folder in above if folder.parts[1:])
 
 
 def _unknown(model: Model, facts: Facts) -> list[Finding]:
@@ -444,14 +446,14 @@ def _twice(facts: Facts) -> Iterator[Finding]:
 
 def _tags(model: Model) -> list[Finding]:
     """A test that is named after a requirement verifies it."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
         if match is None:
             continue
         name = f"{match[1]}-{match[2]}"
         if name not in test.verifies:
-            found.append(
+            findings.append(
                 Finding(
                     test.place,
                     "req-name",
@@ -459,7 +461,7 @@ def _tags(model: Model) -> list[Finding]:
                     f"write @verifies {name} above it, or rename it",
                 )
             )
-    return found
+    return findings
 
 
 def _lines(model: Model) -> list[Finding]:
@@ -487,29 +489,30 @@ def _suspects(model: Model) -> list[Finding]:
     """One finding for each text, with all requirements that depend on it."""
     asking: dict[Suspicion, list[str]] = {}
     for requirement in model.requirements.values():
-        for one in requirement.suspicions:
-            asking.setdefault(one, []).append(requirement.id)
-    found = [
+        for suspicion in requirement.suspicions:
+            asking.setdefault(suspicion, []).append(requirement.id)
+    findings = [
         Finding(
-            one.place,
-            f"suspect-{_LINKS[one.kind]}",
-            f"{', '.join(ids)}: {NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}",
+            suspicion.place,
+            f"suspect-{_LINKS[suspicion.kind]}",
+            f"{', '.join(ids)}: {NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} "
+            f"{suspicion.text}",
             f"review it: ./wr review {ids[0]}; or accept the change, without a review: "
             f"./wr review --baseline {' '.join(ids)}",
         )
-        for one, ids in asking.items()
+        for suspicion, ids in asking.items()
     ]
     fix = "compare it with the code; then accept the change: ./wr review --baseline design"
-    found += [
+    findings += [
         Finding(
-            one.place,
+            suspicion.place,
             "suspect-design",
-            f"{NAMES_OF_TEXTS[one.kind].format(one.name)} {one.text}",
+            f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}",
             fix,
         )
-        for one in model.suspicions
+        for suspicion in model.suspicions
     ]
-    return found + [
+    return findings + [
         Finding(
             Place(str(BASELINE), 1),
             "suspect-requirement",

@@ -46,11 +46,11 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
                     _at(facts, item), "hazard-name", text, f"call it {prefix}- and a number"
                 )
     for hazard in case.hazards.values():
-        for name, known in (
+        for name, declared in (
             *((name, name in case.goals) for name in hazard.goals),
             *((name, name in case.assumptions) for name in hazard.assumptions),
         ):
-            if not known:
+            if not declared:
                 yield _unknown(facts, hazard, name)
     for goal in case.goals.values():
         for name in goal.safe_states:
@@ -211,12 +211,12 @@ def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
     """A requirement is at least as important as the goals that it serves."""
     case = model.safety
     for requirement in model.requirements.values():
-        wanted = [
+        demanded = [
             case.priorities[case.goals[name].level]
             for name in requirement.goals
             if name in case.goals and case.goals[name].level in case.priorities
         ]
-        least = max(wanted, key=PRIORITIES.index, default="low")
+        least = max(demanded, key=PRIORITIES.index, default="low")
         present = requirement.priority
         if present in PRIORITIES and PRIORITIES.index(present) < PRIORITIES.index(least):
             text = f"{requirement.id} has the priority {present}, and its goals demand {least}"

@@ -27,7 +27,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 def _open(model: Model, facts: Facts) -> list[Finding]:
     """Finds public data and friends: both allow access that is not in the interface."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for module in model.modules.values():
         if module.datatype:
             continue
@@ -35,14 +35,14 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
             if field.access == "public" and not field.constant:
                 text = f"{module.name}::{field.name} is public data"
                 fix = "make it private, and add an operation"
-                found.append(Finding(field.place, "secret-open", text, fix))
+                findings.append(Finding(field.place, "secret-open", text, fix))
     for friend in facts.syntax.friends:
         module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
         if module_ != other:
             text = f"{module_} shows its friend {other} its hidden members"
             fix = "remove the friend: let it use the interface"
-            found.append(Finding(friend.place, "secret-open", text, fix))
-    return found
+            findings.append(Finding(friend.place, "secret-open", text, fix))
+    return findings
 
 
 def _given_out(model: Model, facts: Facts) -> list[Finding]:
@@ -51,7 +51,7 @@ def _given_out(model: Model, facts: Facts) -> list[Finding]:
     results: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         results.setdefault(flow.into, []).extend(flow.sources)
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for module in model.modules.values():
         fact = facts.classes[module.name]
         own = {
@@ -66,8 +66,8 @@ def _given_out(model: Model, facts: Facts) -> list[Finding]:
             for member in filter(None, map(own.get, results.get(f"result {method.id}", []))):
                 text = f"{method.id} lets its caller change the private {member}"
                 fix = "return a value, or a reference to const"
-                found.append(Finding(method.place, "secret-open", text, fix))
-    return found
+                findings.append(Finding(method.place, "secret-open", text, fix))
+    return findings
 
 
 def _declared_again(facts: Facts) -> list[Finding]:
@@ -100,16 +100,16 @@ class Hidden:
 
 
 def _hidden(model: Model, facts: Facts) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for hidden in _declared(model):
         uses = _uses(hidden.name, facts)
         if uses is None or not any(hidden.allows(place.file) for place in uses):
             text = f"{hidden.owner} hides {hidden.name}, and does not use it"
             fix = "name a header, a constant, a function or a type of its own"
-            found.append(Finding(hidden.place, "secret-hidden", text, fix))
+            findings.append(Finding(hidden.place, "secret-hidden", text, fix))
             continue
         first = {(p.file, p.line): p for p in uses if not hidden.allows(p.file)}
-        found += [
+        findings += [
             Finding(
                 place,
                 "secret-hidden",
@@ -118,7 +118,7 @@ def _hidden(model: Model, facts: Facts) -> list[Finding]:
             )
             for place in first.values()
         ]
-    return found
+    return findings
 
 
 def _declared(model: Model) -> Iterator[Hidden]:
@@ -136,18 +136,18 @@ def _uses(name: str, facts: Facts) -> list[Place] | None:
     """The places where a header, class or member is named; None when it does not exist."""
     if name.endswith(".hpp"):
         headers = [f"{folder}/{name}" for folder in DESIGN if (facts.root / folder / name).exists()]
-        includes = [one.place for one in facts.syntax.includes if one.target in headers]
+        includes = [include.place for include in facts.syntax.includes if include.target in headers]
         return includes if headers else None
     if name in facts.classes:
         own = facts.classes[name].place
-        return [own, *(one.place for one in facts.syntax.names if one.target == name)]
+        return [own, *(use.place for use in facts.syntax.names if use.target == name)]
     owner, _, member = name.rpartition("::")
     fields = facts.classes[owner].fields if owner in facts.classes else []
     places = [field.place for field in fields if field.name == member]
     places += [
-        one.place
-        for one in facts.syntax.names
-        if one.member in (name, member) and (one.member == name or one.target == owner)
+        use.place
+        for use in facts.syntax.names
+        if use.member in (name, member) and (use.member == name or use.target == owner)
     ]
     places += [body.place for body in facts.bodies.get(name, [])]
     return places or _standard(name, facts.root)
@@ -155,13 +155,13 @@ def _uses(name: str, facts: Facts) -> list[Place] | None:
 
 def _standard(name: str, root: Path) -> list[Place] | None:
     """Where a header of the library is included."""
-    found = [
+    places = [
         Place(str(path.relative_to(root)), number)
         for path in files_below(root, DESIGN, (".cpp", ".hpp"))
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
         if (match := INCLUDE.match(line)) and match[1] == name
     ]
-    return found or None
+    return places or None
 
 
 def _copied(model: Model, facts: Facts) -> list[Finding]:
@@ -177,7 +177,7 @@ def _copied(model: Model, facts: Facts) -> list[Finding]:
         for hidden in _declared(model)
         for value in values
         if value.name == hidden.name and value.number > 1
-        for other in {(one.place.file, one.place.line): one for one in values}.values()
+        for other in {(value.place.file, value.place.line): value for value in values}.values()
         if other.number == value.number
         and not hidden.allows(other.place.file)
         and _is_similar(hidden.name, other.name)

@@ -17,7 +17,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _self_calls(facts: Facts) -> list[Finding]:
-    """Recursion within a file of the sources, while the image is older than they are."""
+    """Finds recursion within a source file; used while the image is older than the sources."""
     calls: dict[str, dict[str, set[str]]] = {}
     for body in facts.syntax.bodies:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())
@@ -26,7 +26,7 @@ def _self_calls(facts: Facts) -> list[Finding]:
         Finding(
             body.place,
             "stack-recursion",
-            f"{body.id} calls itself, directly or over other functions of its file",
+            f"{body.id} calls itself, directly or through other functions of its file",
             "write a loop with a bound",
         )
         for body in facts.syntax.bodies
@@ -36,18 +36,18 @@ def _self_calls(facts: Facts) -> list[Finding]:
 
 def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
     """The functions of a file that a function reaches."""
-    found: set[str] = set()
+    reached: set[str] = set()
     work = [function]
     while work:
-        following = calls.get(work.pop(), set()) - found
-        found |= following
+        following = calls.get(work.pop(), set()) - reached
+        reached |= following
         work += following
-    return found
+    return reached
 
 
 def _calls(proof: StackProof) -> list[Finding]:
     fix = f"call an object that a builder passes, or declare the call in {DECLARED}"
-    found = [
+    findings = [
         Finding(place, "stack-call", f"the target of this call in {function} is unknown", fix)
         for function, place in proof.unresolved
     ]
@@ -55,27 +55,27 @@ def _calls(proof: StackProof) -> list[Finding]:
         count, first = len(proof.untold), min(proof.untold)
         text = f"the compiler reported no stack use of {count} functions, such as {first}"
         fix = "remove build/k64 and build again, without a cache of compilations"
-        found.append(Finding(SCRIPT, "stack-call", text, fix))
-    return found
+        findings.append(Finding(SCRIPT, "stack-call", text, fix))
+    return findings
 
 
 def _cycles(proof: StackProof, facts: Facts) -> list[Finding]:
     fix = "write a loop with a bound"
-    found = []
+    findings = []
     for cycle in proof.cycles:
         bodies = [body for name in cycle for body in facts.bodies.get(name, [])]
         place = bodies[0].place if bodies else SCRIPT
         text = f"recursion: {' > '.join([*cycle, cycle[0]])}"
-        found.append(Finding(place, "stack-recursion", text, fix))
-    return found
+        findings.append(Finding(place, "stack-recursion", text, fix))
+    return findings
 
 
 def _bound(proof: StackProof) -> list[Finding]:
-    found = []
+    findings = []
     for function in proof.dynamic:
         text = f"the frame of {function} has no bound"
         fix = "choose a fixed size for each array"
-        found.append(Finding(SCRIPT, "stack-bound", text, fix))
+        findings.append(Finding(SCRIPT, "stack-bound", text, fix))
     if proof.proven and proof.total > proof.limit:
         calls = [call for level in proof.levels for call in level.chain]
         largest = max(calls, key=lambda call: call.bytes)
@@ -84,9 +84,9 @@ def _bound(proof: StackProof) -> list[Finding]:
             f"chains {largest.name} has the largest frame, {largest.bytes} bytes"
         )
         fix = "make this frame smaller, or raise stackSize in this file"
-        found.append(Finding(SCRIPT, "stack-bound", text, fix))
+        findings.append(Finding(SCRIPT, "stack-bound", text, fix))
     if proof.seen is not None and proof.seen > proof.total:
         text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"
         fix = "find the call that the proof misses"
-        found.append(Finding(SCRIPT, "stack-bound", text, fix))
-    return found
+        findings.append(Finding(SCRIPT, "stack-bound", text, fix))
+    return findings

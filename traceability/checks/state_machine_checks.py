@@ -26,16 +26,18 @@ _ALIKE = (
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    found = _machines_missing(model, facts)
+    findings = _machines_missing(model, facts)
     for machine in model.machines.values():
         problems = _declared(machine, model, facts)
-        found += problems
+        findings += problems
         if not problems:
             code = read_machine(machine, facts)
-            found += _code(machine, code, facts)
-            found += _conditions(machine, code) + _actions(machine, code, facts)
-            found += [] if model.results_stale else _seen(machine) + _shown(machine, model, facts)
-    return found
+            findings += _code(machine, code, facts)
+            findings += _conditions(machine, code) + _actions(machine, code, facts)
+            findings += (
+                [] if model.results_stale else _seen(machine) + _shown(machine, model, facts)
+            )
+    return findings
 
 
 def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
@@ -61,45 +63,45 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
         place = facts.declared.entries.line_in(step.place if step else machine.place, name)
         return Finding(place, "fsm-declared", text, fix)
 
-    known = facts.declared.applications.get(machine.application)
-    if known is None or known.pattern != "State":
+    declared = facts.declared.applications.get(machine.application)
+    if declared is None or declared.pattern != "State":
         text = f"{machine.id} is not an application of the State pattern: {machine.application}"
         return [finding(text, "correct the application", "application")]
-    found: list[Finding] = []
-    wanted = set(known.roles.get("Concrete State", []))
-    for name in sorted(wanted ^ set(machine.states.values())):
+    findings: list[Finding] = []
+    states = set(declared.roles.get("Concrete State", []))
+    for name in sorted(states ^ set(machine.states.values())):
         text = (
-            f"{machine.id} has no state for {name}, a Concrete State of {known.id}"
-            if name in wanted
-            else f"{machine.id} has a state {name}, which is no Concrete State of {known.id}"
+            f"{machine.id} has no state for {name}, a Concrete State of {declared.id}"
+            if name in states
+            else f"{machine.id} has a state {name}, which is no Concrete State of {declared.id}"
         )
-        found.append(finding(text, "correct the states of the machine", f'"{name}"'))
-    base = known.roles.get("State", [""])[0]
+        findings.append(finding(text, "correct the states of the machine", f'"{name}"'))
+    base = declared.roles.get("State", [""])[0]
     for event, operation in machine.events.items():
         if facts.method(base, operation) is None:
             text = f"the event '{event}' calls {base}::{operation}, which does not exist"
-            found.append(finding(text, "name the operation of the state that is called", event))
+            findings.append(finding(text, "name the operation of the state that is called", event))
     if machine.initial not in machine.states:
         text = f"the initial state {machine.initial} is not a state of {machine.id}"
-        found.append(finding(text, "name one of its states", "initial"))
+        findings.append(finding(text, "name one of its states", "initial"))
     for step in machine.transitions:
         names = [name for name in (step.source, step.target) if name not in machine.states]
-        found += [
+        findings += [
             finding(f"there is no state {name}", "correct the name", name, step) for name in names
         ]
         if step.event not in machine.events:
             text = f"the event '{step.event}' has no operation"
             fix = "name it in [events], or correct the event"
-            found.append(finding(text, fix, step.event, step))
+            findings.append(finding(text, fix, step.event, step))
         if not step.requirements:
             text = f"{words(step)} serves no requirement"
-            found.append(finding(text, "name the requirements of it", "requirements", step))
-        found += [
+            findings.append(finding(text, "name the requirements of it", "requirements", step))
+        findings += [
             finding(text, fix, word, step)
             for text, fix, word in _asked_for(step, machine, model, facts)
         ]
     return (
-        found
+        findings
         + [
             finding(*_ALIKE, "from", step)
             for number, step in enumerate(machine.transitions)
@@ -117,45 +119,47 @@ def _asked_for(
     step: Transition, machine: StateMachine, model: Model, facts: Facts
 ) -> list[tuple[str, str, str]]:
     """Yields the faults of the requirements of a transition: text, fix and word."""
-    asked = [model.requirements[name] for name in step.requirements if name in model.requirements]
-    found = [
+    requirements = [
+        model.requirements[name] for name in step.requirements if name in model.requirements
+    ]
+    problems = [
         (f"there is no requirement {name}", "correct the id", name)
         for name in step.requirements
         if name not in model.requirements
     ]
     ends = {machine.states[name] for name in (step.source, step.target) if name in machine.states}
     family = ends.union(*(facts.classes[end].bases for end in ends if end in facts.classes))
-    found += [
+    problems += [
         (
-            f"no method of {' or '.join(sorted(ends))} serves {one.id}, which is to demand "
+            f"no method of {' or '.join(sorted(ends))} serves {requirement.id}, which is to demand "
             f"{words(step)}",
             "name the requirement that demands it, or tag the method",
-            one.id,
+            requirement.id,
         )
-        for one in asked
-        if not any(method.split("::")[0] in family for method in _serving(one))
+        for requirement in requirements
+        if not any(method.split("::")[0] in family for method in _serving(requirement))
     ]
     fix = "write the number of the requirement"
-    return found + [
+    return problems + [
         (
             f"the number '{figure[0]}' of {words(step)} is in none of its requirements",
             fix,
             figure[0],
         )
         for part in (step.event, step.guard, step.action)
-        for figure in _not_asked(part, asked)
+        for figure in _not_asked(part, requirements)
     ]
 
 
 def _serving(requirement: Requirement) -> list[str]:
     """The methods that satisfy a requirement, and those of its tree."""
-    found = list(requirement.satisfied_by)
+    methods = list(requirement.satisfied_by)
     work = [requirement.tree] if requirement.tree else []
     while work:
         node = work.pop()
-        found += [node.label, node.resolved or ""]
+        methods += [node.label, node.resolved or ""]
         work += node.children
-    return found
+    return methods
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
@@ -179,11 +183,11 @@ def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Findin
         what = "class of the robot that contains all its states" if code.holders else "Context"
         text = f"the code has no {what}, so the transitions of {machine.id} cannot be compared"
         return [Finding(machine.place, "fsm-code", text, "compose the states in one class")]
-    found = _initial(machine, code, facts)
+    findings = _initial(machine, code, facts)
     for state in machine.states:
         for operation in code.operations:
-            found += _operation(machine, code, state, operation)
-    return found
+            findings += _operation(machine, code, state, operation)
+    return findings
 
 
 def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
@@ -207,18 +211,18 @@ def _operation(
         if step.source == state and machine.events[step.event] == operation
     ]
     changes = code.of(state, operation)
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for target in {change.target for change in changes} | {row.target for row in rows}:
         here = [row for row in rows if row.target == target and not is_stay(row)]
         made = [change for change in changes if change.target == target]
         if len(made) > len(here):
-            found += [_undeclared(machine, change) for change in made[len(here) :]]
+            findings += [_undeclared(machine, change) for change in made[len(here) :]]
         elif len(here) > len(made):
-            found += [_not_made(row, state, operation) for row in here[len(made) :]]
+            findings += [_not_made(row, state, operation) for row in here[len(made) :]]
         elif len(rows) == 1:
-            found += [_guarded(here[0], change) for change in made if _differs(here[0], change)]
+            findings += [_guarded(here[0], change) for change in made if _differs(here[0], change)]
     if not code.stays(state, operation):
-        found += [
+        findings += [
             Finding(
                 row.place,
                 "fsm-code",
@@ -228,7 +232,7 @@ def _operation(
             for row in rows
             if is_stay(row)
         ]
-    return found
+    return findings
 
 
 def _differs(row: Transition, change: Change) -> bool:
@@ -260,44 +264,44 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
     before += [other for other in changes if other.place == change.place]  # one call, two targets
-    known = {way for other in changes for way in other.path}
+    evaluated = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
         made = matching(machine, row, code)
         if any(other in before for other in made) or is_stay(row):
-            known |= _asked(machine, row)
-    return known
+            evaluated |= _asked(machine, row)
+    return evaluated
 
 
 def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
     """Compares the conditions of the code before a change with those of the declared guards."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
             text = f"[guards] has no condition of the code for '{row.guard}'"
-            found.append(Finding(row.place, "fsm-code", text, "write it, or correct the guard"))
+            findings.append(Finding(row.place, "fsm-code", text, "write it, or correct the guard"))
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):
-                text = f"{words(row)} needs '{question}', and the code does not ask it"
+                text = f"{words(row)} needs '{question}', and the code does not check it"
                 fix = "correct the guard, or the code"
-                found.append(Finding(change.place, "fsm-code", text, fix))
+                findings.append(Finding(change.place, "fsm-code", text, fix))
     for change in code.changes:
-        known = _known_before(machine, code, change)
-        for question in sorted(set(change.asked) - known):
+        evaluated = _known_before(machine, code, change)
+        for question in sorted(set(change.asked) - evaluated):
             change_text = f"the change from {change.source} to {change.target}"
-            text = f"{change_text} asks '{question}', and no guard has it"
+            text = f"{change_text} checks '{question}', and no guard contains this condition"
             fix = f"declare it in [guards] of {machine.place.file}, or remove it"
-            found.append(Finding(change.place, "fsm-code", text, fix))
-    return found
+            findings.append(Finding(change.place, "fsm-code", text, fix))
+    return findings
 
 
 def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
     """Compares the calls in the operation of a state with the actions of its transitions."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for state, operations in code.runs.items():
         for operation, method in operations.items():
             rows = _rows(machine, state, operation)
             ways = {way for change in code.of(state, operation) for way in change.path}
-            bodies = [body for one in (method, *ways) for body in facts.bodies.get(one, [])]
+            bodies = [body for name in (method, *ways) for body in facts.bodies.get(name, [])]
             called = {call.target for body in bodies for call in body.calls}
             for row in [row for row in rows if row.action]:
                 made = matching(machine, row, code)
@@ -306,18 +310,18 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
                     if name not in before:
                         text = f"the action '{row.action}' of {words(row)} lacks {name}"
                         fix = "correct the action, [actions], or the code"
-                        found.append(Finding(row.place, "fsm-code", text, fix))
+                        findings.append(Finding(row.place, "fsm-code", text, fix))
             declared = {name for row in rows for name in machine.actions.get(row.action, ())}
             every = {name for names in machine.actions.values() for name in names}
             for name in sorted((every & called) - declared) if rows else []:
                 text = f"{method} calls {name}, and no transition has it as an action"
                 fix = "declare the action, or remove the call"
-                found.append(Finding(bodies[0].place, "fsm-code", text, fix))
-    return found
+                findings.append(Finding(bodies[0].place, "fsm-code", text, fix))
+    return findings
 
 
 def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
-    """The calls that can precede one of the changes: none below it in the same function."""
+    """The calls that can precede a change: within one function, the calls above it."""
     return {
         call.target
         for change in changes
@@ -360,7 +364,7 @@ def _not_made(row: Transition, state: str, operation: str) -> Finding:
 
 
 def _seen(machine: StateMachine) -> list[Finding]:
-    found = [
+    findings = [
         Finding(
             step.place,
             "fsm-seen",
@@ -374,8 +378,8 @@ def _seen(machine: StateMachine) -> list[Finding]:
         source, operation, target = change.split(" ")
         text = f"{tests[0]} makes {source} change to {target} in {operation}, which is not declared"
         fix = "declare the transition, or correct the code"
-        found.append(Finding(machine.place, "fsm-seen", text, fix))
-    return found
+        findings.append(Finding(machine.place, "fsm-seen", text, fix))
+    return findings
 
 
 def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
@@ -395,5 +399,9 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
     """The numbers with a unit in a text that none of the requirements has."""
-    asked = {re.sub(r"\s+", " ", one) for r in requirements for one in _WITH_UNIT.findall(r.text)}
-    return [one for one in _WITH_UNIT.finditer(text) if re.sub(r"\s+", " ", one[0]) not in asked]
+    numbers = {
+        re.sub(r"\s+", " ", number) for r in requirements for number in _WITH_UNIT.findall(r.text)
+    }
+    return [
+        match for match in _WITH_UNIT.finditer(text) if re.sub(r"\s+", " ", match[0]) not in numbers
+    ]

@@ -26,9 +26,9 @@ def check(model: Model, _facts: Facts) -> list[Finding]:
     return [
         *_loops(model.times),
         *(
-            one
+            finding
             for what, seen_ms, bound_ms in seen
-            for one in _seen(model.times, what, seen_ms, bound_ms)
+            for finding in _seen(model.times, what, seen_ms, bound_ms)
         ),
     ]
 
@@ -52,5 +52,5 @@ def _seen(proof: TimeProof, what: str, seen_ms: float | None, bound_ms: float) -
     if not proof.proven or seen_ms is None or seen_ms <= bound_ms:
         return []
     text = f"{what} took {seen_ms:.3f} ms, more than the bound of {bound_ms:.3f} ms"
-    fix = f"find the bound of a loop, or the number in {DECLARED_IN}, that is too small"
+    fix = f"a bound is too small: correct the bound of a loop, or a number in {DECLARED_IN}"
     return [Finding(DECLARATION, "time-seen", text, fix)]

@@ -12,19 +12,19 @@ OFTEN = {"": "once", "?": "under a condition", "*": "several times"}
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
-    found = [
+    findings = [
         Finding(place, "tree-node", text, fix) for place, text, fix in facts.declared.tree_errors
     ]
     for name, (place, _) in facts.declared.trees.items():
         if name not in model.requirements:
-            found.append(
+            findings.append(
                 Finding(place, "tree-node", f"there is no requirement {name}", "correct the id")
             )
     for requirement in model.requirements.values():
         if requirement.tree is None:
             if not requirement.by_calls:
                 continue
-            found.append(
+            findings.append(
                 Finding(
                     requirement.place,
                     "tree-missing",
@@ -33,11 +33,11 @@ def check(model: Model, facts: Facts) -> list[Finding]:
                 )
             )
             continue
-        found += _nodes(requirement)
-        found += _edges(requirement.tree, requirement, facts)
+        findings += _nodes(requirement)
+        findings += _edges(requirement.tree, requirement, facts)
         if not model.results_stale:
-            found += _executed(requirement, model)
-    return found
+            findings += _executed(requirement, model)
+    return findings
 
 
 def _nodes(requirement: Requirement) -> list[Finding]:
@@ -55,18 +55,18 @@ def _nodes(requirement: Requirement) -> list[Finding]:
 
 
 def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Finding]:
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for child in node.children:
         if child.reachable is False and child.otherwise:
             kind, mark = (
                 ("a post", "with 'post '") if child.kind == "call" else ("a call", "as one")
             )
             text = f"{node.label} reaches {child.label} by {kind} (tree of {requirement.id})"
-            found.append(Finding(child.place, "tree-static", text, f"write it {mark}"))
+            findings.append(Finding(child.place, "tree-static", text, f"write it {mark}"))
         elif child.reachable is False and node.resolved and child.resolved:
             verb = "posts" if child.kind == "post" else "calls"
             tree = f"{child.place.file}:{child.place.line}"
-            found.append(
+            findings.append(
                 Finding(
                     _body_place(node, facts),
                     "tree-static",
@@ -76,9 +76,9 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Findi
                 )
             )
         elif child.reachable:
-            found += _order(node, child, requirement, facts)
-        found += _edges(child, requirement, facts)
-    return found
+            findings += _order(node, child, requirement, facts)
+        findings += _edges(child, requirement, facts)
+    return findings
 
 
 def _order(
@@ -114,7 +114,7 @@ def _executed(requirement: Requirement, model: Model) -> list[Finding]:
         return []
     if requirement.runs:
         return []
-    # When no passed test has a recording, no node is measured: the root is then the place.
+    # Without a recording of a passed test no node is measured, and the finding is at the root.
     failed = next((node for node in nodes if node.ran is False), requirement.tree)
     return [
         Finding(

@@ -35,7 +35,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 def _board(root: Path) -> list[Finding]:
     """Simulators and tests include no driver, and the virtual K64 includes no file of the
     firmware."""
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for path in files_below(root, ("sim", "tests"), (".cpp", ".hpp", ".h")):
         file = str(path.relative_to(root))
         for include in includes_of(root, file):
@@ -50,8 +50,8 @@ def _board(root: Path) -> list[Finding]:
                 )
             else:
                 continue
-            found.append(Finding(include.place, "uses-board", text, fix))
-    return found
+            findings.append(Finding(include.place, "uses-board", text, fix))
+    return findings
 
 
 def _covers(allowed: AllowedUse, use: Use) -> bool:
@@ -79,7 +79,7 @@ def _forbidden(model: Model) -> list[Finding]:
 def _extensions(model: Model) -> list[Finding]:
     """The robot names no extension in any case; an extension may name those that it needs."""
     # An extension may use another one if the design has the reason; the robot never does.
-    builds_on = {(one.source, one.target) for one in model.allowed_uses if is_extension(one.source)}
+    builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     return [
         Finding(
             place,
@@ -98,7 +98,9 @@ def _extensions(model: Model) -> list[Finding]:
 def _numbers_of_extensions(facts: Facts) -> list[Finding]:
     """Finds the number of an extension's enumeration value that src also contains."""
     numbers = facts.syntax.enum_numbers
-    added = {(one.kind, one.number): one.place for one in numbers if is_extension(one.place.file)}
+    added = {
+        (fact.kind, fact.number): fact.place for fact in numbers if is_extension(fact.place.file)
+    }
     named = {
         (kind.name, constant.number): constant.place
         for kind in facts.syntax.classes
@@ -106,7 +108,7 @@ def _numbers_of_extensions(facts: Facts) -> list[Finding]:
         for constant in facts.syntax.values
         if constant.name == f"{kind.name}::{value.name}"
     }
-    uses = [*named.items(), *(((one.kind, one.number), one.place) for one in numbers)]
+    uses = [*named.items(), *(((fact.kind, fact.number), fact.place) for fact in numbers)]
     return [
         Finding(
             place,
@@ -138,7 +140,7 @@ def _unused(model: Model) -> list[Finding]:
 
 
 def _allowed_twice(model: Model) -> list[Finding]:
-    everybody = {one.target for one in model.allowed_uses if one.source == "*"}
+    everybody = {use.target for use in model.allowed_uses if use.source == "*"}
     return [
         Finding(
             allowed.place,
@@ -154,13 +156,13 @@ def _allowed_twice(model: Model) -> list[Finding]:
 def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
     """Cycles of allowed uses; a use that is not allowed is already a finding."""
     declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
-    found: list[Finding] = []
+    findings: list[Finding] = []
     for use in uses:
         top, other = use.source.split("/")[0], use.target.split("/")[0]
         if top != other:
             graph = _graph(uses, depth=1)
             if top in _reached(graph, other):
-                found.append(_finding(use, f"{top} and {other} use each other"))
+                findings.append(_finding(use, f"{top} and {other} use each other"))
             continue
         graph = _graph(uses, depth=9)
         loop = _reached(graph, use.target)
@@ -168,18 +170,18 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
             members = {m for m in loop if use.source in _reached(graph, m)}
             if not any(members <= cycle for cycle in declared):
                 names = ", ".join(sorted(members))
-                found.append(_finding(use, f"undeclared cycle of {names}"))
-    return found
+                findings.append(_finding(use, f"undeclared cycle of {names}"))
+    return findings
 
 
 def _apart(facts: Facts) -> list[Finding]:
     """Finds two separated modules of which one names the other."""
     pairs = {
-        (one, other): rule
+        (user, other): rule
         for rule in facts.declared.apart
         for module in rule.modules
         for other_module in rule.others
-        for one, other in ((module, other_module), (other_module, module))
+        for user, other in ((module, other_module), (other_module, module))
     }
     named = [
         (user, fact.target.split("::", maxsplit=1)[0], fact.place)
@@ -191,7 +193,7 @@ def _apart(facts: Facts) -> list[Finding]:
         for user, includes in facts.includes_of.items()
         for include in includes
     ]
-    found = {
+    findings = {
         (place.file, place.line, user, target): Finding(
             place,
             "uses-apart",
@@ -207,7 +209,7 @@ def _apart(facts: Facts) -> list[Finding]:
         for name in (*rule.modules, *rule.others)
         if name not in facts.classes
     ]
-    return [*found.values(), *unknown]
+    return [*findings.values(), *unknown]
 
 
 def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
@@ -217,23 +219,23 @@ def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             cycle.place,
             "uses-unused",
-            f"{one} is in no cycle with {cycle.modules[0]}",
+            f"{module} is in no cycle with {cycle.modules[0]}",
             "remove it from the cycle",
         )
         for cycle in facts.declared.cycles
-        for one in cycle.modules
-        if one not in _reached(graph, cycle.modules[0])
-        or cycle.modules[0] not in _reached(graph, one)
+        for module in cycle.modules
+        if module not in _reached(graph, cycle.modules[0])
+        or cycle.modules[0] not in _reached(graph, module)
     ] + [
         Finding(
             cycle.place,
             "uses-unused",
-            f"{one} is not within {cycle.within}",
+            f"{module} is not within {cycle.within}",
             "correct the folder",
         )
         for cycle in facts.declared.cycles
-        for one in cycle.modules
-        if one.split("/")[0] != cycle.within
+        for module in cycle.modules
+        if module.split("/")[0] != cycle.within
     ]
 
 
@@ -254,10 +256,10 @@ def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
 
 def _reached(graph: dict[str, set[str]], start: str) -> set[str]:
     """The start and all that it uses, directly or not."""
-    found, work = {start}, [start]
+    reached, work = {start}, [start]
     while work:
         for target in graph.get(work.pop(), set()):
-            if target not in found:
-                found.add(target)
+            if target not in reached:
+                reached.add(target)
                 work.append(target)
-    return found
+    return reached

@@ -19,8 +19,8 @@ def write_metrics(root: Path, model: Model, report: Report, measured: dict[str, 
     """Writes the metrics. ``measured`` adds the metrics of other steps of the run, by key."""
     path = root / METRICS
     path.parent.mkdir(parents=True, exist_ok=True)
-    found = metrics(model, report) | measured
-    text = json.dumps(found, indent=1, sort_keys=True) + "\n"
+    values = metrics(model, report) | measured
+    text = json.dumps(values, indent=1, sort_keys=True) + "\n"
     if not path.exists() or path.read_text(encoding="utf-8") != text:
         path.write_text(text, encoding="utf-8")
     return path

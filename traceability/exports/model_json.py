@@ -32,33 +32,33 @@ PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: 
 def model_text(model: Model, report: Report) -> str:
     """The model with the verdicts as JSON. Places, names and texts are those of the pages."""
 
-    def fields(one: object) -> dict[str, Any]:
-        return _fields(one) | _verdict(one, report)
+    def fields(record: object) -> dict[str, Any]:
+        return _fields(record) | _verdict(record, report)
 
     return json.dumps(model, default=fields)
 
 
-def _fields(one: Any) -> dict[str, Any]:
-    return {field.name: getattr(one, field.name) for field in dataclasses.fields(one)}
+def _fields(record: Any) -> dict[str, Any]:
+    return {field.name: getattr(record, field.name) for field in dataclasses.fields(record)}
 
 
-def _verdict(one: object, report: Report) -> dict[str, Any]:
+def _verdict(record: object, report: Report) -> dict[str, Any]:
     """The fields that the report adds to a record."""
-    found: dict[str, Any] = {}
-    match one:
+    fields: dict[str, Any] = {}
+    match record:
         case Model():
-            found["findings"] = report.findings
+            fields["findings"] = report.findings
         case schema.Requirement():
-            found = _fields(report.requirements[one.id])
+            fields = _fields(report.requirements[record.id])
         case schema.SafetyGoal():
-            found = _fields(report.goals[one.id])
+            fields = _fields(report.goals[record.id])
         case schema.Evidence():
-            found["value"] = report.measured[one.figure]
+            fields["value"] = report.measured[record.figure]
         case schema.FaultScenario():
-            found["state"] = report.scenarios[one.name]
+            fields["state"] = report.scenarios[record.name]
         case schema.PatternApplication():
-            found["clauses"] = report.clauses[one.id]
-    return found
+            fields["clauses"] = report.clauses[record.id]
+    return fields
 
 
 def schema_text() -> str:
@@ -80,7 +80,7 @@ def _class(kind: type, definitions: dict[str, Any]) -> dict[str, Any]:
     fields = typing.get_type_hints(kind) | ADDED.get(kind, {})
     described = {
         "type": "object",
-        "properties": {name: _type(one, definitions) for name, one in fields.items()},
+        "properties": {name: _type(annotation, definitions) for name, annotation in fields.items()},
         "required": list(fields),
         "additionalProperties": False,
     }
@@ -101,12 +101,12 @@ def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
             definitions[name] = {}  # a class may contain objects of its own type
             definitions[name] = _class(kind, definitions)
         return {"$ref": f"#/$defs/{name}"}
-    return _composed(kind, [_type(one, definitions) for one in typing.get_args(kind)])
+    return _composed(kind, [_type(argument, definitions) for argument in typing.get_args(kind)])
 
 
 def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
     """Returns the schema of a type that is composed of other types."""
-    found: dict[Any, dict[str, Any]] = {
+    schemas: dict[Any, dict[str, Any]] = {
         types.NoneType: {"type": "null"},
         types.UnionType: {"anyOf": parts},
         Sequence: {"type": "array", "items": parts[0] if parts else {}},
@@ -115,6 +115,6 @@ def _composed(kind: Any, parts: list[dict[str, Any]]) -> dict[str, Any]:
     }
     origin = typing.get_origin(kind) or kind
     origin = {list: Sequence, dict: Mapping}.get(origin, origin)
-    if origin not in found:
+    if origin not in schemas:
         raise TypeError(f"the schema cannot describe {kind}")
-    return found[origin]
+    return schemas[origin]

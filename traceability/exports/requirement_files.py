@@ -107,10 +107,10 @@ def reqif_text(model: Model, report: Report) -> str:
         _add_object(objects, item)
     _add_chapters(objects, items)
     relations = _child(content, "SPEC-RELATIONS")
-    known = {item.id for item in items}
+    ids = {item.id for item in items}
     for item in items:
         for link in item.links:
-            if link in known:
+            if link in ids:
                 _add_relation(relations, item, link)
     _add_specification(_child(content, "SPECIFICATIONS"), items)
     ET.indent(top)

@@ -72,15 +72,15 @@ def _is_number(value: object) -> bool:
 
 
 def _requirement(model: Model, name: str, report: Report | None) -> RequirementState:
-    one = model.requirements[name]
+    requirement = model.requirements[name]
     return RequirementState(
-        one.text,
-        one.rationale,
+        requirement.text,
+        requirement.rationale,
         report.requirements[name].state if report else "",
-        tuple(node.label for node in nodes_of(one.tree)) if one.tree else (),
-        tuple(one.verified_by),
-        tuple(one.satisfied_by),
-        tuple(f"{review.reviewer}, {review.date}" for review in one.reviews),
+        tuple(node.label for node in nodes_of(requirement.tree)) if requirement.tree else (),
+        tuple(requirement.verified_by),
+        tuple(requirement.satisfied_by),
+        tuple(f"{review.reviewer}, {review.date}" for review in requirement.reviews),
     )
 
 
@@ -168,8 +168,8 @@ def changed_items(before: Sequence[str], after: Sequence[str]) -> list[str]:
 
 def _sizes(first: Revision, second: Revision) -> Iterator[Difference]:
     for product, before in first.sizes.items():
-        for one in _numbers(product, before, second.sizes.get(product, {})):
-            yield Difference("sizes", product, f"{one.subject}: {one.text} bytes")
+        for difference in _numbers(product, before, second.sizes.get(product, {})):
+            yield Difference("sizes", product, f"{difference.subject}: {difference.text} bytes")
 
 
 def _numbers(
@@ -180,11 +180,11 @@ def _numbers(
 ) -> list[Difference]:
     """A value that only one revision has is shown as ``missing`` in the other; None was not
     measured."""
-    found = []
+    changed = []
     for name in sorted(first.keys() | second.keys()):
         before, after = first.get(name, missing), second.get(name, missing)
         if before is not None and after is not None and before != after:
-            found.append(
+            changed.append(
                 Difference(section, name, f"{before:g} -> {after:g} ({after - before:+g})")
             )
-    return found
+    return changed

@@ -33,7 +33,7 @@ def sarif(model: Model, report: Report) -> dict[str, Any]:
             {
                 "tool": {"driver": driver},
                 "columnKind": "unicodeCodePoints",
-                "results": [_result(found, numbers) for found in report.findings],
+                "results": [_result(finding, numbers) for finding in report.findings],
             }
         ],
     }
@@ -48,18 +48,18 @@ def _rule(check: Check) -> dict[str, Any]:
     }
 
 
-def _result(found: Finding, numbers: dict[str, int]) -> dict[str, Any]:
-    index = {"ruleIndex": numbers[found.check]} if found.check in numbers else {}
+def _result(finding: Finding, numbers: dict[str, int]) -> dict[str, Any]:
+    index = {"ruleIndex": numbers[finding.check]} if finding.check in numbers else {}
     return {
-        "ruleId": found.check,
+        "ruleId": finding.check,
         **index,
         "level": "error",
-        "message": {"text": f"{found.text}; {found.fix}"},
+        "message": {"text": f"{finding.text}; {finding.fix}"},
         "locations": [
             {
                 "physicalLocation": {
-                    "artifactLocation": {"uri": found.place.file},
-                    "region": {"startLine": max(found.place.line, 1)},
+                    "artifactLocation": {"uri": finding.place.file},
+                    "region": {"startLine": max(finding.place.line, 1)},
                 }
             }
         ],

@@ -55,7 +55,7 @@ def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
     name, base = f"{block.name.upper()}{first}", _base(block)
     peripheral = ET.SubElement(peripherals, "peripheral")
     _texts(peripheral, name=name, description=block.brief, baseAddress=f"0x{base:08X}")
-    size = max(one.address + one.bits // 8 for one in block.registers) - base
+    size = max(register.address + register.bits // 8 for register in block.registers) - base
     area = ET.SubElement(peripheral, "addressBlock")
     _texts(area, offset="0x0", size=f"0x{size:X}", usage="registers")
     registers = ET.SubElement(peripheral, "registers")
@@ -70,7 +70,7 @@ def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
 def _base(block: RegisterBlock) -> int:
     """The beginning of the page; the blocks of GPIO are smaller and closer together."""
     step = min(PAGE, block.distance or PAGE)
-    return min(one.address for one in block.registers) // step * step
+    return min(register.address for register in block.registers) // step * step
 
 
 def _add_register(registers: ET.Element, register: Register, base: int) -> None:

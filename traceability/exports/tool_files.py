@@ -73,4 +73,4 @@ FILES = (
 
 def available(root: Path) -> list[ToolFile]:
     """The files whose source exists in the project."""
-    return [one for one in FILES if (root / one.source).exists()]
+    return [file for file in FILES if (root / file.source).exists()]

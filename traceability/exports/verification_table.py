@@ -123,14 +123,17 @@ def row(model: Model, report: Report, requirement: Requirement) -> VerifiedRequi
         partly=requirement.partly,
         goals=requirement.goals,
         reasons=verdict.reasons,
-        suspect=[f"{one.kind} {one.name} {one.text}" for one in requirement.suspicions],
+        suspect=[
+            f"{suspicion.kind} {suspicion.name} {suspicion.text}"
+            for suspicion in requirement.suspicions
+        ],
         reviews=[
-            ReviewResult(one.reviewer, one.date, one.holds, one.remark)
-            for one in requirement.reviews
+            ReviewResult(review.reviewer, review.date, review.holds, review.remark)
+            for review in requirement.reviews
         ],
         satisfied_by=requirement.satisfied_by,
         tests={
-            name: {binding: one.result for binding, one in model.tests[name].results.items()}
+            name: {binding: result.result for binding, result in model.tests[name].results.items()}
             for name in requirement.verified_by
         },
         tree=[CheckedNode(node.label, node.reachable, node.executed) for node in nodes],

@@ -65,17 +65,19 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
 def called(facts: Facts, method: str) -> list[str]:
     """Returns the calls of a method. A post leads to the body that its module passed to the
     thread."""
-    found = [
+    methods = [
         target
         for body in facts.references.own_bodies(method)
         for call in body.calls
         for target in facts.references.targets(call)
     ]
-    if POST in found:
+    if POST in methods:
         own = method.rpartition("::")[0]
         bodies = facts.references.objects([BODIES], "Command")
-        found += sorted(f"{one.kind}::execute" for one in bodies if one.kind.startswith(f"{own}::"))
-    return found
+        methods += sorted(
+            f"{body.kind}::execute" for body in bodies if body.kind.startswith(f"{own}::")
+        )
+    return methods
 
 
 def way_back(target: str, before: dict[str, str]) -> list[str]:

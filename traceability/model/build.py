@@ -155,7 +155,9 @@ def _assemble(
     model = justify(with_verification(model, facts, coverage), declared.justified)
     model = replace(model, safety=safety_of(model, facts))
     model = with_reviews(model, facts)
-    examples = {name: one.examples for name, one in declared.changes.particulars.items()}
+    examples = {
+        name: particular.examples for name, particular in declared.changes.particulars.items()
+    }
     done = made(model, declared.kits, read_kit_record(root), examples)
     model = replace(model, changes=changes_of(model, declared.changes, done))
     return replace(model, measured=read_measured(root, model))
@@ -199,10 +201,12 @@ def camel(folder: str) -> str:
 def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
     folders = {str(Path(place.file).parent) for place in _places(facts)}
     every = {str(up) for path in folders for up in (Path(path), *Path(path).parents)}
-    made = [_logic_module(model, facts, one) for one in every - {SRC, "."}]
-    found = {one.id: one for one in sorted(made, key=lambda one: one.id)}
-    children = {name: [one.id for one in found.values() if one.parent == name] for name in found}
-    return {name: replace(one, children=children[name]) for name, one in found.items()}
+    made = [_logic_module(model, facts, folder) for folder in every - {SRC, "."}]
+    by_id = {module.id: module for module in sorted(made, key=lambda module: module.id)}
+    children = {
+        name: [module.id for module in by_id.values() if module.parent == name] for name in by_id
+    }
+    return {name: replace(module, children=children[name]) for name, module in by_id.items()}
 
 
 def _places(facts: Facts) -> list[Place]:
@@ -233,7 +237,7 @@ def _logic_module(model: Model, facts: Facts, folder: str) -> LogicModule:
 
 
 def _modules(facts: Facts) -> dict[str, Module]:
-    found: dict[str, Module] = {}
+    modules: dict[str, Module] = {}
     sources = {str(path.relative_to(facts.root)) for path in files_below(facts.root, DESIGN)}
     for fact in facts.syntax.classes:
         if not fact.place.file.endswith(".hpp"):
@@ -244,7 +248,7 @@ def _modules(facts: Facts) -> dict[str, Module]:
         if not datatype and (nested or fact.local or fact.kind in ("enum", "alias")):
             continue
         source = fact.place.file.removesuffix(".hpp") + ".cpp"
-        found[fact.name] = Module(
+        modules[fact.name] = Module(
             name=fact.name,
             qualified=fact.qualified,
             logic=logic_of(fact.place.file),
@@ -273,8 +277,8 @@ def _modules(facts: Facts) -> dict[str, Module]:
             ],
         )
     return {
-        name: replace(module, methods=[_specified(method, found) for method in module.methods])
-        for name, module in found.items()
+        name: replace(module, methods=[_specified(method, modules) for method in module.methods])
+        for name, module in modules.items()
     }
 
 
@@ -368,9 +372,9 @@ def _with_calls(model: Model, facts: Facts) -> Model:
     for fact in facts.syntax.initial:
         callers.setdefault(fact.target, {})[fact.name] = None
 
-    def called(one: Method) -> Method:
-        calls = made[one.id, one.body.file, one.body.line] if one.body else []
-        return replace(one, calls=calls, called_by=list(callers.get(one.id, {})))
+    def called(method: Method) -> Method:
+        calls = made[method.id, method.body.file, method.body.line] if method.body else []
+        return replace(method, calls=calls, called_by=list(callers.get(method.id, {})))
 
     uses, used_by = _users(model, facts)
     modules = {
@@ -387,15 +391,15 @@ def _with_calls(model: Model, facts: Facts) -> Model:
 
 def _constants(facts: Facts) -> dict[str, Constant]:
     """Returns the constants by their names, without names that have several numbers."""
-    found: dict[str, list[Constant]] = {}
+    by_name: dict[str, list[Constant]] = {}
     for fact in facts.syntax.values:
         if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
-            one = Constant(fact.number, fact.unit, fact.place)
-            found.setdefault(fact.name, []).append(one)
+            constant = Constant(fact.number, fact.unit, fact.place)
+            by_name.setdefault(fact.name, []).append(constant)
     return {
         name: ones[0]
-        for name, ones in sorted(found.items())
-        if len({(one.number, one.unit) for one in ones}) == 1
+        for name, ones in sorted(by_name.items())
+        if len({(value.number, value.unit) for value in ones}) == 1
     }
 
 
@@ -419,12 +423,12 @@ def _users(model: Model, facts: Facts) -> tuple[Named, Named]:
 
 def _patterns(model: Model, facts: Facts) -> dict[str, PatternApplication]:
     bindings = [binding for module in model.modules.values() for binding in module.roles]
-    found: dict[str, PatternApplication] = {}
+    applications: dict[str, PatternApplication] = {}
     for module in model.modules.values():
         for part in facts.comment_of(module.name).parts("patternapp"):
             tag = part.tags[0]
             name, pattern, title = [*tag.arguments, "", "", ""][:3]
-            found[name] = PatternApplication(
+            applications[name] = PatternApplication(
                 id=name,
                 pattern=pattern,
                 title=title,
@@ -434,7 +438,7 @@ def _patterns(model: Model, facts: Facts) -> dict[str, PatternApplication]:
                 place=tag.place,
                 roles=[binding for binding in bindings if binding.application == name],
             )
-    return dict(sorted(found.items()))
+    return dict(sorted(applications.items()))
 
 
 def requirement_key(name: str) -> tuple[str, int]:
@@ -444,23 +448,23 @@ def requirement_key(name: str) -> tuple[str, int]:
 
 def _with_requirements(model: Model, facts: Facts) -> Model:
     sections: dict[str, str] = {}
-    found: dict[str, Requirement] = {}
+    by_id: dict[str, Requirement] = {}
     for comment in facts.comments.below(("requirements",)):
         for tag in comment.of("page"):
             sections[tag.place.file] = tag.source.splitlines()[0].split(maxsplit=2)[-1]
         for part in comment.parts("requirement"):
-            found.setdefault(part.tags[0].argument, _requirement(part, sections))
+            by_id.setdefault(part.tags[0].argument, _requirement(part, sections))
     methods: dict[str, dict[str, None]] = {}
     modules: dict[str, Module] = {}
     for name, module in model.modules.items():
         tagged = [(id_, method) for method in module.methods for id_ in method.satisfies]
         for id_, method in tagged:
             methods.setdefault(id_, {})[method.id] = None
-        known = {id_ for id_, _ in tagged if id_ in found}
-        modules[name] = replace(module, requirements=sorted(known, key=requirement_key))
+        ids = {id_ for id_, _ in tagged if id_ in by_id}
+        modules[name] = replace(module, requirements=sorted(ids, key=requirement_key))
     requirements = {
-        name: replace(found[name], satisfied_by=list(methods.get(name, {})))
-        for name in sorted(found, key=requirement_key)
+        name: replace(by_id[name], satisfied_by=list(methods.get(name, {})))
+        for name in sorted(by_id, key=requirement_key)
     }
     return replace(model, modules=modules, requirements=requirements)
 
@@ -491,12 +495,12 @@ def logic_of(file: str) -> str:
 
 
 def _uses(model: Model, facts: Facts) -> list[Use]:
-    found: dict[tuple[str, str], list[Place]] = {}
+    use_places: dict[tuple[str, str], list[Place]] = {}
     others: dict[tuple[str, str], Place] = {}  # the first call or name, if there is no include
     folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
     for include in facts.syntax.includes:
         pair = (logic_of(include.place.file), logic_of(include.target))
-        found.setdefault(pair, []).append(include.place)
+        use_places.setdefault(pair, []).append(include.place)
     for body in facts.syntax.bodies:
         for call in body.calls:
             owner = call.target.rsplit("::", 1)[0]
@@ -508,10 +512,10 @@ def _uses(model: Model, facts: Facts) -> list[Use]:
         target = logic_of(name.file) if name.file else folders.get(name.target)
         if target is not None:
             others.setdefault((logic_of(name.place.file), target), name.place)
-    found = {pair: [place] for pair, place in others.items()} | found
+    use_places = {pair: [place] for pair, place in others.items()} | use_places
     return [
         Use(source, target, places)
-        for (source, target), places in sorted(found.items())
+        for (source, target), places in sorted(use_places.items())
         if source != target and source.startswith(tuple(model.logic_modules))
     ]
 
@@ -542,7 +546,7 @@ def _covered(module: Module, coverage: Coverage) -> Module:
     """Returns the module with the coverage of its files by the tests."""
     whole, covered = coverage.whole, coverage.all
     files = [
-        one for one in (module.header, module.source) if one is not None and one in whole.lines
+        file for file in (module.header, module.source) if file is not None and file in whole.lines
     ]
     if not files:
         return module
@@ -557,7 +561,7 @@ def _covered(module: Module, coverage: Coverage) -> Module:
         lines_total=sum(len(whole.lines[file]) for file in files),
         lines_covered=sum(len(whole.lines[file] & hit[file]) for file in files),
         branches_total=sum(len(whole.branches[file]) for file in files),
-        branches_covered=sum(len(one) for one in taken),
+        branches_covered=sum(len(branches) for branches in taken),
     )
 
 

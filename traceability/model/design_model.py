@@ -98,7 +98,7 @@ class Model:
     paper_places: Sequence[PaperPlace] = field(default_factory=list)
     changes: Mapping[str, LikelyChange] = field(default_factory=dict)  # by application
     ports: Mapping[str, Port] = field(default_factory=dict)  # to other devices, by folder
-    comparison: Comparison | None = None  # the last one of two commits
+    comparison: Comparison | None = None  # the last comparison of two commits
     board_findings: Mapping[str, BoardFinding] = field(default_factory=dict)
     beliefs: Sequence[BoardBelief] = field(default_factory=list)
     belief_sources: Mapping[str, BeliefSource] = field(default_factory=dict)
@@ -107,7 +107,7 @@ class Model:
     board_lines: Mapping[str, dict[int, bool]] | None = None
     line_gaps: Sequence[LineGap] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)  # of texts without a requirement
-    reviews_of_nothing: Sequence[str] = field(default_factory=list)  # requirements that are no more
+    reviews_of_nothing: Sequence[str] = field(default_factory=list)  # removed requirements
     # The elements that the design demands, whether the code has them or not.
     designed_modules: Sequence[str] = field(default_factory=list)
     designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern

@@ -65,7 +65,7 @@ def _label(item: Mapping[str, Any]) -> str:
     """The name of an entry: its id, or the first of the names that it lists."""
     names = [item[key] for key in LABELS if isinstance(item.get(key), str)]
     lists = [item[key] for key in LISTS if isinstance(item.get(key), list)]
-    names += [str(one[0]) for one in lists if one]
+    names += [str(listed[0]) for listed in lists if listed]
     return names[0] if names else ""
 
 
@@ -95,7 +95,7 @@ def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
             titles = [*TITLE.finditer(source)]
             ends = [*(title.start() for title in titles[1:]), len(source)]
             for title, end in zip(titles, ends, strict=False):
-                found = FACT.findall(source[title.end() : end])
-                if found:
+                facts = FACT.findall(source[title.end() : end])
+                if facts:
                     line = source.count("\n", 0, title.start()) + 1
-                    yield f"{file} {title[1] or title[2]}", Place(file, line), "\n".join(found)
+                    yield f"{file} {title[1] or title[2]}", Place(file, line), "\n".join(facts)

@@ -65,17 +65,17 @@ def module_of(body: BodyFact, model: Model) -> str:
 
 def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]]]:
     """``Type::part`` -> modules that write it, modules that read it."""
-    found: dict[str, tuple[set[str], set[str]]] = {}
+    users: dict[str, tuple[set[str], set[str]]] = {}
     for body in facts.syntax.bodies:
         name = module_of(body, model)
         for member, changed in body.touches.items() if name else ():
-            found.setdefault(member, (set(), set()))[0 if changed else 1].add(name)
+            users.setdefault(member, (set(), set()))[0 if changed else 1].add(name)
     for flow in facts.syntax.flows:
         word, _, member = flow.into.partition(" ")
         name = Path(flow.file).stem
         if word == "field" and name in model.modules:
-            found.setdefault(member, (set(), set()))[0].add(name)
-    return found
+            users.setdefault(member, (set(), set()))[0].add(name)
+    return users
 
 
 def message_fields(model: Model, facts: Facts) -> list[MessageField]:
@@ -91,8 +91,8 @@ def message_fields(model: Model, facts: Facts) -> list[MessageField]:
         for call in body.calls if name else ():
             access = ACCESS.fullmatch(call.target)
             for place in call.args[0] if access and call.args else ():
-                for one in (place, *tables.get(place, [])):
-                    part = one.removeprefix(f"constant {FIELDS}::")
+                for row in (place, *tables.get(place, [])):
+                    part = row.removeprefix(f"constant {FIELDS}::")
                     if access is not None:
                         widths[part] = access[3].lower()
                         users.setdefault((part, access[2]), {})[name] = None

@@ -29,16 +29,16 @@ def measured_values(
     """Returns the metric of each evidence -> its value in this run; ``None`` if it was not
     measured."""
     counts = Counter(finding.check for finding in findings)
-    found: dict[str, float | None] = {}
+    values: dict[str, float | None] = {}
     for name in {
         evidence.figure for item in model.requirements.values() for evidence in item.evidence
     }:
         if name.startswith(CHECKS):
-            known = fnmatch.filter(checks, name.removeprefix(CHECKS))
-            found[name] = float(sum(counts[one] for one in known)) if known else None
+            matching = fnmatch.filter(checks, name.removeprefix(CHECKS))
+            values[name] = float(sum(counts[check] for check in matching)) if matching else None
         else:
-            found[name] = figure_of(figures, name)
-    return found
+            values[name] = figure_of(figures, name)
+    return values
 
 
 def figure_of(figures: Mapping[str, Any], name: str) -> float | None:

@@ -39,7 +39,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
     for name, context in facts.declared.contexts.items():
         lines = sorted({n for handler in context.handlers for n in code.lines.get(handler, [])})
         names = {priorities[line] for line in lines if line in priorities}
-        known = {facts.syntax.constants[one] for one in names}
+        numbers = {facts.syntax.constants[name] for name in names}
         narrowed = {DISPATCH: context.body} if context.body else {}
         reached = facts.references.reached(context.handlers, narrowed, facts.declared.ends)
         code.reached[context.id] = reached
@@ -47,7 +47,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
         contexts[name] = replace(
             context,
             lines=lines,
-            priority=next(iter(known)) if len(known) == 1 else None,
+            priority=next(iter(numbers)) if len(numbers) == 1 else None,
             methods=sorted(m for m, owner in owned.items() if owner in model.modules),
             first=first_methods(context, reached, model),
         )
@@ -71,11 +71,11 @@ def first_methods(context: ExecutionContext, reached: dict[str, str], model: Mod
 def handler_lines(facts: Facts) -> dict[str, list[int]]:
     """Handler -> interrupt lines, from the table of vectors. A table of lines may begin with one
     constant; the others follow it."""
-    found: dict[str, list[int]] = {}
+    lines: dict[str, list[int]] = {}
     for constant, handlers in _vectors(facts).items():
         for number, handler in enumerate(handlers):
-            found.setdefault(handler, []).append(facts.syntax.constants[constant] + number)
-    return found
+            lines.setdefault(handler, []).append(facts.syntax.constants[constant] + number)
+    return lines
 
 
 def _vectors(facts: Facts) -> dict[str, list[str]]:
@@ -102,13 +102,13 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 
 def line_priorities(facts: Facts) -> dict[int, str]:
     """Interrupt line -> constant of its priority, from the calls that enable the lines."""
-    found = _enabling(facts)
+    priorities = _enabling(facts)
     for lines in handler_lines(facts).values():  # a counted line has the priority of its constant
         for line in lines:
-            below = [known for known in found if known <= line]
-            if line not in found and below:
-                found[line] = found[max(below)]
-    return found
+            below = [first for first in priorities if first <= line]
+            if line not in priorities and below:
+                priorities[line] = priorities[max(below)]
+    return priorities
 
 
 def _enabling(facts: Facts) -> dict[int, str]:
@@ -117,17 +117,17 @@ def _enabling(facts: Facts) -> dict[int, str]:
     behind: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         behind.setdefault(flow.into, []).extend(flow.sources)
-    found: dict[int, str] = {}
+    priorities: dict[int, str] = {}
     for body in facts.syntax.bodies:
         for call in body.calls:
             if call.target != ENABLE or len(call.args) != 2:
                 continue
-            values = [one for one in call.args[1] if one in constants]
-            named = [p for one in call.args[0] for p in (one, *behind.get(one, []))]
-            for line in [constants[one] for one in named if one in constants]:
+            values = [argument for argument in call.args[1] if argument in constants]
+            named = [p for argument in call.args[0] for p in (argument, *behind.get(argument, []))]
+            for line in [constants[constant] for constant in named if constant in constants]:
                 for value in values:
-                    found[line] = value
-    return found
+                    priorities[line] = value
+    return priorities
 
 
 # ---- pipes ---------------------------------------------------------------------
@@ -135,11 +135,14 @@ def _enabling(facts: Facts) -> dict[int, str]:
 
 def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
     """Each pipe of the robot, with the methods that write and read it, and their contexts."""
-    held = {
-        one.name for places in facts.references.known.values() for one in places if one.kind == PIPE
+    members = {
+        member.name
+        for places in facts.references.known.values()
+        for member in places
+        if member.kind == PIPE
     }
-    writers: dict[str, dict[str, list[str]]] = {name: {} for name in held}
-    readers: dict[str, dict[str, list[str]]] = {name: {} for name in held}
+    writers: dict[str, dict[str, list[str]]] = {name: {} for name in members}
+    readers: dict[str, dict[str, list[str]]] = {name: {} for name in members}
     for body in facts.syntax.bodies:
         if not body.place.file.startswith("src/"):
             continue
@@ -147,18 +150,18 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
             owner, _, operation = call.target.rpartition("::")
             if owner != PIPE or operation not in ("write", *READS):
                 continue
-            for one in facts.references.objects(call.on, PIPE):
-                users = (writers if operation == "write" else readers)[one.name]
-                for user in users_of(body, one, model, facts):
+            for item in facts.references.objects(call.on, PIPE):
+                users = (writers if operation == "write" else readers)[item.name]
+                for user in users_of(body, item, model, facts):
                     users[user] = contexts_of(user, code)
-    found: list[SharedPipe] = []
-    for name in sorted(held):
+    pipes: list[SharedPipe] = []
+    for name in sorted(members):
         declared = facts.declared.pipes.get(name)
         place, kind = place_of(name, facts)
         title, says = (declared.name, declared.says) if declared else (name, "")
-        found.append(SharedPipe(name, title, says, kind, place, writers[name], readers[name]))
+        pipes.append(SharedPipe(name, title, says, kind, place, writers[name], readers[name]))
     order = {name: number for number, name in enumerate(facts.declared.pipes)}
-    return sorted(found, key=lambda one: order.get(one.id, len(order)))
+    return sorted(pipes, key=lambda pipe: order.get(pipe.id, len(order)))
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
@@ -184,7 +187,9 @@ def place_of(name: str, facts: Facts) -> tuple[Place, str]:
     fact = facts.syntax.variables.get(name)
     if fact is None:
         owner, _, member = name.rpartition("::")
-        fact = next(one for one in facts.classes[owner].fields if one.name == member)
+        fact = next(
+            member_fact for member_fact in facts.classes[owner].fields if member_fact.name == member
+        )
     return fact.place, fact.type
 
 
@@ -213,15 +218,15 @@ def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]
                 for member, changed in body.touches.items():
                     users = touched.setdefault(member, {})
                     users[name] = users.get(name, False) or changed
-    found: list[SharedMember] = []
+    members: list[SharedMember] = []
     for member, users in sorted(touched.items()):
         fact = fields.get(member)
         if fact is None or len(users) < 2 or not any(users.values()):
             continue
         if is_value(member, fact, model):
             continue
-        found.append(shared_member(member, fact, users, facts))
-    return found
+        members.append(shared_member(member, fact, users, facts))
+    return members
 
 
 def is_value(member: str, fact: FieldFact, model: Model) -> bool:
@@ -239,7 +244,7 @@ def shared_member(
     )
     if declared is not None:
         protection, why = declared.protection, declared.why
-    elif any(one == PIPE for one in fact.classes):
+    elif any(kind == PIPE for kind in fact.classes):
         protection, why = "pipe", "One writer, one reader, no lock."
     else:
         protection, why = "", ""

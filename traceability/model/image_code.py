@@ -21,7 +21,7 @@ class Program:
 
     codes: Mapping[str, Code]
     places: Mapping[int, list[Place]]
-    shared: Mapping[str, str]  # each of several names of one function -> the name with the code
+    shared: Mapping[str, str]  # other name of a function -> the name that has the code
 
 
 def read_program(elf: Path) -> Program:

@@ -65,25 +65,29 @@ class Impacts:
     def _next(self, name: str) -> dict[str, str]:
         """The modules that a change of a module may affect directly, with the reason."""
         module = self.model.modules[name]
-        found: dict[str, str] = {}
+        reasons: dict[str, str] = {}
         for heir in module.heirs:
             if name in self._bases(heir):
-                found[heir] = f"derives from {name}"
+                reasons[heir] = f"derives from {name}"
         for method in module.methods:
             for caller in method.called_by:
                 owner = caller.partition("::")[0]
                 if owner in self.model.modules and self._calls(owner, method.id):
-                    found.setdefault(owner, f"calls {method.id}")
+                    reasons.setdefault(owner, f"calls {method.id}")
         for user in module.used_by:
-            found.setdefault(user, f"names {name}")
-        return {one: why for one, why in found.items() if one in self.model.modules and one != name}
+            reasons.setdefault(user, f"names {name}")
+        return {
+            affected: why
+            for affected, why in reasons.items()
+            if affected in self.model.modules and affected != name
+        }
 
     def _bases(self, name: str) -> Sequence[str]:
         return self.model.modules[name].bases if name in self.model.modules else []
 
     def _calls(self, owner: str, method: str) -> bool:
         """Whether a module calls this method, and not only its abstraction."""
-        calls = (call for one in self.model.modules[owner].methods for call in one.calls)
+        calls = (call for method in self.model.modules[owner].methods for call in method.calls)
         return any(call.target == method for call in calls)
 
     def of(self, subject: str) -> Impact:
@@ -98,8 +102,8 @@ class Impacts:
         raise UnknownSubjectError(self._unknown(subject))
 
     def _unknown(self, subject: str) -> str:
-        known = [*self.model.modules, *self.model.requirements, *self.model.files]
-        near = difflib.get_close_matches(subject, known, 3, 0.6)
+        names = [*self.model.modules, *self.model.requirements, *self.model.files]
+        near = difflib.get_close_matches(subject, names, 3, 0.6)
         short = {path.rpartition("/")[2]: path for path in self.model.files}
         if subject.rpartition("/")[2] in short:
             near.insert(0, short[subject.rpartition("/")[2]])
@@ -152,21 +156,21 @@ class Impacts:
         followed = {part.subject for part in parts if not part.is_empty()}
         joined.unfollowed = [path for path in paths if path not in followed]
         for name in ("modules", "requirements", "patterns", "tests", "goals"):
-            found: dict[str, Reached] = {}
-            reached = [one for part in parts for one in getattr(part, name)]
-            for one in sorted(reached, key=lambda one: one.distance):
-                record_reached(found, one.id, one.distance, one.because)
-            setattr(joined, name, list(found.values()))
+            nearest: dict[str, Reached] = {}
+            reached = [item for part in parts for item in getattr(part, name)]
+            for item in sorted(reached, key=lambda item: item.distance):
+                record_reached(nearest, item.id, item.distance, item.because)
+            setattr(joined, name, list(nearest.values()))
         return joined
 
     def _from(self, impact: Impact, start: dict[str, str]) -> Impact:
-        known = set(start) & set(self.model.modules)
-        impact.modules = [Reached(name, 0, why) for name, why in start.items() if name in known]
-        for one in impact.modules:  # the list grows while it is read
-            for name, why in sorted(self.affected.get(one.id, {}).items()):
-                if name not in known:
-                    known.add(name)
-                    impact.modules.append(Reached(name, one.distance + 1, why))
+        modules = set(start) & set(self.model.modules)
+        impact.modules = [Reached(name, 0, why) for name, why in start.items() if name in modules]
+        for reached in impact.modules:  # the list grows while it is read
+            for name, why in sorted(self.affected.get(reached.id, {}).items()):
+                if name not in modules:
+                    modules.add(name)
+                    impact.modules.append(Reached(name, reached.distance + 1, why))
         near = [module for module in impact.modules if module.distance <= 1]
         impact.requirements = self._requirements(impact, near)
         impact.patterns = self._patterns(near)
@@ -175,45 +179,47 @@ class Impacts:
         return impact
 
     def _requirements(self, impact: Impact, near: list[Reached]) -> list[Reached]:
-        found = {requirement.id: requirement for requirement in impact.requirements}
-        for one in near:
-            for name in self.model.modules[one.id].requirements:
-                record_reached(found, name, one.distance, f"{one.id} satisfies it")
+        requirements = {requirement.id: requirement for requirement in impact.requirements}
+        for item in near:
+            for name in self.model.modules[item.id].requirements:
+                record_reached(requirements, name, item.distance, f"{item.id} satisfies it")
             for name, modules in self.trees.items():
-                if one.id in modules:
-                    record_reached(found, name, one.distance, f"its tree contains {one.id}")
-        return list(found.values())
+                if item.id in modules:
+                    record_reached(
+                        requirements, name, item.distance, f"its tree contains {item.id}"
+                    )
+        return list(requirements.values())
 
     def _goals(self, impact: Impact) -> list[Reached]:
         """The safety goals that the requirements serve."""
-        found: dict[str, Reached] = {}
-        for one in impact.requirements:
-            known = self.model.requirements.get(one.id)
-            for name in known.goals if known else []:
-                record_reached(found, name, one.distance, f"{one.id} serves it")
-        return sorted(found.values(), key=lambda one: one.distance)
+        goals: dict[str, Reached] = {}
+        for item in impact.requirements:
+            requirement = self.model.requirements.get(item.id)
+            for name in requirement.goals if requirement else []:
+                record_reached(goals, name, item.distance, f"{item.id} serves it")
+        return sorted(goals.values(), key=lambda goal: goal.distance)
 
     def _patterns(self, near: list[Reached]) -> list[Reached]:
-        found: dict[str, Reached] = {}
-        for one in near:
-            for binding in self.model.modules[one.id].roles:
-                why = f"{one.id} is its {binding.role}"
-                record_reached(found, binding.application, one.distance, why)
-        return list(found.values())
+        patterns: dict[str, Reached] = {}
+        for item in near:
+            for binding in self.model.modules[item.id].roles:
+                why = f"{item.id} is its {binding.role}"
+                record_reached(patterns, binding.application, item.distance, why)
+        return list(patterns.values())
 
     def _tests(self, impact: Impact) -> list[Reached]:
         """The tests of the requirements, and those that execute a changed module."""
-        found = {test.id: test for test in impact.tests}
+        tests = {test.id: test for test in impact.tests}
         for requirement in impact.requirements:
-            known = self.model.requirements.get(requirement.id)
-            for name in known.verified_by if known else []:
-                record_reached(found, name, requirement.distance, f"verifies {requirement.id}")
-        for one in impact.at(0) if impact.kind != "requirement" else []:
-            for name in self.model.modules[one.id].tests:
-                record_reached(found, name, 1, f"executes {one.id}")
-        return sorted(found.values(), key=lambda one: one.distance)
+            found_requirement = self.model.requirements.get(requirement.id)
+            for name in found_requirement.verified_by if found_requirement else []:
+                record_reached(tests, name, requirement.distance, f"verifies {requirement.id}")
+        for item in impact.at(0) if impact.kind != "requirement" else []:
+            for name in self.model.modules[item.id].tests:
+                record_reached(tests, name, 1, f"executes {item.id}")
+        return sorted(tests.values(), key=lambda test: test.distance)
 
 
-def record_reached(found: dict[str, Reached], name: str, distance: int, why: str) -> None:
+def record_reached(reached: dict[str, Reached], name: str, distance: int, why: str) -> None:
     """The first reason is kept, because it has the shortest distance."""
-    found.setdefault(name, Reached(name, distance, why))
+    reached.setdefault(name, Reached(name, distance, why))

@@ -20,14 +20,14 @@ from traceability.schema import LikelyChange, MadeChange, PatternApplication
 def changes_of(
     model: Model, texts: ChangeTexts, made: Mapping[str, MadeChange]
 ) -> dict[str, LikelyChange]:
-    found: dict[str, LikelyChange] = {}
+    changes: dict[str, LikelyChange] = {}
     for application in model.patterns.values():
         recipe = texts.recipes.get(application.pattern)
         if recipe:
             particular = texts.particulars.get(application.id, Particular())
             change = _change(model, application, recipe, particular)
-            found[application.id] = replace(change, made=made.get(application.id))
-    return found
+            changes[application.id] = replace(change, made=made.get(application.id))
+    return changes
 
 
 def _change(
@@ -56,8 +56,8 @@ def _change(
 
 def _bound(application: PatternApplication, roles: list[str]) -> list[str]:
     """The modules of the design that play one of the roles."""
-    found = [binding.module for binding in application.roles if binding.role in roles]
-    return list(dict.fromkeys(found))
+    modules = [binding.module for binding in application.roles if binding.role in roles]
+    return list(dict.fromkeys(modules))
 
 
 def _designed(model: Model) -> list[str]:
@@ -67,14 +67,14 @@ def _designed(model: Model) -> list[str]:
 def _naming(model: Model, present: list[str]) -> list[str]:
     """The other modules that name a present part; they must also name the new part."""
     kin = {base for name in present if name in model.modules for base in model.modules[name].bases}
-    found = {
+    modules = {
         user
         for name in present
         if name in model.modules
         for user in model.modules[name].used_by
         if user not in present and user not in kin
     }
-    return [name for name in _designed(model) if name in found]
+    return [name for name in _designed(model) if name in modules]
 
 
 def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
@@ -91,5 +91,5 @@ def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
 
 
 def _tests(model: Model, requirements: list[str]) -> list[str]:
-    found = [test for name in requirements for test in model.requirements[name].verified_by]
-    return list(dict.fromkeys(found))
+    tests = [test for name in requirements for test in model.requirements[name].verified_by]
+    return list(dict.fromkeys(tests))

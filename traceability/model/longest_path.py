@@ -20,7 +20,7 @@ from traceability.reading.machine_code import REFILL, Code, Loop
 class FlowFact:
     """A sum of executions of blocks, each with its factor, that does not exceed a number."""
 
-    factors: Mapping[int | str, int]  # block, or name of a callee that is counted apart -> factor
+    factors: Mapping[int | str, int]  # block, or callee with a separate count -> factor
     most: int
 
 
@@ -33,7 +33,7 @@ class Problem:
     rounds: Iterable[tuple[Loop, Bound]]
     counted: Iterable[tuple[int, int]]  # block, and the greatest number of its executions
     facts: Iterable[FlowFact] = field(default_factory=list)
-    apart: Mapping[str, int] = field(default_factory=dict)  # callee that facts count -> its cost
+    apart: Mapping[str, int] = field(default_factory=dict)  # counted callee -> its cost
 
     def solve(self) -> int | None:
         """The greatest cost of a path; nothing when it has no bound, or no path has an end."""
@@ -65,7 +65,7 @@ class Problem:
             outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
             entries = [v for (b, e), v in ways.items() if e in loop.blocks and b not in loop.blocks]
             exits = self.code.blocks[loop.head].exits()
-            leaves = loop.head not in loop.back and any(one not in loop.blocks for one in exits)
+            leaves = loop.head not in loop.back and any(edge not in loop.blocks for edge in exits)
             # A loop with its condition at the end has a round before its first jump back.
             first = 0 if leaves else solver.qsum(outside)
             entered = 1 if bound.in_all else solver.qsum(entries)

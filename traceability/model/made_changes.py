@@ -67,8 +67,8 @@ def _own_tests(kit: Kit, record: KitRecord | None) -> Iterator[KitTest]:
 def _named_tests(model: Model, kit: Kit) -> Iterator[KitTest]:
     for name in kit.named_tests:
         if test := model.tests.get(name):
-            for binding, one in test.results.items():
-                result = None if model.stale_on(binding) else one.result
+            for binding, outcome in test.results.items():
+                result = None if model.stale_on(binding) else outcome.result
                 yield KitTest(name, binding, result, test.place)
 
 

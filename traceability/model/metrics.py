@@ -47,23 +47,23 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
         tests |= coverage(root)
     times: dict[str, Any] = {"bench.scenarios": bench_metrics(model.bench)}
     if model.bench is not None:
-        speeds = (one.runs[MANUAL].speed for one in model.bench.values())
+        speeds = (scenario.runs[MANUAL].speed for scenario in model.bench.values())
         times |= {
             "bench.image_sha256": file_hash(root / IMAGE),
-            "sim.real_time_factor": min((one for one in speeds if one), default=None),
+            "sim.real_time_factor": min((speed for speed in speeds if speed), default=None),
         }
     prose = {"prose.findings": read_prose(root)}
     live = live_metrics(root)
     release = release_metrics(root, model.commit)
-    found = drift(model) | image(root) | times | forbidden(model) | tests | prose | live | release
-    return found | changes(model)
+    values = drift(model) | image(root) | times | forbidden(model) | tests | prose | live | release
+    return values | changes(model)
 
 
 def changes(model: Model) -> dict[str, Any]:
     """The likely changes that were made, once their tests ran with the present sources."""
-    found = [change.made for change in model.changes.values()]
-    ran = all(test.result for one in found if one for test in one.tests)
-    return {"changes.proven": sum(map(proven, found))} if ran else {}
+    made = [change.made for change in model.changes.values()]
+    ran = all(test.result for change in made if change for test in change.tests)
+    return {"changes.proven": sum(map(proven, made))} if ran else {}
 
 
 def coverage(root: Path) -> dict[str, Any]:
@@ -97,10 +97,10 @@ def forbidden(model: Model) -> dict[str, Any]:
     products = model.products
     if products is None:
         return {}
-    found = {name: intruders(one.modules, HAS[name]) for name, one in products.items()}
+    needless = {name: intruders(product.modules, HAS[name]) for name, product in products.items()}
     return {
         "firmware.forbidden_parts": sum(len(product.forbidden) for product in products.values()),
-        "firmware.needless_modules": sum(len(one) for one in found.values()),
+        "firmware.needless_modules": sum(len(modules) for modules in needless.values()),
     }
 
 
@@ -131,7 +131,10 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "modules.with_secret": sum(1 for module in designs if module.secret),
         "patterns.applications": len(applications),
         "patterns.conforming": (
-            sum(all(clause.holds for clause in clauses[one.id]) for one in applications)
+            sum(
+                all(clause.holds for clause in clauses[application.id])
+                for application in applications
+            )
             if decided
             else None
         ),
@@ -151,7 +154,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
         "tests.passed": sum(run.result == "passed" for run in runs) if fresh else None,
         "coverage.drivers_on_board": _executed(model.board_lines),
         "firmware.stack_bytes": model.stack.total if model.stack and model.stack.proven else None,
-        "patterns.price": {name: asdict(one) for name, one in model.prices.items()} or None,
+        "patterns.price": {name: asdict(price) for name, price in model.prices.items()} or None,
         "bench.wcet_cycle_ms": (
             round(model.times.cycle_ms, 3) if model.times and model.times.proven else None
         ),

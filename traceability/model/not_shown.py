@@ -92,7 +92,10 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     goals = [name for name, verdict in report.goals.items() if verdict.state != "verified"]
     if goals:
         yield f"Safety goals that are not verified: {', '.join(goals)}.", "safety"
-    short = sum(one.tree is not None and len(nodes_of(one.tree)) == 1 for one in requirements)
+    short = sum(
+        requirement.tree is not None and len(nodes_of(requirement.tree)) == 1
+        for requirement in requirements
+    )
     if short:
         yield (
             f"{_count(short, 'tree')} of one node show that a method ran, but no sequence.",

@@ -19,21 +19,21 @@ def serving_methods(model: Model) -> set[str]:
     constructor serves those of its module.
     """
     methods = {item.id: item for module in model.modules.values() for item in module.methods}
-    found = {item.id for item in methods.values() if item.satisfies}
+    served = {item.id for item in methods.values() if item.satisfies}
     for requirement in model.requirements.values():
         if requirement.tree is not None:
-            found |= {node.resolved for node in nodes_of(requirement.tree) if node.resolved}
+            served |= {node.resolved for node in nodes_of(requirement.tree) if node.resolved}
     above = {item.id: item.overrides for item in methods.values() if item.overrides}
 
     def top(name: str) -> str:
         return top(above[name]) if name in above else name
 
-    serving = {top(name) for name in found}
-    found |= {name for name in methods if top(name) in serving}
+    serving = {top(name) for name in served}
+    served |= {name for name in methods if top(name) in serving}
     for module in model.modules.values():
-        if any(item.id in found for item in module.methods):
-            found |= {item.id for item in module.methods if item.kind == "constructor"}
-    return found
+        if any(item.id in served for item in module.methods):
+            served |= {item.id for item in module.methods if item.kind == "constructor"}
+    return served
 
 
 def methods_without(model: Model) -> list[tuple[Module, Method]]:

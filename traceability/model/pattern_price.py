@@ -31,13 +31,13 @@ def prices(
         return {}
     executed = {int(at): sum(times) for at, times in measured["profile"].items()}
     prover = Prover(image.graph, facts, model, read_declared(root))
-    found = list(sites(image.program, prover))
+    calls = list(sites(image.program, prover))
     tables = table_bytes(image.elf)
     result = {}
-    for one in model.patterns.values():
-        modules = {binding.module for binding in one.roles}
-        own = [at for at, classes in found if classes and classes <= modules]
-        result[one.id] = PatternPrice(
+    for pattern in model.patterns.values():
+        modules = {binding.module for binding in pattern.roles}
+        own = [at for at, classes in calls if classes and classes <= modules]
+        result[pattern.id] = PatternPrice(
             instructions=round(OF_A_CALL * sum(executed.get(at, 0) for at in own) / CYCLES, 1),
             flash=BYTES_OF_A_CALL * len(own) + sum(tables.get(name, 0) for name in modules),
             virtual_calls=len(own),
@@ -50,10 +50,13 @@ def sites(program: Program, prover: Prover) -> Iterator[Site]:
     for symbol, code in program.codes.items():
         function = prover.graph.get(symbol)
         for block in code.blocks.values():
-            for one in block.instructions:
-                lines = program.places.get(one.address) if one.indirect else None
+            for instruction in block.instructions:
+                lines = program.places.get(instruction.address) if instruction.indirect else None
                 if function is None or not lines:
                     continue
                 targets = prover.targets(function, Place(*lines[0]))
                 names = (short_name(prover.graph[target].name) for target in targets)
-                yield one.address, {name.rpartition("::")[0].split("::")[0] for name in names}
+                yield (
+                    instruction.address,
+                    {name.rpartition("::")[0].split("::")[0] for name in names},
+                )

@@ -2,7 +2,7 @@
 
 Each machine of ``design/fsm`` becomes a variable for its state, and a step that executes the first
 transition at an event whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets
-them, calls the steps and reads the actions.
+the guards, calls the steps and reads the actions.
 """
 
 from __future__ import annotations
@@ -38,8 +38,8 @@ def name_of(machine: StateMachine) -> str:
 
 def guards_of(machine: StateMachine) -> list[str]:
     """The variables of the guards: the inputs of the process."""
-    found = dict.fromkeys(step.guard for step in machine.transitions if step.guard)
-    return [f"{name_of(machine)}_if_{slug(guard)}" for guard in found]
+    guards = dict.fromkeys(step.guard for step in machine.transitions if step.guard)
+    return [f"{name_of(machine)}_if_{slug(guard)}" for guard in guards]
 
 
 def whole(
@@ -108,10 +108,10 @@ def _numbers(begin: str, names: Iterable[str]) -> list[str]:
 
 
 def _grouped(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
-    found: dict[tuple[str, str], list[Transition]] = {}
+    groups: dict[tuple[str, str], list[Transition]] = {}
     for step in machine.transitions:
-        found.setdefault((step.source, step.event), []).append(step)
-    return found
+        groups.setdefault((step.source, step.event), []).append(step)
+    return groups
 
 
 def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list[str]:
@@ -146,8 +146,8 @@ def proofs_of(root: Path, declared: Declared) -> Proofs:
         results,
         whole(declared.machines, path.read_text(encoding="utf-8")),
         {
-            name: readable(one.events, declared.proof_events)
-            for name, one in (results or {}).items()
-            if one.events
+            name: readable(result.events, declared.proof_events)
+            for name, result in (results or {}).items()
+            if result.events
         },
     )

@@ -53,13 +53,13 @@ class Quantity:
 
 def stated_numbers(text: str) -> dict[str, Quantity]:
     """Each number with a unit in a text, as in ``200 ms``."""
-    found: dict[str, Quantity] = {}
+    quantities: dict[str, Quantity] = {}
     for match in _STATED.finditer(re.sub(r"\s+", " ", text)):
         unit = match["unit"] or match["later"]
         kind, scale = UNITS[_singular(unit)]
         amount = Fraction(WORDS.get(match["number"]) or match["number"])
-        found[f"{match['number']} {unit}"] = Quantity(kind, amount * scale)
-    return found
+        quantities[f"{match['number']} {unit}"] = Quantity(kind, amount * scale)
+    return quantities
 
 
 def quantity_of(constant: ConstantFact) -> Quantity:

@@ -54,9 +54,9 @@ def prove_times(
         for entry in declared["arrival"]
     }
     contexts = with_responses(
-        one
+        bound
         for context in model.contexts.values()
-        if context.kind != "start" and (one := _of_context(context, times, arrivals))
+        if context.kind != "start" and (bound := _of_context(context, times, arrivals))
     )
     cycle_ms = cycle_response(contexts, noise=False) / CLOCK
     return TimeProof(
@@ -75,13 +75,17 @@ def declared_times(
 ) -> Times:
     """The bounds of the functions of an image, with the declared facts about it."""
     prover = Prover(image.graph, facts, model, read_declared(root))
-    values = {name: one.number for name, one in model.constants.items()} | declared["values"]
+    values = {name: constant.number for name, constant in model.constants.items()} | declared[
+        "values"
+    ]
     once = [name for entry in declared["once"] for name in entry["methods"]]
     bounds = Bounds(root, values)
-    limits = [Limit(one["method"], one["within"], one["counter"]) for one in declared["limited"]]
+    limits = [
+        Limit(entry["method"], entry["within"], entry["counter"]) for entry in declared["limited"]
+    ]
     spread = [
-        Spread(one["method"], one["within"], bounds.value(one["rounds"]))
-        for one in declared["spread"]
+        Spread(entry["method"], entry["within"], bounds.value(entry["rounds"]))
+        for entry in declared["spread"]
     ]
     flows, wrong = _flows(declared["flow"], bounds)
     times = Times(image.program, bounds, prover, DeclaredFacts(once, limits, spread, flows))
@@ -113,16 +117,16 @@ def _of_context(
     if arrival and not arrival["entries"]:
         return None  # the handler ends the firmware
     times.use_body(context.body)
-    held = [handler for handler in context.handlers if handler in times.codes]
-    found = [times.of(handler) + ENTRY_AND_EXIT for handler in held]
-    if not found:
+    handlers = [handler for handler in context.handlers if handler in times.codes]
+    cycles = [times.of(handler) + ENTRY_AND_EXIT for handler in handlers]
+    if not cycles:
         return None
     if context.kind == "interrupt" and context.id not in (*arrivals, CYCLE_TIMER):
         times.unbound.add((context.name, (str(DECLARED_IN), 1)))
     return TimeBound(
         context=context.id,
         name=context.name,
-        cycles=sum(found) if context.kind == "thread" else max(found),
+        cycles=sum(cycles) if context.kind == "thread" else max(cycles),
         entries=arrival["entries"] if arrival else None,
         priority=context.priority,
         ticks=arrival.get("ticks", 1) if arrival else 1,
@@ -134,33 +138,33 @@ def _of_context(
 def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
     """The contexts, each interrupt with its response time: from its request to the end of its
     handler, with all that its priority and higher ones execute meanwhile."""
-    known = list(contexts)
-    waits = _waits(known, noise=False)
+    all_bounds = list(contexts)
+    waits = _waits(all_bounds, noise=False)
     return [
-        replace(one, response_ms=_response(one, known, waits, noise=False) / CLOCK)
-        if one.entries is not None
-        else one
-        for one in known
+        replace(bound, response_ms=_response(bound, all_bounds, waits, noise=False) / CLOCK)
+        if bound.entries is not None
+        else bound
+        for bound in all_bounds
     ]
 
 
 def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
     """Cycles from the clock pulse to the end of the main thread, with all interrupts in this
     time."""
-    known = list(contexts)
-    own = sum(one.cycles for one in known if one.entries is None)
-    interrupts = [one for one in known if one.entries is not None]
-    return _busy(own, interrupts, _waits(known, noise=noise), noise=noise)
+    all_bounds = list(contexts)
+    own = sum(bound.cycles for bound in all_bounds if bound.entries is None)
+    interrupts = [bound for bound in all_bounds if bound.entries is not None]
+    return _busy(own, interrupts, _waits(all_bounds, noise=noise), noise=noise)
 
 
 def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, int]:
     """Ticks for which an interrupt of each context may wait for its handler."""
-    waits = {one.context: 1 for one in contexts if one.entries is not None}
+    waits = {bound.context: 1 for bound in contexts if bound.entries is not None}
     for _ in range(MOST_ROUNDS):
         now = {
-            one.context: _whole_ticks(_response(one, contexts, waits, noise=noise))
-            for one in contexts
-            if one.entries is not None
+            bound.context: _whole_ticks(_response(bound, contexts, waits, noise=noise))
+            for bound in contexts
+            if bound.entries is not None
         }
         if now == waits:
             break
@@ -173,18 +177,18 @@ def _whole_ticks(cycles: float) -> int:
 
 
 def _response(
-    one: TimeBound, contexts: Iterable[TimeBound], waits: Mapping[str, int], *, noise: bool
+    bound: TimeBound, contexts: Iterable[TimeBound], waits: Mapping[str, int], *, noise: bool
 ) -> float:
     above = [
         other
         for other in contexts
         if other.priority is not None
-        and one.priority is not None
-        and other.priority <= one.priority
+        and bound.priority is not None
+        and other.priority <= bound.priority
     ]
-    own = one.cycles + sum(other.cycles for other in above if other.entries is None)
+    own = bound.cycles + sum(other.cycles for other in above if other.entries is None)
     interrupts = [other for other in above if other.entries is not None]
-    if noise and one.context == TICK_TIMER:
+    if noise and bound.context == TICK_TIMER:
         # No input gets more edges before the handler of the tick permits them.
         limited = [other for other in interrupts if other.noise is not None]
         own += sum((other.noise or 0) * (other.cycles + RETRY) for other in limited)
@@ -195,28 +199,28 @@ def _response(
 def _busy(
     own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, int], *, noise: bool
 ) -> float:
-    """Cycles until a number of own cycles is executed between all interrupts of this time."""
-    found = own
+    """Cycles that pass until a number of own cycles is executed, with all interrupts in between."""
+    cycles = own
     for _ in range(MOST_ROUNDS):
         now = own
-        for one in interrupts:
-            now += _entries(one, found, waits, noise=noise) * (one.cycles + RETRY)
-        if now == found:
-            return found
-        found = now
+        for interrupt in interrupts:
+            now += _entries(interrupt, cycles, waits, noise=noise) * (interrupt.cycles + RETRY)
+        if now == cycles:
+            return cycles
+        cycles = now
     return float("inf")
 
 
-def _entries(one: TimeBound, cycles: int, waits: Mapping[str, int], *, noise: bool) -> int:
-    """The entries of an interrupt in a time, with those whose requests wait when it begins.
+def _entries(bound: TimeBound, cycles: int, waits: Mapping[str, int], *, noise: bool) -> int:
+    """The entries of an interrupt in a time, including requests that wait at its beginning.
 
     With noise an input gets its edges once more after each tick in this time, and the handler of
-    the first one may be late.
+    the first edge may be late.
     """
-    assert one.entries is not None
-    if noise and one.noise is not None:
-        return -(-(cycles + (1 + waits.get(TICK_TIMER, 1)) * CLOCK) // CLOCK) * one.noise
-    return -(-(cycles + waits[one.context] * CLOCK) // (CLOCK * one.ticks)) * one.entries
+    assert bound.entries is not None
+    if noise and bound.noise is not None:
+        return -(-(cycles + (1 + waits.get(TICK_TIMER, 1)) * CLOCK) // CLOCK) * bound.noise
+    return -(-(cycles + waits[bound.context] * CLOCK) // (CLOCK * bound.ticks)) * bound.entries
 
 
 def _paths(
@@ -229,8 +233,8 @@ def _paths(
     """The paths from an input to its effect: the sum of the parts, and the time of a recording."""
     recordings = read_recordings(root) or {}
     chains = {chain.name: chain for chain in declared_chains(root)}
-    responses = {one.context: one.response_ms for one in contexts}
-    found = []
+    responses = {bound.context: bound.response_ms for bound in contexts}
+    paths = []
     for entry in declared:
         parts = [(part["what"], bounds.value(part["us"]) / 1000) for part in entry["parts"]]
         for context in entry["contexts"]:
@@ -239,8 +243,8 @@ def _paths(
             parts.append(("control cycle", cycle_ms))
         chain = chains.get(entry.get("chain", ""))
         seen = _seen_of(chain, recordings[chain.recording]) if chain and recordings else None
-        found.append(PathBound(entry["name"], entry["title"], parts, seen, entry["why"]))
-    return found
+        paths.append(PathBound(entry["name"], entry["title"], parts, seen, entry["why"]))
+    return paths
 
 
 def _seen_of(chain: Chain, recording: Any) -> float | None:
@@ -261,8 +265,8 @@ def _seen_of(chain: Chain, recording: Any) -> float | None:
 def _seen(root: Path, model: Model) -> float | None:
     """The longest time to the report, in the runs of the bench and in tests of the image [ms]."""
     runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
-    found = [run.report_ms.maximum for run in runs]
+    times = [run.report_ms.maximum for run in runs]
     if not model.stale_on(VIRTUAL_K64):
         reported = numbers_reported(root, VIRTUAL_K64, "longest_cycle", PRODUCT)
-        found += [cycles / CLOCK for cycles in reported]
-    return round(max(found), 3) if found else None
+        times += [cycles / CLOCK for cycles in reported]
+    return round(max(times), 3) if times else None

@@ -137,18 +137,18 @@ class LinkTexts:
         ]
 
     def of_design(self, covered: set[str]) -> list[LinkText]:
-        """The reasons, and the functions and specifications that no text of ``covered`` is."""
-        found: dict[str, LinkText] = {}
+        """The reasons, and the functions and specifications that are not in ``covered``."""
+        texts: dict[str, LinkText] = {}
         for place, end, text in self._uncovered(covered):
             name = f"{text.splitlines()[0]} in {place.file}"
-            before = found.get(name)
+            before = texts.get(name)
             whole = f"{before.text}\n" if before else ""
             first = before.place if before else replace(place, end=end)
-            found[name] = LinkText("function", name, first, f"{whole}{text}")
+            texts[name] = LinkText("function", name, first, f"{whole}{text}")
         return [
-            *(LinkText("reason", *one) for one in reasons(self.facts.root)),
-            *(LinkText("facts", *one) for one in page_facts(self.facts.root)),
-            *found.values(),
+            *(LinkText("reason", *reason) for reason in reasons(self.facts.root)),
+            *(LinkText("facts", *fact) for fact in page_facts(self.facts.root)),
+            *texts.values(),
         ]
 
     def _uncovered(self, covered: set[str]) -> Iterator[tuple[Place, int, str]]:
@@ -266,9 +266,9 @@ class LinkTexts:
 
 def _effect(machine: StateMachine, step: Transition) -> str:
     """Guard and action of a transition, with their conditions and calls in the code."""
-    asked = machine.guards.get(step.guard or step.event, ())
+    conditions = machine.guards.get(step.guard or step.event, ())
     called = machine.actions.get(step.action, ())
-    return f"{step.guard} = {', '.join(asked)} / {step.action} = {', '.join(called)}"
+    return f"{step.guard} = {', '.join(conditions)} / {step.action} = {', '.join(called)}"
 
 
 def _offset(text: str, line: int) -> int:
@@ -297,7 +297,14 @@ def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterabl
     before = read_baseline(root)
     links = {name: before.links[name] for name in (*ids, DESIGN) if name in before.links}
     links |= {name: [text.key for text in listed] for name, listed in texts.items()}
-    hashes = {**before.hashes, **{text.key: text.hash for one in texts.values() for text in one}}
+    hashes = {
+        **before.hashes,
+        **{
+            text.key: text.hash
+            for requirement_texts in texts.values()
+            for text in requirement_texts
+        },
+    }
     parts = [BASELINE_HEADING, f"\n[{LINKS}]\n"]
     named = sorted(links.keys() - {DESIGN}, key=_order)
     parts += [f"{name} = {json.dumps(sorted(links[name]))}\n" for name in named]
@@ -411,9 +418,9 @@ def suspicions(
 
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
-    """Where a text was, and the reason why it is no longer one of the requirement."""
+    """Where a text was, and the reason why the requirement no longer depends on it."""
     module = model.modules.get(name.split("::", maxsplit=1)[0])
-    methods = [one for one in module.methods if one.id == name] if module else []
+    methods = [text for text in module.methods if text.id == name] if module else []
     if kind == "method" and methods:
         return methods[0].place, f"has lost its @satisfies {requirement.id} since the baseline"
     if kind == "test" and name in model.tests:
@@ -438,7 +445,7 @@ def _changed(
 def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> Iterator[Suspicion]:
     """The texts without a requirement that differ from the baseline.
 
-    One that a requirement has got or lost is a finding of this requirement.
+    A text that a requirement has gained or lost is a finding of the requirement.
     """
     linked = set(baseline.links[DESIGN])
     if not linked and texts:
@@ -456,6 +463,6 @@ def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> 
 
 
 def _is_in(keys: Container[str], name: str) -> bool:
-    """Whether a requirement has the body, the specification or the constants of this name."""
+    """Whether the body, the specification or the constants of this name are in the keys."""
     code, _, file = name.rpartition(" in ")
     return any(key in keys for key in (f"body {code}", f"method {code}", f"constants {file}"))

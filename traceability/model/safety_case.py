@@ -43,7 +43,8 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
             if every or plays(name, test.name, body, runs):
                 playing.setdefault(name, []).append(test.id)
     scenarios = {
-        name: replace(one, tests=playing.get(name, [])) for name, one in case.scenarios.items()
+        name: replace(scenario, tests=playing.get(name, []))
+        for name, scenario in case.scenarios.items()
     }
     return replace(case, scenarios=scenarios, cost=read_cost(facts.root, case))
 
@@ -67,7 +68,9 @@ def safety_verdicts(
     model: Model, requirements: Mapping[str, Verdict]
 ) -> tuple[dict[str, str], dict[str, Verdict]]:
     """The states of the fault scenarios, and the verdicts of the goals."""
-    scenarios = {name: scenario_state(model, one) for name, one in model.safety.scenarios.items()}
+    scenarios = {
+        name: scenario_state(model, scenario) for name, scenario in model.safety.scenarios.items()
+    }
     states = scenarios | {name: verdict.state for name, verdict in requirements.items()}
     goals = {name: _verdict(model, goal, states) for name, goal in model.safety.goals.items()}
     return scenarios, goals
@@ -84,8 +87,8 @@ def requirements_of(model: Model, goal: SafetyGoal) -> list[Requirement]:
 
 
 def scenarios_of(model: Model, goal: SafetyGoal) -> list[FaultScenario]:
-    known = model.safety.scenarios
-    return [known[name] for name in goal.scenarios if name in known]
+    scenarios = model.safety.scenarios
+    return [scenarios[name] for name in goal.scenarios if name in scenarios]
 
 
 def scenario_state(model: Model, scenario: FaultScenario) -> str:

@@ -48,8 +48,10 @@ def read_declared(root: Path) -> Declared:
     data = tomllib.loads(file.read_text(encoding="utf-8"))
     return Declared(
         faults=data.get("faults", []),
-        calls={one["from"]: one["to"] for one in data.get("call", [])},
-        entries={name: one["objects"] for one in data.get("chain", []) for name in one["classes"]},
+        calls={entry["from"]: entry["to"] for entry in data.get("call", [])},
+        entries={
+            name: entry["objects"] for entry in data.get("chain", []) for name in entry["classes"]
+        },
     )
 
 
@@ -65,8 +67,8 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
-    """Method of a chain of objects -> greatest number of its nested calls."""
-    found = {
+    """Returns the greatest number of nested calls of each method of a chain of objects."""
+    entries = {
         method.id: most
         for name, most in declared.entries.items()
         if name in model.modules
@@ -79,8 +81,8 @@ def most_entries(model: Model, declared: Declared) -> dict[str, int]:
         for role in application.roles:
             if role.role in ("Decorator", "Concrete Decorator") and role.module in model.modules:
                 most = len(concrete) if role.role == "Decorator" else 1
-                found |= {method.id: most for method in model.modules[role.module].methods}
-    return found
+                entries |= {method.id: most for method in model.modules[role.module].methods}
+    return entries
 
 
 class Prover:
@@ -109,10 +111,10 @@ class Prover:
     def prove(self, frame: int) -> StackProof:
         for context in self.model.contexts.values():
             self.body = context.body
-            roots = [s for one in context.handlers for s in self.symbols.get(one, [])]
+            roots = [s for handler in context.handlers for s in self.symbols.get(handler, [])]
             deepest = [self.deepest(symbol) for symbol in roots]
             if deepest:
-                worst = max(deepest, key=lambda chain: sum(one.bytes for one in chain))
+                worst = max(deepest, key=lambda chain: sum(call.bytes for call in chain))
                 self._add(context.id, context.name, context.kind, context.priority, worst)
         self.body = ""
         for handler in self.declared.faults:
@@ -123,28 +125,28 @@ class Prover:
             contexts=self.contexts,
             unresolved=self.unresolved,
             cycles=self.cycles,
-            dynamic=sorted(one.name for one in self.graph.values() if one.dynamic),
+            dynamic=sorted(function.name for function in self.graph.values() if function.dynamic),
             untold=self.untold,
         )
 
     def _add(
-        self, one: str, name: str, kind: str, priority: int | None, chain: list[StackCall]
+        self, context: str, name: str, kind: str, priority: int | None, chain: list[StackCall]
     ) -> None:
         depth = sum(call.bytes for call in chain)
-        self.contexts.append(StackContext(one, name, kind, priority, depth, chain))
+        self.contexts.append(StackContext(context, name, kind, priority, depth, chain))
 
     # ---- the deepest chain of calls -------------------------------------------------
 
     def deepest(self, symbol: str) -> list[StackCall]:
-        known: dict[tuple[str, tuple[tuple[str, int], ...]], list[StackCall]] = {}
-        return self._below(symbol, {}, [], known)
+        cache: dict[tuple[str, tuple[tuple[str, int], ...]], list[StackCall]] = {}
+        return self._below(symbol, {}, [], cache)
 
     def _below(
         self,
         symbol: str,
         entered: dict[str, int],
         path: list[str],
-        known: dict[tuple[str, tuple[tuple[str, int], ...]], list[StackCall]],
+        cache: dict[tuple[str, tuple[tuple[str, int], ...]], list[StackCall]],
     ) -> list[StackCall]:
         function = self.graph[symbol]
         if function.measured and function.blind and function.name.startswith("wr::"):
@@ -153,8 +155,8 @@ class Prover:
         if method in self.most:
             entered = {**entered, method: entered.get(method, 0) + 1}
         key = (symbol, tuple(sorted(entered.items())))
-        if key in known:
-            return known[key]
+        if key in cache:
+            return cache[key]
         worst: list[StackCall] = []
         for target in self._callees(function):
             if self.is_full(target, entered):
@@ -163,11 +165,11 @@ class Prover:
             if target in way and not self._in_chain(way, target):
                 self._note_cycle(way, target)
                 continue
-            below = self._below(target, entered, way, known)
-            if sum(one.bytes for one in below) > sum(one.bytes for one in worst):
+            below = self._below(target, entered, way, cache)
+            if sum(call.bytes for call in below) > sum(call.bytes for call in worst):
                 worst = below
-        known[key] = [StackCall(method, function.frame, function.measured), *worst]
-        return known[key]
+        cache[key] = [StackCall(method, function.frame, function.measured), *worst]
+        return cache[key]
 
     def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
         method = short_name(self.graph[symbol].name)
@@ -175,20 +177,20 @@ class Prover:
 
     def _in_chain(self, path: list[str], target: str) -> bool:
         cycle = path[path.index(target) :]
-        return any(short_name(self.graph[one].name) in self.most for one in cycle)
+        return any(short_name(self.graph[symbol].name) in self.most for symbol in cycle)
 
     def _note_cycle(self, path: list[str], target: str) -> None:
-        cycle = [short_name(self.graph[one].name) for one in path[path.index(target) :]]
-        if not any(set(cycle) == set(known) for known in self.cycles):
+        cycle = [short_name(self.graph[symbol].name) for symbol in path[path.index(target) :]]
+        if not any(set(cycle) == set(other) for other in self.cycles):
             self.cycles.append(cycle)
 
     # ---- calls of a function ---------------------------------------------------------
 
     def _callees(self, function: Function) -> list[str]:
-        found = dict.fromkeys(symbol for symbol in function.calls if symbol in self.graph)
+        callees = dict.fromkeys(symbol for symbol in function.calls if symbol in self.graph)
         for place in function.indirect:
-            found |= dict.fromkeys(self.targets(function, place))
-        return list(found)
+            callees |= dict.fromkeys(self.targets(function, place))
+        return list(callees)
 
     def targets(self, function: Function, place: Place) -> list[str]:
         pattern = self.declared.calls.get(short_name(function.name))
@@ -200,6 +202,6 @@ class Prover:
                 narrowed = self.body and body == RUN_OF_THREAD and call.target == DISPATCH
                 targets += [self.body] if narrowed else self.facts.references.targets(call)
         symbols = [symbol for target in targets for symbol in self.symbols.get(target, [])]
-        if not symbols and not any(known == place for _, known in self.unresolved):
+        if not symbols and not any(other == place for _, other in self.unresolved):
             self.unresolved.append((short_name(function.name), place))
         return symbols

@@ -58,18 +58,18 @@ def is_stay(step: Transition) -> bool:
 
 def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
     code = MachineCode()
-    known = facts.declared.applications.get(machine.application)
-    bases = known.roles.get("State", []) if known else []
-    if not known or not bases or bases[0] not in facts.classes:
+    declared = facts.declared.applications.get(machine.application)
+    bases = declared.roles.get("State", []) if declared else []
+    if not declared or not bases or bases[0] not in facts.classes:
         return code
     base = bases[0]
-    contexts = known.roles.get("Context", [])
+    contexts = declared.roles.get("Context", [])
     code.holders = _holders(base, contexts, facts)
     code.operations = _operations(base, facts)
     code.composition = _composition(machine, facts)
     for state, module in machine.states.items():
-        found = {name: facts.method(module, name) for name in code.operations}
-        code.runs[state] = {name: one.id for name, one in found.items() if one}
+        methods = {name: facts.method(module, name) for name in code.operations}
+        code.runs[state] = {name: method.id for name, method in methods.items() if method}
     reader = _Changes(machine, base, code, facts)
     for state in machine.states:
         for operation in code.operations:
@@ -80,7 +80,7 @@ def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
 
 def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
     """The Contexts with a member that refers to the State, and the method that assigns it."""
-    found: dict[str, str] = {}
+    holders: dict[str, str] = {}
     for context in contexts:
         fields = {
             f"{context}::{member.name}"
@@ -90,8 +90,8 @@ def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
         for body in facts.syntax.bodies:
             constructor = body.id == f"{body.owner}::{body.owner}"
             if not constructor and any(name in fields for name, _ in body.assigns):
-                found.setdefault(context, body.id)
-    return found
+                holders.setdefault(context, body.id)
+    return holders
 
 
 def _operations(base: str, facts: Facts) -> list[str]:
@@ -102,8 +102,8 @@ def _operations(base: str, facts: Facts) -> list[str]:
 def _composition(machine: StateMachine, facts: Facts) -> str:
     """The class of the robot that contains all states by value."""
     for fact in facts.classes.values():
-        held = {kind for member in fact.fields if not member.refers for kind in member.classes}
-        if set(machine.states.values()) <= held and fact.place.file.startswith("src/"):
+        kinds = {kind for member in fact.fields if not member.refers for kind in member.classes}
+        if set(machine.states.values()) <= kinds and fact.place.file.startswith("src/"):
             return fact.name
     return ""
 
@@ -136,8 +136,8 @@ class _Changes:
         if method is None:
             return []
         return [
-            Change(state, operation, target, place, path, sometimes, asked)
-            for target, place, path, sometimes, asked in self._below(method, (), {})
+            Change(state, operation, target, place, path, sometimes, conditions)
+            for target, place, path, sometimes, conditions in self._below(method, (), {})
         ]
 
     def _below(
@@ -147,33 +147,36 @@ class _Changes:
         conditions."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
-                args = [[p for one in arg for p in given.get(one, [one])] for arg in call.args]
+                args = [
+                    [p for place in arg for p in given.get(place, [place])] for arg in call.args
+                ]
                 if call.target in self.changers:
                     for target in self._targets(args[0] if args else []):
                         yield target, call.place, path, call.sometimes, call.asked
                 elif self._is_own(call, body.place.file) and call.target not in path:
                     inner = {f"param {call.target} {k}": arg for k, arg in enumerate(args)}
-                    for target, place, way, rarely, asked in self._below(
+                    for target, place, way, rarely, conditions in self._below(
                         call.target, (*path, call.target), inner
                     ):
-                        yield target, place, way, rarely or call.sometimes, call.asked + asked
+                        yield target, place, way, rarely or call.sometimes, call.asked + conditions
 
     def _is_own(self, call: CallFact, file: str) -> bool:
         """A call of the state on itself, of a method that no subclass overrides, or of a function
         in its file."""
         beside = self.references.own_bodies(call.target)
-        if beside and all(not one.owner and one.place.file == file for one in beside):
+        if beside and all(not body.owner and body.place.file == file for body in beside):
             return True
-        on_itself = not call.on or all(one.startswith("this ") for one in call.on)
+        on_itself = not call.on or all(instance.startswith("this ") for instance in call.on)
         return on_itself and not call.virtual and call.target.rpartition("::")[0] in self.family
 
     def _targets(self, places: list[str]) -> list[str]:
-        found = {
-            self.names[one.kind]
-            for one in self.references.objects(places, self.base)
-            if one.name.startswith(f"{self.code.composition}::") and one.kind in self.names
+        methods = {
+            self.names[instance.kind]
+            for instance in self.references.objects(places, self.base)
+            if instance.name.startswith(f"{self.code.composition}::")
+            and instance.kind in self.names
         }
-        return sorted(found) or [""]
+        return sorted(methods) or [""]
 
     def initial(self) -> set[str]:
         """The states that the composition passes to an object that is not a state."""
@@ -184,15 +187,15 @@ class _Changes:
             for kind in member.classes
             if kind in self.names and not member.refers
         }
-        found: set[str] = set()
+        states: set[str] = set()
         for flow in self.facts.syntax.flows:
             word, _, into = flow.into.partition(" ")
             owner = into.split(" ")[0].rpartition("::")[0]
             changer = into.split(" ")[0] in self.code.holders.values()
             to_state = owner in self.family or changer
             if word == "param" and flow.file.startswith("src/") and not to_state:
-                found |= {members[source] for source in flow.sources if source in members}
-        return found
+                states |= {members[source] for source in flow.sources if source in members}
+        return states
 
 
 # ---- changes in the tests ----------------------------------------------------
@@ -231,15 +234,15 @@ class Watcher:
         """Returns the inputs that the result depends on, for the key of the cache."""
         runners = [(method, sorted(states)) for method, states in sorted(self.runners.items())]
         others = (self.foreign, self.helpers, self.changers, self.constructors)
-        return [runners, self.code.runs, self.code.holders, *(sorted(one) for one in others)]
+        return [runners, self.code.runs, self.code.holders, *(sorted(item) for item in others)]
 
     def turns(self, method: str) -> bool:
         """Returns whether its call may change the state."""
         return method in self.changers | self.constructors | self.foreign
 
     def concerns(self, method: str) -> bool:
-        known = method in self.runners or method in self.foreign or method in self.helpers
-        return known or method.rpartition("::")[0] in self.code.holders
+        concerned = method in self.runners or method in self.foreign or method in self.helpers
+        return concerned or method.rpartition("::")[0] in self.code.holders
 
     def watch(self, calls: Iterator[tuple[str, bool]]) -> list[Seen]:
         """``calls`` are methods, each with whether it is entered or left."""
@@ -285,7 +288,7 @@ class _Run:
             self._forget()
         else:
             between = self.stack[self.running + 1 : -1]
-            self.changed = tuple(one for one in between if one in self.watcher.helpers)
+            self.changed = tuple(method for method in between if method in self.watcher.helpers)
 
     def _begin(self, method: str) -> None:
         """An operation of the present state begins: it shows which state is present."""
@@ -316,13 +319,13 @@ def machines_of(
     model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path
 ) -> dict[str, StateMachine]:
     """Each transition with its places in the code and the passing tests that show it."""
-    found: dict[str, StateMachine] = {}
+    machines: dict[str, StateMachine] = {}
     for name, machine in facts.declared.machines.items():
         code = read_machine(machine, facts)
         watcher = Watcher(code, set(machine.events.values()), _family(machine, facts))
         seen = watch_all(watcher, recordings[HOST], cache / f"{name}.pickle")
-        found[name] = _shown(machine, code, _passing(model, seen))
-    return found
+        machines[name] = _shown(machine, code, _passing(model, seen))
+    return machines
 
 
 def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
@@ -367,18 +370,18 @@ def watch_all(watcher: Watcher, traces: Traces, cache: Path) -> dict[str, list[S
 def _passing(model: Model, seen: dict[str, list[Seen]]) -> list[tuple[str, Seen]]:
     """Returns each passing test with the changes that its recordings show."""
     return [
-        (test.id, one)
+        (test.id, change)
         for test in model.tests.values()
         if HOST in test.gave("passed")
         for recording in test.results[HOST].recordings
-        for one in seen.get(recording, [])
+        for change in seen.get(recording, [])
     ]
 
 
 def _family(machine: StateMachine, facts: Facts) -> set[str]:
-    known = facts.declared.applications.get(machine.application)
-    bases = known.roles.get("State", []) if known else []
-    return {one for base in bases for one in (base, *facts.heirs.get(base, []))}
+    declared = facts.declared.applications.get(machine.application)
+    bases = declared.roles.get("State", []) if declared else []
+    return {module for base in bases for module in (base, *facts.heirs.get(base, []))}
 
 
 def _shown(machine: StateMachine, code: MachineCode, seen: list[tuple[str, Seen]]) -> StateMachine:
@@ -386,18 +389,18 @@ def _shown(machine: StateMachine, code: MachineCode, seen: list[tuple[str, Seen]
     changes = [matching(machine, step, code) for step in machine.transitions]
     tests: list[dict[str, None]] = [{} for _ in changes]
     undeclared: dict[str, list[str]] = {}
-    for test, one in seen:
+    for test, seen_changes in seen:
         shown = False
         for step, there, makers in zip(machine.transitions, changes, tests, strict=True):
-            if (step.source, step.target) != (one.source, one.target):
+            if (step.source, step.target) != (seen_changes.source, seen_changes.target):
                 continue
-            if machine.events.get(step.event) != one.operation:
+            if machine.events.get(step.event) != seen_changes.operation:
                 continue
-            if is_stay(step) or one.path in {change.path for change in there}:
+            if is_stay(step) or seen_changes.path in {change.path for change in there}:
                 shown = True
                 makers[test] = None
-        if not shown and one.source != one.target:
-            words = (one.source, one.operation, one.target)
+        if not shown and seen_changes.source != seen_changes.target:
+            words = (seen_changes.source, seen_changes.operation, seen_changes.target)
             undeclared.setdefault(" ".join(words), []).append(test)
     transitions = [
         replace(step, changes=[change.place for change in there], tests=list(makers))

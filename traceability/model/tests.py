@@ -54,26 +54,26 @@ def with_tests(model: Model, facts: Facts) -> Model:
         for name in test.verifies:
             verifying.setdefault(name, []).append(test.id)
     requirements = {
-        name: replace(one, verified_by=verifying.get(name, []))
-        for name, one in model.requirements.items()
+        name: replace(identifier, verified_by=verifying.get(name, []))
+        for name, identifier in model.requirements.items()
     }
     return replace(model, tests=tests, requirements=requirements)
 
 
-def _result_of(found: Result | None, model: Model, binding: str) -> BindingResult:
+def _result_of(result: Result | None, model: Model, binding: str) -> BindingResult:
     stale = model.stale_on(binding)
-    if found is None:
+    if result is None:
         return BindingResult(stale=stale)
-    milliseconds = round(found.milliseconds, 3)
+    milliseconds = round(result.milliseconds, 3)
     return BindingResult(
-        found.result,
+        result.result,
         milliseconds,
-        found.message,
+        result.message,
         stale,
-        found.recordings,
-        found.measured,
-        found.instances,
-        found.images,
+        result.recordings,
+        result.measured,
+        result.instances,
+        result.images,
     )
 
 
@@ -105,8 +105,8 @@ def with_board_findings(model: Model, facts: Facts) -> Model:
     return replace(
         model,
         board_findings={
-            name: replace(one, tests=making.get(name, []))
-            for name, one in facts.declared.board_findings.items()
+            name: replace(finding, tests=making.get(name, []))
+            for name, finding in facts.declared.board_findings.items()
         },
         beliefs=facts.declared.beliefs,
         belief_sources=facts.declared.belief_sources,

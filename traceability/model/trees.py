@@ -21,7 +21,7 @@ POST = "ControlThread::post"
 
 
 def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path) -> Model:
-    known = {
+    known_nodes = {
         method.id
         for fact in facts.syntax.classes
         for method in fact.methods
@@ -34,7 +34,7 @@ def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache:
     }
     edges = declared_edges(trees, facts)
     runs = [
-        Run(binding, traces, facts, traces.addresses(known), edges)
+        Run(binding, traces, facts, traces.addresses(known_nodes), edges)
         for binding, traces in recordings.items()
     ]
     searches = [
@@ -45,22 +45,22 @@ def with_trees(model: Model, facts: Facts, recordings: dict[str, Traces], cache:
     ]
     parts = [
         [run.traces.state for run in runs],
-        sorted(known),
+        sorted(known_nodes),
         sorted(edges.items()),
         [search.asked() for search in searches],
         *code_of("model/trees", "reading/traces", "model/trace_summary"),
     ]
-    found = cached_result(
+    tree_runs = cached_result(
         cache / "trees.pickle", parts, lambda: [search.find() for search in searches]
     )
     furthest: dict[str, dict[str, int]] = {name: {} for name in trees}  # -> target -> nodes
-    held: dict[str, dict[str, TreeRun]] = {name: {} for name in trees}
-    for search, (run, nodes) in zip(searches, found, strict=True):
+    by_tree: dict[str, dict[str, TreeRun]] = {name: {} for name in trees}
+    for search, (run, nodes) in zip(searches, tree_runs, strict=True):
         furthest[search.requirement][search.run.binding] = nodes
         if run is not None:
-            held[search.requirement][search.run.binding] = run
+            by_tree[search.requirement][search.run.binding] = run
     requirements = {
-        name: replace(requirement, tree=_executed(trees[name], furthest[name]), runs=held[name])
+        name: replace(requirement, tree=_executed(trees[name], furthest[name]), runs=by_tree[name])
         if name in trees
         else requirement
         for name, requirement in model.requirements.items()
@@ -72,10 +72,13 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
     owner, _, name = node.label.rpartition("::")
     method = facts.method(owner, name)
     children = [_resolved(child, facts) for child in node.children]
-    found = replace(node, resolved=method.id if method else None, children=children)
+    resolved = replace(node, resolved=method.id if method else None, children=children)
     if method is None or children:
-        return found
-    return replace(found, outside=[one for one in BINDINGS if not accepted_on(one, found, facts)])
+        return resolved
+    return replace(
+        resolved,
+        outside=[target for target in BINDINGS if not accepted_on(target, resolved, facts)],
+    )
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
@@ -85,15 +88,17 @@ def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
 
     def marked(node: TreeNode) -> TreeNode:
         number = next(numbers)
-        executed = {one: number < furthest[one] for one in furthest if one not in node.outside}
-        return replace(node, executed=executed, children=[marked(one) for one in node.children])
+        executed = {
+            target: number < furthest[target] for target in furthest if target not in node.outside
+        }
+        return replace(node, executed=executed, children=[marked(child) for child in node.children])
 
     return marked(tree)
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
-    """The methods whose call counts as the node: its own method, or an overriding method when it
-    has no body."""
+    """The methods whose calls match the node: its own method or, if this has no body, the
+    overriding methods."""
     if node.resolved is None:
         return set()
     if node.resolved in facts.bodies:
@@ -102,7 +107,7 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """Those of the methods that exist on a target: methods of the K64 do not exist on the host."""
+    """The methods that exist on a target: methods of the K64 do not exist on the host."""
     return {
         method
         for method in accepted(node, facts)
@@ -130,13 +135,13 @@ def _below(node: TreeNode, facts: Facts) -> TreeNode:
     }
     children: list[TreeNode] = []
     for child in node.children:
-        wanted = accepted(child, facts) | {child.resolved or ""}
-        called = bool(wanted & targets)
-        posted = POST in targets and _is_activated(wanted, facts)
+        callees = accepted(child, facts) | {child.resolved or ""}
+        called = bool(callees & targets)
+        posted = POST in targets and _is_activated(callees, facts)
         reachable = posted if child.kind == "post" else called
         otherwise = not reachable and (posted or called)
-        sought = {POST} if child.kind == "post" else wanted
-        calls = [found for body in bodies if (found := _calls_of(body, sought, facts))]
+        sought = {POST} if child.kind == "post" else callees
+        calls = [sites for body in bodies if (sites := _calls_of(body, sought, facts))]
         before = children[-1] if children else None
         children.append(
             replace(
@@ -150,9 +155,11 @@ def _below(node: TreeNode, facts: Facts) -> TreeNode:
     return replace(node, children=children)
 
 
-def _calls_of(body: BodyFact, wanted: set[str], facts: Facts) -> list[CallFact]:
+def _calls_of(body: BodyFact, callees: set[str], facts: Facts) -> list[CallFact]:
     return [
-        call for call in body.calls if wanted.intersection(facts.targets(call.target, call.virtual))
+        call
+        for call in body.calls
+        if callees.intersection(facts.targets(call.target, call.virtual))
     ]
 
 
@@ -172,8 +179,8 @@ def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: 
     """
     for body in bodies:
         first, second = (
-            _calls_of(body, accepted(one, facts) | {one.resolved or ""}, facts)
-            for one in (before, node)
+            _calls_of(body, accepted(child, facts) | {child.resolved or ""}, facts)
+            for child in (before, node)
         )
         in_turn = before.module != node.module and any(call.repeated for call in second)
         if first and second and not in_turn and _last(second) < min(call.end for call in first):
@@ -185,7 +192,7 @@ def _last(calls: list[CallFact]) -> int:
     return max(call.end for call in calls)
 
 
-def _is_activated(wanted: set[str], facts: Facts) -> bool:
+def _is_activated(callees: set[str], facts: Facts) -> bool:
     """A thread executes a command: the body is a command, or a command calls it."""
     commands = set(facts.overriders.get("Command::execute", []))
     called = {
@@ -195,20 +202,20 @@ def _is_activated(wanted: set[str], facts: Facts) -> bool:
         for call in body.calls
         for target in facts.targets(call.target, call.virtual)
     }
-    return bool(wanted & (commands | called))
+    return bool(callees & (commands | called))
 
 
 def declared_edges(trees: Mapping[str, TreeNode], facts: Facts) -> Edges:
     """The requirements whose trees contain a call from one module into another."""
-    found: Edges = {}
+    edges: Edges = {}
     for requirement, tree in trees.items():
         for node in nodes_of(tree):
             for child in node.children:
                 for pair in itertools.product(_modules_of(node, facts), _modules_of(child, facts)):
-                    names = found.setdefault(pair, [])
+                    names = edges.setdefault(pair, [])
                     if requirement not in names:
                         names.append(requirement)
-    return found
+    return edges
 
 
 def _modules_of(node: TreeNode, facts: Facts) -> set[str]:
@@ -271,13 +278,13 @@ class Search:
         furthest = 0
         for name in sorted(self.passing, key=self._length):
             rows = self.run.rows(name)
-            found = embed(self.tree, rows, self.run.accepts)
-            if found.failed is None:
-                shown, start, numbers = excerpt(rows, sorted(found.rows.values()))
-                places = [numbers.get(found.rows.get(id(node), -1)) for node in nodes]
-                folded = fold(rows, starts(nodes, found.rows), self.run.edges)
+            embedding = embed(self.tree, rows, self.run.accepts)
+            if embedding.failed is None:
+                shown, start, numbers = excerpt(rows, sorted(embedding.rows.values()))
+                places = [numbers.get(embedding.rows.get(id(node), -1)) for node in nodes]
+                folded = fold(rows, starts(nodes, embedding.rows), self.run.edges)
                 return TreeRun(self.passing[name], shown, start, places, folded), len(nodes)
-            furthest = max(furthest, order[id(found.failed)])
+            furthest = max(furthest, order[id(embedding.failed)])
         return None, furthest
 
     def _length(self, recording: str) -> tuple[int, str]:

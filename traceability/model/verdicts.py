@@ -19,7 +19,8 @@ def make_report(
     measured: Mapping[str, float | None],
 ) -> Report:
     requirements = {
-        name: requirement_verdict(model, one, measured) for name, one in model.requirements.items()
+        name: requirement_verdict(model, requirement, measured)
+        for name, requirement in model.requirements.items()
     }
     scenarios, goals = safety_verdicts(model, requirements)
     return Report(findings, requirements, goals, scenarios, clauses, measured)

@@ -45,7 +45,7 @@ def passing_recordings(model: Model, requirements: Iterable[str], binding: str) 
 def _covered_methods(
     requirement: Requirement, facts: Facts, measured: Coverage, covered: Covered
 ) -> list[MethodCoverage]:
-    found: list[MethodCoverage] = []
+    coverages: list[MethodCoverage] = []
     whole = measured.whole
     nodes = nodes_of(requirement.tree) if requirement.tree else []
     for method in dict.fromkeys(name for node in nodes for name in sorted(accepted(node, facts))):
@@ -59,7 +59,7 @@ def _covered_methods(
             )
             taken = covered.branches.get(body.place.file, set())
             if lines:
-                found.append(
+                coverages.append(
                     MethodCoverage(
                         method,
                         Place(body.place.file, body.place.line, body.end),
@@ -67,7 +67,7 @@ def _covered_methods(
                         [branch in taken for branch in branches] if measured.branched else None,
                     )
                 )
-    return found
+    return coverages
 
 
 def lines_of(body: BodyFact, lines: set[int]) -> list[int]:
@@ -93,7 +93,7 @@ class Owners:
                     self.callers.setdefault(target, set()).add(body.id)
 
     def of(self, method: str) -> set[str]:
-        found: set[str] = set()
+        requirements: set[str] = set()
         seen: set[str] = set()
         pending = [method]
         while pending:
@@ -101,10 +101,10 @@ class Owners:
             if name in seen:
                 continue
             seen.add(name)
-            found |= self.trees.get(name, set()) | self.tags.get(name, set())
+            requirements |= self.trees.get(name, set()) | self.tags.get(name, set())
             if name not in self.trees:
                 pending += self.callers.get(name, set())
-        return found
+        return requirements
 
 
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:

@@ -210,6 +210,6 @@ class Syntax:
     errors: list[tuple[Place, str]] = field(default_factory=list)
 
     def merge(self, other: Syntax) -> None:
-        for one in fields(self):
-            facts, others = getattr(self, one.name), getattr(other, one.name)
+        for part in fields(self):
+            facts, others = getattr(self, part.name), getattr(other, part.name)
             (facts.update if isinstance(facts, dict) else facts.extend)(others)

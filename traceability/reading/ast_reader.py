@@ -205,7 +205,7 @@ class Reader:
         """Records the conditions under which a statement leaves the function."""
         if cursor.kind == CursorKind.RETURN_STMT and self.chances > 0:
             self.left = True
-            self.left_by += [question for asked in self.asked for question in asked]
+            self.left_by += [question for group in self.asked for question in group]
 
     def questions(self, cursor: Cursor) -> list[str]:
         """Returns the operands of the condition of a statement."""
@@ -260,11 +260,11 @@ class Reader:
         """A variable that lives as long as the program."""
         inside = cursor.semantic_parent.kind in CLASSES
         lasts = cursor.storage_class == StorageClass.STATIC if body else not inside
-        held = self.field_fact(cursor, place)
-        if lasts and not held.constant and "&" not in held.type:
+        member = self.field_fact(cursor, place)
+        if lasts and not member.constant and "&" not in member.type:
             marks = [p for p in cursor.get_children() if p.kind == CursorKind.UNEXPOSED_ATTR]
             placed = any("section" in _words(mark) for mark in marks)  # it outlives a reset
-            self.facts.objects += [] if placed else [held]
+            self.facts.objects += [] if placed else [member]
 
     def touch(self, cursor: Cursor, body: BodyFact) -> None:
         if cursor.kind == CursorKind.MEMBER_REF_EXPR:
@@ -322,8 +322,8 @@ class Reader:
                 call.on, call.args = self.flow.receiver(cursor), args
                 call.sometimes = self.chances > 0 or self.left
                 call.repeated, call.end = self.loops > 0, cursor.extent.end.offset
-                asked = [question for asked in self.asked for question in asked]
-                call.asked = list(dict.fromkeys([*self.left_by, *asked]))
+                conditions = [question for group in self.asked for question in group]
+                call.asked = list(dict.fromkeys([*self.left_by, *conditions]))
 
     def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
         """Records the objects that the library constructs: its values, and its type arguments."""
@@ -339,8 +339,8 @@ class Reader:
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
         """Code that gets the address of a function may call the function. The name in a call is not
         counted."""
-        known = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
-        if target.kind in FUNCTIONS and function_id(target) not in known:
+        pending = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
+        if target.kind in FUNCTIONS and function_id(target) not in pending:
             self.call(target, body, place, virtual=False)
 
     def call(
@@ -359,17 +359,17 @@ class Reader:
         """Records a call that depends on the parameters of a template: it has only a name."""
         if body is not None and cursor.kind == CursorKind.MEMBER_REF_EXPR:
             name = [token.spelling for token in cursor.get_tokens()][-1:]
-            body.calls += [CallFact(f"{ANY_CLASS}::{one}", False, place) for one in name]
+            body.calls += [CallFact(f"{ANY_CLASS}::{part}", False, place) for part in name]
 
     def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
         """A variable that is not a reference is an object of its class, or contains one."""
-        held = self.field_fact(cursor, place)
-        if not held.refers and not cursor.type.is_const_qualified():
+        member = self.field_fact(cursor, place)
+        if not member.refers and not cursor.type.is_const_qualified():
             inner = owner.split("::", maxsplit=1)[0]
-            classes = [name for name in held.classes if name.split("::", maxsplit=1)[0] != inner]
+            classes = [name for name in member.classes if name.split("::", maxsplit=1)[0] != inner]
             self.facts.names += [NameFact(owner, name, "construct", place) for name in classes]
-        if held.classes:
-            self.facts.variables[self.flow.node(cursor).removeprefix("var ")] = held
+        if member.classes:
+            self.facts.variables[self.flow.node(cursor).removeprefix("var ")] = member
 
     def friend(self, cursor: Cursor, owner: str, place: Place) -> None:
         """A friend that the class defines itself is a part of it."""
@@ -393,7 +393,7 @@ class Reader:
         bits = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "bit_cast"
         if bits or cursor.kind in _CASTS:
             value = next(reversed(list(cursor.get_children())), cursor)
-            kinds = [one.type.get_canonical().kind for one in (cursor, value)]
+            kinds = [operand.type.get_canonical().kind for operand in (cursor, value)]
             if kinds[0] == TypeKind.POINTER and kinds[1] in _NUMBERS:
                 self.facts.casts.append(place)
         elif cursor.kind == CursorKind.NAMESPACE:
@@ -438,11 +438,11 @@ class Reader:
 
     def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
         """``field_.emplace(...)`` constructs the class that the field contains by value."""
-        held = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
-        if held is None:
+        member = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
+        if member is None:
             return
         args = [self.flow.sources(value) for value in cursor.get_arguments()]
-        for name in self.field_fact(held.referenced, place).classes:
+        for name in self.field_fact(member.referenced, place).classes:
             constructor = f"{name}::{name.rsplit('::', maxsplit=1)[-1]}"
             for number, sources in enumerate(args):
                 self.flow.add(f"param {constructor} {number}", sources, place)
@@ -462,8 +462,8 @@ class Reader:
             return
         named = class_name(target)
         if named and named.split("::")[0] != owner.split("::", maxsplit=1)[0]:
-            known = target.get_definition()
-            at = self.place(known) if known is not None else None
+            definition = target.get_definition()
+            at = self.place(definition) if definition is not None else None
             file = at.file if at else ""
             self.facts.names.append(NameFact(owner, named, how, place, member, file))
 
@@ -502,9 +502,16 @@ class Reader:
         if kind.kind not in _REFERRING or meant.is_const_qualified():
             return None
         given = [bare(part) for part in variable.get_children() if not part.kind.is_reference()]
-        held = next((one for one in given if one is not None and self.is_field(one)), None)
-        same = held is not None and held.type.get_canonical().spelling == meant.spelling
-        return held if same else None
+        member = next(
+            (
+                candidate
+                for candidate in given
+                if candidate is not None and self.is_field(candidate)
+            ),
+            None,
+        )
+        same = member is not None and member.type.get_canonical().spelling == meant.spelling
+        return member if same else None
 
     def class_fact(self, cursor: Cursor, place: Place) -> ClassFact:
         name = class_name(cursor)
@@ -797,14 +804,14 @@ def _is_dynamic(cursor: Cursor) -> bool:
 
 def _overridden(cursor: Cursor) -> Cursor | None:
     """The first method that this one overrides, of the nearest base."""
-    found = ctypes.POINTER(Cursor)()
+    overridden = ctypes.POINTER(Cursor)()
     count = ctypes.c_uint()
     library = _library()
-    library.clang_getOverriddenCursors(cursor, ctypes.byref(found), ctypes.byref(count))
+    library.clang_getOverriddenCursors(cursor, ctypes.byref(overridden), ctypes.byref(count))
     if not count.value:
         return None
     above = Cursor()
-    ctypes.memmove(ctypes.byref(above), ctypes.byref(found[0]), ctypes.sizeof(Cursor))
+    ctypes.memmove(ctypes.byref(above), ctypes.byref(overridden[0]), ctypes.sizeof(Cursor))
     above._tu = cursor._tu
-    library.clang_disposeOverriddenCursors(found)
+    library.clang_disposeOverriddenCursors(overridden)
     return above

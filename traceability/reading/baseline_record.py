@@ -96,8 +96,8 @@ def changes_of(root: Path) -> list[str]:
 
 def read_comparison(root: Path) -> dict[str, Any] | None:
     """The numbers, when they were measured with the present sources."""
-    found = read_json(root / RESULT)
-    return found if isinstance(found, dict) and is_fresh(root, BASELINE) else None
+    record = read_json(root / RESULT)
+    return record if isinstance(record, dict) and is_fresh(root, BASELINE) else None
 
 
 def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
@@ -108,8 +108,8 @@ def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
 
 def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
     """Returns whether a target is met; None for a metric without a target."""
-    found = more(figures, key)
-    return None if key not in TARGETS or found is None else found <= TARGETS[key]
+    increase = more(figures, key)
+    return None if key not in TARGETS or increase is None else increase <= TARGETS[key]
 
 
 def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[str, Any]]:

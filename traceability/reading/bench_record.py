@@ -146,20 +146,20 @@ def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
 
 
 def spread(values: Sequence[float], digits: int) -> Spread:
-    found = (statistics.fmean(values), min(values), max(values))
-    return Spread(*(round(value, digits) for value in found))
+    average_least_most = (statistics.fmean(values), min(values), max(values))
+    return Spread(*(round(value, digits) for value in average_least_most))
 
 
 def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latency]:
     """Priority -> the longest time from a request to its handler, and the name of the handler."""
-    requested = [(int(number), one) for number, one in raw.items() if one["requests"]]
+    requested = [(int(number), latency) for number, latency in raw.items() if latency["requests"]]
     requested.sort(key=lambda item: item[1]["priority"])
-    found = {}
+    longest = {}
     for priority, group in groupby(requested, key=lambda item: item[1]["priority"]):
         number, worst = max(group, key=lambda item: item[1]["worst_latency"])
         us = round(1000 * worst["worst_latency"] / per_ms, 2)
-        found[str(priority)] = Latency(us, who(number))
-    return found
+        longest[str(priority)] = Latency(us, who(number))
+    return longest
 
 
 def exceptions(raw: dict[str, dict[str, int]], per_ms: float) -> list[ExceptionCost]:
@@ -167,12 +167,12 @@ def exceptions(raw: dict[str, dict[str, int]], per_ms: float) -> list[ExceptionC
     rows = [
         ExceptionCost(
             who(int(number)),
-            entries=round(one["entries"] / CYCLES, 2),
-            instructions=round(one["instructions"] / CYCLES),
-            us=round(1000 * one["cycles"] / per_ms / CYCLES, 2),
-            report_us=round(1000 * one["report_cycles"] / per_ms / CYCLES, 2),
+            entries=round(cost["entries"] / CYCLES, 2),
+            instructions=round(cost["instructions"] / CYCLES),
+            us=round(1000 * cost["cycles"] / per_ms / CYCLES, 2),
+            report_us=round(1000 * cost["report_cycles"] / per_ms / CYCLES, 2),
         )
-        for number, one in raw.items()
+        for number, cost in raw.items()
     ]
     return sorted(rows, key=lambda row: -row.us)
 
@@ -223,18 +223,18 @@ def owner(frames: Frames) -> tuple[str, str]:
 def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
     """The functions of each instruction, the innermost inlined function first."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-f", "-i", "-C"]
-    asked = "\n".join(f"{address:#x}" for address in addresses)
-    said = subprocess.run(words, input=asked, capture_output=True, text=True, check=True).stdout
+    text = "\n".join(f"{address:#x}" for address in addresses)
+    said = subprocess.run(words, input=text, capture_output=True, text=True, check=True).stdout
     return read_frames(said.splitlines())
 
 
 def read_frames(lines: Sequence[str]) -> dict[int, Frames]:
-    found: dict[int, Frames] = {}
+    frames: dict[int, Frames] = {}
     current: Frames = []
     rest = iter(lines)
     for line in rest:
         if line.startswith("0x"):
-            current = found.setdefault(int(line, 16), [])
+            current = frames.setdefault(int(line, 16), [])
         else:
             current.append((line, next(rest).rsplit(":", 1)[0]))
-    return found
+    return frames

@@ -33,14 +33,14 @@ def read_stretches(root: Path) -> list[Stretch]:
     return list(stretches(listing.stdout.splitlines())) if listing.returncode == 0 else []
 
 
-def lines_executed(found: Iterable[Stretch], executed: bytes) -> dict[str, dict[int, bool]]:
+def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict[int, bool]]:
     """File -> line -> whether any of its instructions was executed.
 
     The bits end with the last executed instruction.
     """
     files: dict[str, dict[int, bool]] = {}
     last = 8 * len(executed)
-    for file, line, first, end in found:
+    for file, line, first, end in ranges:
         lines = files.setdefault(file, {})
         halves = range(first // 2, min(end // 2, last))
         hit = any(executed[half // 8] >> half % 8 & 1 for half in halves)

@@ -62,8 +62,8 @@ def program_version(name: str) -> str:
         run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
     except OSError:
         return "not installed"
-    found = NUMBER.search(run.stdout + run.stderr)
-    return found[0] if found else "unknown"
+    match = NUMBER.search(run.stdout + run.stderr)
+    return match[0] if match else "unknown"
 
 
 def _package(name: str) -> str:
@@ -93,5 +93,8 @@ def _hashes(root: Path) -> list[FileHash]:
         *(("input", name) for name in INPUTS),
         *(("result", str(RESULTS / name)) for name in results),
     ]
-    found = [FileHash(kind, name, file_hash(root / name)) for kind, name in listed]
-    return [FileHash("input", SOURCES, source_hash(root)), *(item for item in found if item.sha256)]
+    hashes = [FileHash(kind, name, file_hash(root / name)) for kind, name in listed]
+    return [
+        FileHash("input", SOURCES, source_hash(root)),
+        *(item for item in hashes if item.sha256),
+    ]

@@ -52,23 +52,27 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
 
     ``root`` is the tree of sources from which the image was built.
     """
-    told: dict[str, Function] = {}
+    reported: dict[str, Function] = {}
     own = [*elf.parent.glob(f"{elf.stem}.*.ci"), *elf.parent.glob("*/**/*.ci")]
     for file in sorted(own):
-        _read_unit(root, elf.parent, file.read_text(encoding="utf-8"), told)
+        _read_unit(root, elf.parent, file.read_text(encoding="utf-8"), reported)
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
-    held = _read_listing(listing)
+    listed = _read_listing(listing)
     for names in names_of_addresses(elf):
-        one = next((name for name in names if name in held), None)
-        held |= {name: held[one] for name in names if one is not None and name not in held}
-    found = {
-        symbol: replace(told.get(symbol) or told.get(_alias(symbol, told), function))
-        for symbol, function in held.items()
+        listed_name = next((name for name in names if name in listed), None)
+        listed |= {
+            name: listed[listed_name]
+            for name in names
+            if listed_name is not None and name not in listed
+        }
+    functions = {
+        symbol: replace(reported.get(symbol) or reported.get(_alias(symbol, reported), function))
+        for symbol, function in listed.items()
     }
-    for function, name in zip(found.values(), _readable(list(found)), strict=True):
+    for function, name in zip(functions.values(), _readable(list(functions)), strict=True):
         function.name = name
-        function.calls = [_alias(symbol, found) for symbol in function.calls]
-    return found
+        function.calls = [_alias(symbol, functions) for symbol in function.calls]
+    return functions
 
 
 def short_name(name: str) -> str:
@@ -90,12 +94,12 @@ def symbol_value(elf: Path, name: str) -> int:
     return int(match[1], 16) if match else 0
 
 
-def _read_unit(root: Path, folder: Path, text: str, told: dict[str, Function]) -> None:
+def _read_unit(root: Path, folder: Path, text: str, reported: dict[str, Function]) -> None:
     for line in text.splitlines():
         if node := NODE.match(line):
             if frame := FRAME.search(node["label"]):
-                _note_frame(told, _symbol(node["title"]), frame)
-        elif (edge := EDGE.match(line)) and (source := told.get(_symbol(edge["source"]))):
+                _note_frame(reported, _symbol(node["title"]), frame)
+        elif (edge := EDGE.match(line)) and (source := reported.get(_symbol(edge["source"]))):
             if edge["target"] == INDIRECT:
                 source.indirect.append(_place(root, folder, edge["label"] or ""))
             else:
@@ -107,9 +111,9 @@ def _symbol(title: str) -> str:
     return title.rpartition(":")[2]
 
 
-def _note_frame(told: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
+def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
     """Functions of several units that share a name count as one, with the greater frame."""
-    function = told.setdefault(symbol, Function(symbol, "", 0))
+    function = reported.setdefault(symbol, Function(symbol, "", 0))
     function.frame = max(function.frame, int(frame["bytes"]))
     function.dynamic |= "dynamic" in frame["kind"] and "bounded" not in frame["kind"]
 
@@ -122,28 +126,28 @@ def _place(root: Path, folder: Path, label: str) -> Place:
 
 
 def _read_listing(listing: str) -> dict[str, Function]:
-    found: dict[str, Function] = {}
+    functions: dict[str, Function] = {}
     function = None
     for line in listing.splitlines():
         if start := FUNCTION.match(line):
             function = Function(start["name"], "", 0, measured=True)
-            found[function.symbol] = function
+            functions[function.symbol] = function
         elif function is not None:
             if (call := CALL.search(line)) and call["name"] != function.symbol:
                 function.calls.append(call["name"])
             function.blind |= INDIRECT_CALL.search(line) is not None
             function.frame += _pushed(line)
-    return found
+    return functions
 
 
 def names_of_addresses(elf: Path) -> list[list[str]]:
     """The names of each function: the compiler gives equal functions one address."""
-    found: dict[str, list[str]] = {}
+    symbols: dict[str, list[str]] = {}
     for line in _run("arm-none-eabi-nm", str(elf)).splitlines():
         address, kind, name = (*line.split(), "", "")[:3]
         if kind in ("t", "T", "W"):
-            found.setdefault(address, []).append(name)
-    return [names for names in found.values() if len(names) > 1]
+            symbols.setdefault(address, []).append(name)
+    return [names for names in symbols.values() if len(names) > 1]
 
 
 def table_bytes(elf: Path) -> dict[str, int]:
@@ -169,12 +173,12 @@ def _width(names: str) -> int:
     return count * (2 if first.startswith("d") else 1)
 
 
-def _alias(symbol: str, found: dict[str, Function]) -> str:
+def _alias(symbol: str, functions: dict[str, Function]) -> str:
     """A constructor or destructor has several symbols for one body."""
-    if symbol in found:
+    if symbol in functions:
         return symbol
-    for one, other in (("C1E", "C2E"), ("C2E", "C1E"), ("D1E", "D2E"), ("D2E", "D1E")):
-        if (named := symbol.replace(one, other)) in found:
+    for kind, other in (("C1E", "C2E"), ("C2E", "C1E"), ("D1E", "D2E"), ("D2E", "D1E")):
+        if (named := symbol.replace(kind, other)) in functions:
             return named
     return symbol
 

@@ -47,7 +47,7 @@ class Activation:
 
     exception: int
     priority: int | None  # None: no exception
-    raised: int  # instant of the request [ns]; the entry when no request was recorded
+    raised: int  # instant of the request, or of the entry if no request was recorded [ns]
     begin: int
     end: int
     below: int  # the interrupted activation
@@ -116,7 +116,7 @@ def read_recordings(root: Path) -> dict[str, Recording] | None:
     content = read_json(root / RECORD)
     if not isinstance(content, dict) or not is_fresh(root, CALLS):
         return None
-    return {name: unpacked(one) for name, one in content["recordings"].items()}
+    return {name: unpacked(recording) for name, recording in content["recordings"].items()}
 
 
 # ---- from the lines of the board program -------------------------------------
@@ -219,23 +219,23 @@ def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
     dropped = {
         span.activation for span in recording.spans if span.depth == 0 and span.method in handlers
     }
-    kept = [number for number in range(len(recording.activations)) if number not in dropped]
-    place = {-1: -1, **{number: index for index, number in enumerate(kept)}}
-    found = Recording(events=recording.events)
-    for number in kept:
-        one = recording.activations[number]
-        below = one.below
+    numbers = [number for number in range(len(recording.activations)) if number not in dropped]
+    place = {-1: -1, **{number: index for index, number in enumerate(numbers)}}
+    shorter = Recording(events=recording.events)
+    for number in numbers:
+        activation = recording.activations[number]
+        below = activation.below
         while below in dropped:
             below = recording.activations[below].below
-        found.activations.append(replace(one, below=place[below]))
+        shorter.activations.append(replace(activation, below=place[below]))
     moved: dict[int, int] = {-1: -1}
     for number, span in enumerate(recording.spans):
         if span.activation in place:
-            moved[number] = len(found.spans)
-            found.spans.append(
+            moved[number] = len(shorter.spans)
+            shorter.spans.append(
                 replace(span, activation=place[span.activation], parent=moved[span.parent])
             )
-    return found
+    return shorter
 
 
 # ---- the record --------------------------------------------------------------
@@ -259,9 +259,9 @@ def packed(recording: Recording) -> dict[str, Any]:
 
 
 def unpacked(content: Mapping[str, Any]) -> Recording:
-    found = Recording(
-        [Activation(*one) for one in content["activations"]],
-        events=[BoardEvent(*one) for one in content["events"]],
+    recording = Recording(
+        [Activation(*columns) for columns in content["activations"]],
+        events=[BoardEvent(*columns) for columns in content["events"]],
     )
     at = 0
     last: dict[tuple[int, int], int] = {}  # activation and depth -> the call that began last
@@ -271,6 +271,6 @@ def unpacked(content: Mapping[str, Any]) -> Recording:
     ):
         at += step
         name, parent = content["names"][method], last.get((activation, depth - 1), -1)
-        last[activation, depth] = len(found.spans)
-        found.spans.append(Span(name, at, at + length, depth, activation, parent))
-    return found
+        last[activation, depth] = len(recording.spans)
+        recording.spans.append(Span(name, at, at + length, depth, activation, parent))
+    return recording

@@ -70,10 +70,13 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
             continue
         events, pending = pending, []
         try:
-            frame = decode(bytes(one.value for one in events))
+            frame = decode(bytes(event.value for event in events))
         except FrameError:
             continue  # its first bytes came before the recording
-        layout = next((one for one in LAYOUTS.values() if one.kind == frame.kind), None)
+        layout = next(
+            (frame_layout for frame_layout in LAYOUTS.values() if frame_layout.kind == frame.kind),
+            None,
+        )
         if layout and len(frame.payload) >= layout.size:
             yield FrameBytes(layout.name, [*events, event], layout.decode(frame.payload))
 
@@ -98,51 +101,53 @@ def first_missing(chain: Chain, recording: Recording) -> str:
 
 def _from(first: Step, chain: Chain, recording: Recording) -> list[Step] | None:
     steps, around = [first], [first]
-    for wanted in chain.steps[1:]:
-        inside = wanted.startswith(WITHIN)
-        while around and inside and not _contains(recording, around[-1], wanted, steps[-1].at):
+    for step_name in chain.steps[1:]:
+        inside = step_name.startswith(WITHIN)
+        while around and inside and not _contains(recording, around[-1], step_name, steps[-1].at):
             around.pop()
         if inside and not around:
             return None
         outer = around[-1] if inside else None
-        name = wanted.removeprefix(WITHIN)
-        found = next(_places(name, recording, steps[-1].at, outer), None)
-        if found is None:
+        name = step_name.removeprefix(WITHIN)
+        next_step = next(_places(name, recording, steps[-1].at, outer), None)
+        if next_step is None:
             return None
-        step = Step(name, found.at, len(around) if inside else 0, found.span, found.text)
+        step = Step(
+            name, next_step.at, len(around) if inside else 0, next_step.span, next_step.text
+        )
         around = [*around, step] if inside else [step]
         steps.append(step)
     return steps
 
 
-def _contains(recording: Recording, outer: Step, wanted: str, after: int) -> bool:
-    return next(_places(wanted.removeprefix(WITHIN), recording, after, outer), None) is not None
+def _contains(recording: Recording, outer: Step, name: str, after: int) -> bool:
+    return next(_places(name.removeprefix(WITHIN), recording, after, outer), None) is not None
 
 
-def _places(wanted: str, recording: Recording, after: int, outer: Step | None) -> Iterator[Step]:
+def _places(name: str, recording: Recording, after: int, outer: Step | None) -> Iterator[Step]:
     """The calls or events of a step that begin after an instant, within a call if one is given."""
-    kind, _, rest = wanted.partition(" ")
+    kind, _, rest = name.partition(" ")
     if kind in BYTES:
-        yield from _field_places(wanted, recording, kind, rest, after)
+        yield from _field_places(name, recording, kind, rest, after)
     elif kind == "pwm_changed":
         for event in recording.events:
             if event.kind == kind and event.number == int(rest) and event.at >= after:
                 timer, channel = divmod(event.number, CHANNELS)
                 share = event.value / 1e4
                 text = f"The duty cycle of channel {channel} of FTM{timer} becomes {share:.2f} %."
-                yield Step(wanted, event.at, 0, None, text)
+                yield Step(name, event.at, 0, None, text)
     else:
         span = recording.spans[outer.span] if outer and outer.span is not None else None
-        for number, one in enumerate(recording.spans):
-            if one.method != wanted or one.begin < after:
+        for number, call in enumerate(recording.spans):
+            if call.method != name or call.begin < after:
                 continue
-            if span and not (one.begin < span.end and one.activation == span.activation):
+            if span and not (call.begin < span.end and call.activation == span.activation):
                 continue
-            yield Step(wanted, one.begin, 0, number)
+            yield Step(name, call.begin, 0, number)
 
 
 def _field_places(
-    wanted: str, recording: Recording, direction: str, named: str, after: int
+    field_name: str, recording: Recording, direction: str, named: str, after: int
 ) -> Iterator[Step]:
     """The first byte of a field in each frame of its type."""
     kind, _, name = named.partition(".")
@@ -158,7 +163,7 @@ def _field_places(
             f"The serial port {verb} the byte 0x{event.value:02X}, number {number + 1} of "
             f"{len(frame.events)} of the frame {kind}: {shown} is {frame.values[shown]}{unit}."
         )
-        yield Step(wanted, event.at, 0, None, text)
+        yield Step(field_name, event.at, 0, None, text)
 
 
 def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:

@@ -47,7 +47,7 @@ class Kit:
     bases: dict[str, str] = field(default_factory=dict)  # class of a file -> base class
     patched: list[str] = field(default_factory=list)  # existing files
     composition_lines: int = 0  # existing lines of the composition, removed or changed
-    outside_lines: int = 0  # the same of other files
+    outside_lines: int = 0  # the same in other files
     added_lines: int = 0  # new lines in existing files
 
 
@@ -60,13 +60,13 @@ class KitRecord:
 
 
 def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
-    """Application -> its kit. The folders are the list."""
-    found = {}
+    """Application -> its kit. The folders are the list of kits."""
+    kits = {}
     for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
         kit = _kit(root, path, entries)
         if kit:
-            found[kit.application] = kit
-    return found
+            kits[kit.application] = kit
+    return kits
 
 
 def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
@@ -82,7 +82,7 @@ def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
     item["named_tests"] = item.pop("tests", [])
     kit = Kit(application=folder.name, place=place, **item)
     kit.image = kit.image or IMAGE + folder.name
-    own = sorted(one for one in folder.iterdir() if one.suffix in (".hpp", ".cpp"))
+    own = sorted(path for path in folder.iterdir() if path.suffix in (".hpp", ".cpp"))
     for source in own:
         if source.stem.endswith("Test"):
             kit.tests |= tests_in(root, source)

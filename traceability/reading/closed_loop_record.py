@@ -55,17 +55,17 @@ def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]
     """Returns the scenarios, each with the plots and values that have all their keys."""
     entries = entries or Entries(root)
     may: Keys = {"plot": list, "figure": list}
-    found = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
-    for item, place in found:
+    scenarios = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
+    for item, place in scenarios:
         for part, (needs, others) in PARTS.items():
             item[part] = [
-                one
-                for one in item.get(part, [])
+                entry
+                for entry in item.get(part, [])
                 if entries.fits(
-                    one, entries.line_in(place, f'"{one.get("title", "")}"'), needs, others
+                    entry, entries.line_in(place, f'"{entry.get("title", "")}"'), needs, others
                 )
             ]
-    return [item for item, _ in found]
+    return [item for item, _ in scenarios]
 
 
 def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
@@ -210,9 +210,9 @@ def means(points: Points) -> Sequence[float]:
     """The mean of each second that begins at a point; the mean of all points when there is no
     complete second."""
     last = points[-1][0]
-    found: list[float] = []
+    averages: list[float] = []
     for at, _ in points:
-        if at + MEAN_MS <= last or not found:
+        if at + MEAN_MS <= last or not averages:
             values = [value for when, value in points if at <= when < at + MEAN_MS]
-            found.append(sum(values) / len(values))
-    return found
+            averages.append(sum(values) / len(values))
+    return averages

@@ -149,14 +149,14 @@ class Comments:
 
 def code_of(text: str) -> str:
     """The code without comments and empty lines."""
-    bare = TOKENS.sub(lambda found: " " if found["comment"] else found[0], text)
+    bare = TOKENS.sub(lambda match: " " if match["comment"] else match[0], text)
     return "\n".join(line.rstrip() for line in bare.splitlines() if line.strip())
 
 
 def comment_blanked(text: str) -> str:
     """The text without the words of its comments; each line keeps its number."""
     return TOKENS.sub(
-        lambda found: "\n" * found[0].count("\n") if found["comment"] else found[0], text
+        lambda match: "\n" * match[0].count("\n") if match["comment"] else match[0], text
     )
 
 
@@ -174,7 +174,7 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 def read_comments(file: str, text: str) -> Iterator[Comment]:
     """The comments of a file that are documentation."""
     block: list[str] = []
-    start, behind = 0, False  # line of the block, and whether it is behind its declaration
+    start, behind = 0, False  # line of the block, and whether the comment follows the declaration
     for line, after_code, written in comment_tokens(text):
         slashes = SLASHES.fullmatch(written)
         follows = bool(block) and line == start + len(block) and not after_code
@@ -194,9 +194,11 @@ def read_comments(file: str, text: str) -> Iterator[Comment]:
 
 def _comment(file: str, line: int, lines: list[str]) -> Comment:
     text = "\n".join(lines)
-    found = [match for match in TAG.finditer(text) if match[1]]
-    ends = [match.start() for match in found] + [len(text)]
-    tags = [_tag(file, line, text, match, end) for match, end in zip(found, ends[1:], strict=True)]
+    matches = [match for match in TAG.finditer(text) if match[1]]
+    ends = [match.start() for match in matches] + [len(text)]
+    tags = [
+        _tag(file, line, text, match, end) for match, end in zip(matches, ends[1:], strict=True)
+    ]
     if text[: ends[0]].strip():
         first, *more = _paragraphs(text[: ends[0]].strip())
         tags.insert(0, Tag("", [], first, more, Place(file, line), text[: ends[0]]))
@@ -225,6 +227,6 @@ def _paragraphs(text: str) -> list[str]:
 
 
 def plain(text: str) -> str:
-    """A text on one line; the items of a list keep theirs."""
+    """A text on one line, except that each item of a list has its own line."""
     parts = re.split(r"\n(?=\s*- )", text.replace("\\,", ","))
     return "\n".join(" ".join(part.split()) for part in parts).strip()

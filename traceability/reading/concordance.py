@@ -34,45 +34,47 @@ def read_concordance(root: Path, entries: Entries) -> Concordance:
     """Reads the concordance. Each entry lists the places of the paper that name it, if any."""
     if not (root / PAPER).exists() or not (root / CONCORDANCE).exists():
         return Concordance()
-    found = _paper(root, entries)
-    found.entries = [
-        replace(entry, where=found.named.get((entry.kind, entry.name), []))
+    concordance = _paper(root, entries)
+    concordance.entries = [
+        replace(entry, where=concordance.named.get((entry.kind, entry.name), []))
         for entry in _entries(root, entries)
     ]
     needs = {"place": str, "says": str, "here": list}
-    found.statements = [
+    concordance.statements = [
         PaperStatement(item["place"], item["says"], item["here"], item.get("deviation", ""), place)
         for item, place in entries.tables(
             root / STATEMENTS, "statement", needs, {"deviation": str}, own="says"
         )
     ]
-    return found
+    return concordance
 
 
 def _paper(root: Path, entries: Entries) -> Concordance:
-    found = Concordance()
+    concordance = Concordance()
     entries.value(root / PAPER, "source", "")
     lines = (root / PAPER).read_text(encoding="utf-8").splitlines()
     needs = {"id": str, "kind": str, "title": str}
     for item, header in entries.tables(root / PAPER, "place", needs, {"names": dict}, own="id"):
         start = header.line  # the id is below the header
         place = Place(str(PAPER), start + 1)
-        found.places.append(PaperPlace(item["id"], item["kind"], item["title"], place))
+        concordance.places.append(PaperPlace(item["id"], item["kind"], item["title"], place))
         own = (item["kind"], item["id"])
-        found.named[own] = []
-        found.lines[own] = place
+        concordance.named[own] = []
+        concordance.lines[own] = place
         for kind, names in item.get("names", {}).items():
             for name in names:
-                found.named.setdefault((kind, name), []).append(item["id"])
-                found.lines.setdefault((kind, name), Place(str(PAPER), _line(lines, name, start)))
-    return found
+                concordance.named.setdefault((kind, name), []).append(item["id"])
+                concordance.lines.setdefault(
+                    (kind, name), Place(str(PAPER), _line(lines, name, start))
+                )
+    return concordance
 
 
 def _entries(root: Path, entries: Entries) -> list[PaperElement]:
     path = root / CONCORDANCE
     lines = path.read_text(encoding="utf-8").splitlines()
     same = next((n for n, line in enumerate(lines) if line.startswith("[same]")), 0)
-    found = [
+    elements = [
         PaperElement(
             kind, name, [f"{kind}:{name}"], place=Place(str(CONCORDANCE), _line(lines, name, same))
         )
@@ -83,11 +85,13 @@ def _entries(root: Path, entries: Entries) -> list[PaperElement]:
     needs = {"kind": str, "name": str, "here": list}
     for item, place in entries.tables(path, "entry", needs, words_of):
         words = {key: item.get(key, "") for key in words_of}
-        found.append(PaperElement(item["kind"], item["name"], item["here"], place=place, **words))
-    return found
+        elements.append(
+            PaperElement(item["kind"], item["name"], item["here"], place=place, **words)
+        )
+    return elements
 
 
 def _line(lines: list[str], name: str, start: int) -> int:
     """The number of the line with a name, at or after a line."""
-    wanted = re.compile(rf'"{re.escape(name)}"')
-    return next((n + 1 for n in range(start, len(lines)) if wanted.search(lines[n])), start + 1)
+    pattern = re.compile(rf'"{re.escape(name)}"')
+    return next((n + 1 for n in range(start, len(lines)) if pattern.search(lines[n])), start + 1)

@@ -37,15 +37,15 @@ def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
     value = value_of(cursor)
     if value is None:
         return
-    found = number_of(value)
-    if found is not None:
-        number, unit = found
+    parsed = number_of(value)
+    if parsed is not None:
+        number, unit = parsed
         yield "", number, unit or unit_beside(cursor)
         return
     for member, part in members_of(value):
-        found = number_of(part)
-        if found is not None:
-            number, unit = found
+        parsed = number_of(part)
+        if parsed is not None:
+            number, unit = parsed
             yield f".{member.spelling}", number, unit or unit_in(member.referenced.raw_comment)
 
 
@@ -61,8 +61,8 @@ def value_of(cursor: Cursor) -> Cursor | None:
 
 
 def last_expression(cursor: Cursor) -> Cursor | None:
-    found = [child for child in cursor.get_children() if child.kind.is_expression()]
-    return found[-1] if found else None
+    expressions = [child for child in cursor.get_children() if child.kind.is_expression()]
+    return expressions[-1] if expressions else None
 
 
 def number_of(value: Cursor) -> tuple[int, str] | None:
@@ -77,8 +77,8 @@ def number_of(value: Cursor) -> tuple[int, str] | None:
             number = evaluated(parts[-1])
             return None if number is None else (number, made)
     unit = unit_of_type(value)
-    found = number_of(parts[0]) if len(parts) == 1 else None
-    return (found[0], found[1] or unit) if found is not None else None
+    parsed = number_of(parts[0]) if len(parts) == 1 else None
+    return (parsed[0], parsed[1] or unit) if parsed is not None else None
 
 
 def members_of(value: Cursor) -> Iterator[tuple[Cursor, Cursor]]:
@@ -105,8 +105,8 @@ def unit_of_type(value: Cursor) -> str:
 
 def unit_beside(cursor: Cursor) -> str:
     """The unit in the comment above a constant, or in the comment at the end of its line."""
-    if found := unit_in(cursor.raw_comment):
-        return found
+    if stated := unit_in(cursor.raw_comment):
+        return stated
     unit, file, line = cursor.translation_unit, cursor.location.file, cursor.extent.end.line
     start = SourceLocation.from_position(unit, file, line, 1)
     end = SourceLocation.from_position(unit, file, line + 1, 1)
@@ -116,8 +116,8 @@ def unit_beside(cursor: Cursor) -> str:
 
 
 def unit_in(comment: str | None) -> str:
-    found = UNIT.search(comment or "")
-    return found[1] if found and RANGE not in found[1] else ""
+    match = UNIT.search(comment or "")
+    return match[1] if match and RANGE not in match[1] else ""
 
 
 def evaluated(expression: Cursor) -> int | None:

@@ -55,21 +55,21 @@ class Coverage:
 def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
     """The coverage of each target, from the last run of its tests."""
     readers = {HOST: _read_host, VIRTUAL_K64: _read_board}
-    found: dict[str, Coverage] = {}
+    coverages: dict[str, Coverage] = {}
     for binding, reader in readers.items():
         if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
-            found[binding] = Coverage()  # the tests never ran, or are running
+            coverages[binding] = Coverage()  # the tests never ran, or are running
             continue
-        known = cache / f"coverage-{RUNS[binding]}.json"
+        cached = cache / f"coverage-{RUNS[binding]}.json"
         key = _key(root, binding)
-        record = read_json(known)
+        record = read_json(cached)
         if isinstance(record, dict) and record.get("key") == key:
-            found[binding] = _loaded(record)
+            coverages[binding] = _loaded(record)
             continue
-        found[binding] = reader(root)
+        coverages[binding] = reader(root)
         cache.mkdir(parents=True, exist_ok=True)
-        known.write_text(json.dumps({"key": key, **_dumped(found[binding])}), encoding="utf-8")
-    return found
+        cached.write_text(json.dumps({"key": key, **_dumped(coverages[binding])}), encoding="utf-8")
+    return coverages
 
 
 def _key(root: Path, binding: str) -> str:
@@ -94,10 +94,10 @@ def _dumped(coverage: Coverage) -> dict[str, object]:
 def _loaded(record: dict[str, object]) -> Coverage:
     def covered(texts: object) -> Covered:
         assert isinstance(texts, list)
-        found = Covered()
+        total = Covered()
         for file, lines, branches in texts:
-            found.add(file, set(lines), {(line, number) for line, number in branches})
-        return found
+            total.add(file, set(lines), {(line, number) for line, number in branches})
+        return total
 
     recordings = record["recordings"]
     assert isinstance(recordings, dict)
@@ -120,7 +120,7 @@ def _read_host(root: Path) -> Coverage:
         for graph in graphs.values():
             coverage.whole.merge(_of_design(root, graph.whole()))
     # Equal counters of a function are solved only once.
-    known: dict[tuple[Path, str], Covered] = {}
+    solved: dict[tuple[Path, str], Covered] = {}
     for path in files:
         covered = coverage.recordings[path.name.removesuffix(".arcs")] = Covered()
         unit = Path()
@@ -128,9 +128,9 @@ def _read_host(root: Path) -> Coverage:
             if not line[0].isdigit():
                 unit = Path(line).with_suffix("")
                 continue
-            if (unit, line) not in known:
-                known[unit, line] = _executed(root, units.get(unit, {}), line)
-            covered.merge(known[unit, line])
+            if (unit, line) not in solved:
+                solved[unit, line] = _executed(root, units.get(unit, {}), line)
+            covered.merge(solved[unit, line])
     return coverage
 
 
@@ -142,11 +142,11 @@ def _executed(root: Path, graphs: dict[int, Graph], line: str) -> Covered:
 
 def _of_design(root: Path, covered: Covered) -> Covered:
     """Only the files of the design, their paths relative to the root."""
-    found = Covered()
+    own = Covered()
     for path, lines in covered.lines.items():
         if file := design_file(root, path):
-            found.add(file, lines, covered.branches[path])
-    return found
+            own.add(file, lines, covered.branches[path])
+    return own
 
 
 @functools.cache
@@ -164,11 +164,11 @@ def _read_board(root: Path) -> Coverage:
     files = sorted((root / SOURCES[VIRTUAL_K64].folder).glob("*.bits"))
     if not files or not (root / ELF).is_file():
         return coverage
-    found = read_stretches(root)
-    for file, line, _, _ in found:
+    stretches = read_stretches(root)
+    for file, line, _, _ in stretches:
         coverage.whole.add(file, {line}, set())
     for path in files:
         covered = coverage.recordings[path.name.removesuffix(".bits")] = Covered()
-        for file, lines in lines_executed(found, path.read_bytes()).items():
+        for file, lines in lines_executed(stretches, path.read_bytes()).items():
             covered.add(file, {line for line, hit in lines.items() if hit}, set())
     return coverage

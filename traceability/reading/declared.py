@@ -288,17 +288,17 @@ def _allowed(path: Path, entries: Entries) -> list[AllowedUse]:
     """The tables ``[uses."user"]``, whose lines are ``"used" = "reason"``."""
     tables = entries.value(path, "uses", {})
     begin = Place(str(path.relative_to(entries.root)), 1)
-    found: list[AllowedUse] = []
+    uses: list[AllowedUse] = []
     if not entries.fits(tables, begin, dict.fromkeys(tables, dict), {}):
-        return found
+        return uses
     for user, used in tables.items():
         place = entries.line_in(begin, f'uses."{user}"')
         if entries.fits(used, place, dict.fromkeys(used, str), {}):
-            found += [
+            uses += [
                 AllowedUse(user, target, why, entries.line_in(place, f'"{target}"'))
                 for target, why in used.items()
             ]
-    return found
+    return uses
 
 
 def _patterns(design: Path, entries: Entries, declared: Declared) -> None:
@@ -309,10 +309,10 @@ def _patterns(design: Path, entries: Entries, declared: Declared) -> None:
         {"replaces": list},
         own="id",
     ):
-        known = KnownApplication(
+        application = KnownApplication(
             item["id"], item["pattern"], item["roles"], place, item.get("replaces", [])
         )
-        declared.applications[known.id] = known
+        declared.applications[application.id] = application
     clauses = design / "clauses.toml"
     needs = {"id": str, "pattern": str, "says": str, "fix": str, "about": list}
     for item, place in entries.tables(clauses, "clause", needs, own="id"):

@@ -100,18 +100,21 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
 def linked(case: SafetyCase) -> SafetyCase:
     """The case with levels, times and the links from goals and assumptions back to hazards."""
     hazards = {
-        name: replace(one, level=level_of(case, one.severity, one.exposure, one.avoidance))
-        for name, one in case.hazards.items()
+        name: replace(
+            hazard, level=level_of(case, hazard.severity, hazard.exposure, hazard.avoidance)
+        )
+        for name, hazard in case.hazards.items()
     }
     goals: dict[str, SafetyGoal] = {}
     for name, goal in case.goals.items():
         names = [hazard.id for hazard in hazards.values() for word in hazard.goals if word == name]
-        level = highest(case, [hazards[one].level for one in names])
+        level = highest(case, [hazards[name].level for name in names])
         computed = evaluate(goal.formula)
         goals[name] = replace(goal, hazards=names, computed=computed, level=level)
     assumptions = {
         name: replace(
-            assumption, hazards=[one.id for one in hazards.values() if name in one.assumptions]
+            assumption,
+            hazards=[hazard.id for hazard in hazards.values() if name in hazard.assumptions],
         )
         for name, assumption in case.assumptions.items()
     }
@@ -129,8 +132,8 @@ def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> 
 
 
 def highest(case: SafetyCase, levels: Iterable[str]) -> str:
-    known = [level for level in levels if level in case.levels]
-    return max(known, key=case.levels.index) if known else ""
+    valid = [level for level in levels if level in case.levels]
+    return max(valid, key=case.levels.index) if valid else ""
 
 
 def evaluate(formula: str) -> float | None:
@@ -157,16 +160,16 @@ def words_of(texts: Iterable[str]) -> list[str]:
 def read_sources(text: str) -> list[SourceReference]:
     """The references of a text such as "goal: SG-2; paper: Section VII"; other texts have no
     kind."""
-    found: list[SourceReference] = []
-    for part in filter(None, (one.strip() for one in text.split(";"))):
+    sources: list[SourceReference] = []
+    for part in filter(None, (reference.strip() for reference in text.split(";"))):
         kind, colon, name = part.partition(":")
-        known = bool(colon) and kind.strip() in SOURCE_KINDS
-        found.append(
+        has_kind = bool(colon) and kind.strip() in SOURCE_KINDS
+        sources.append(
             SourceReference(kind.strip(), name.strip().rstrip("."))
-            if known
+            if has_kind
             else SourceReference("", part)
         )
-    return found
+    return sources
 
 
 # ---- fault scenarios ------------------------------------------------------------

@@ -43,7 +43,7 @@ def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
 
 def _values(name: str, result: Mapping[str, Any]) -> dict[str, Any]:
     if name == LOADS:
-        return {}  # the page of the bench has them
+        return {}  # the page of the bench shows them
     if name == FUZZ:
         counts = result["outcomes"]
         return {f"reliability.fuzz_{key}": counts[key] for key in ("inputs", "failures")}

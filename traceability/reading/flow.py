@@ -140,7 +140,7 @@ class FlowReader:
         return self.sources(base) if base is not None else []
 
     def note(self, cursor: Cursor, function: str, place: Place) -> None:
-        """Any other statement that passes a reference on."""
+        """Records the references that any other statement passes."""
         kind = cursor.kind
         if kind == CursorKind.VAR_DECL:
             self.variable(cursor, place)
@@ -159,7 +159,7 @@ class FlowReader:
 
     def variable(self, cursor: Cursor, place: Place) -> None:
         name = self.node(cursor)
-        sources = [one for child in cursor.get_children() for one in self.sources(child)]
+        sources = [source for child in cursor.get_children() for source in self.sources(child)]
         declared = cursor.type.get_declaration()
         if declared is not None and self.place(declared) is not None and class_name(declared):
             sources.append(f"object {name} {class_name(declared)}")
@@ -167,9 +167,9 @@ class FlowReader:
 
     def kept(self, sides: list[Cursor], place: Place) -> None:
         """Records ``a[i] = b``: both the member and the index refer to ``b``."""
-        kept = self.sources(sides[1])
-        for name in self.sources(sides[0]) if kept else []:
-            self.add(name, kept, place)
+        sources = self.sources(sides[1])
+        for name in self.sources(sides[0]) if sources else []:
+            self.add(name, sources, place)
 
     def keep_in_library(self, call: Cursor, place: Place) -> None:
         if self.is_own(call.referenced):
@@ -222,19 +222,19 @@ class FlowReader:
 
     def members(self, cursor: Cursor) -> list[str]:
         """The members by value that contain an expression, as ``Class::name``."""
-        found: list[str] = []
+        members: list[str] = []
         at: Cursor | None = cursor
         while at is not None:
             target = at.referenced
             if at.kind == CursorKind.MEMBER_REF_EXPR and target is not None:
                 if target.kind == CursorKind.FIELD_DECL and self.place(target) is not None:
                     if any(mark in target.type.spelling for mark in ("&", "*", "_wrapper")):
-                        return found
-                    found.append(f"{class_name(target.semantic_parent)}::{target.spelling}")
+                        return members
+                    members.append(f"{class_name(target.semantic_parent)}::{target.spelling}")
             elif at.kind == CursorKind.CALL_EXPR and self.is_own(target):
-                return found
+                return members
             at = next(at.get_children(), None)
-        return found
+        return members
 
 
 def branches_on(cursor: Cursor) -> Iterator[Cursor]:

@@ -39,12 +39,12 @@ class Covered:
         _merge(self.branches, other.branches)
 
 
-def _merge(known: dict[str, set[Part]], others: dict[str, set[Part]]) -> None:
-    for file, found in others.items():
-        if file in known:
-            known[file] |= found
+def _merge(total: dict[str, set[Part]], others: dict[str, set[Part]]) -> None:
+    for file, parts in others.items():
+        if file in total:
+            total[file] |= parts
         else:
-            known[file] = set(found)
+            total[file] = set(parts)
 
 
 @dataclass
@@ -81,8 +81,8 @@ class Graph:
                         totals[block] = sum(taken[number] or 0 for number in arcs)
                         pending = True
                     elif len(open_arcs) == 1 and block in totals:
-                        known = sum(taken[number] or 0 for number in arcs)
-                        taken[open_arcs[0]] = totals[block] - known
+                        flow = sum(taken[number] or 0 for number in arcs)
+                        taken[open_arcs[0]] = totals[block] - flow
                         pending = True
         return [count or 0 for count in taken]
 
@@ -98,15 +98,15 @@ class Graph:
     def branches(self) -> dict[int, tuple[str, Branch]]:
         """Arc -> file and branch. The arcs that leave a block belong to its last line."""
         leaving, _ = self._sides()
-        found: dict[int, tuple[str, Branch]] = {}
+        branches: dict[int, tuple[str, Branch]] = {}
         seen: dict[Line, int] = {}
         for block, lines in sorted(self.lines.items()):
             last = max(line for line in lines if line[0] == lines[-1][0])
             real = [number for number in leaving.get(block, []) if not self.arcs[number].fake]
             for number in real if len(real) > 1 else []:
-                found[number] = (last[0], (last[1], seen.get(last, 0)))
+                branches[number] = (last[0], (last[1], seen.get(last, 0)))
                 seen[last] = seen.get(last, 0) + 1
-        return found
+        return branches
 
     def whole(self) -> Covered:
         """Returns all executable code."""
@@ -123,19 +123,19 @@ class Graph:
         return self._covered(blocks, [number for number in self.branches if taken[number]])
 
     def _covered(self, blocks: Iterable[int], arcs: Iterable[int]) -> Covered:
-        found = Covered()
+        covered = Covered()
         for block in blocks:
             for file, line in self.lines.get(block, []):
-                found.add(file, {line}, set())
+                covered.add(file, {line}, set())
         for number in arcs:
             file, branch = self.branches[number]
-            found.add(file, set(), {branch})
-        return found
+            covered.add(file, set(), {branch})
+        return covered
 
 
 def read_graphs(path: Path) -> dict[int, Graph]:
     """Number of a function -> its graph, of one object."""
-    found: dict[int, Graph] = {}
+    graphs: dict[int, Graph] = {}
     graph, file = Graph(), ""
     for tag, words in records(path.read_bytes()):
         if tag == FUNCTION:
@@ -144,7 +144,7 @@ def read_graphs(path: Path) -> dict[int, Graph]:
             artificial = words.number()
             graph, file = Graph(), words.text()
             if not artificial:
-                found[number] = graph
+                graphs[number] = graph
         elif tag == ARCS:
             source = words.number()
             while words.left():
@@ -154,7 +154,7 @@ def read_graphs(path: Path) -> dict[int, Graph]:
             block = words.number()
             if lines := list(lines_of(words, file)):
                 graph.lines[block] = lines
-    return found
+    return graphs
 
 
 class Words:
@@ -171,15 +171,15 @@ class Words:
         return self.numbers(1)[0]
 
     def numbers(self, count: int) -> tuple[int, ...]:
-        found = struct.unpack_from(f"<{count}I", self.data, self.at)
+        values = struct.unpack_from(f"<{count}I", self.data, self.at)
         self.at += 4 * count
-        return found
+        return values
 
     def text(self) -> str:
         length = self.number()
-        found = self.data[self.at : self.at + length]
+        text = self.data[self.at : self.at + length]
         self.at += length
-        return found.rstrip(b"\0").decode()
+        return text.rstrip(b"\0").decode()
 
 
 def records(data: bytes) -> Iterator[tuple[int, Words]]:

@@ -10,7 +10,7 @@ from traceability.reading.comments import code_of
 
 MACROS = ("TEST", "TEST_F", "TEST_P", "TYPED_TEST", "TYPED_TEST_P")
 HEAD = re.compile(rf"^(?:{'|'.join(MACROS)})\(\s*(\w+)\s*,\s*(\w+)\s*\)", re.MULTILINE)
-# Macros for lists of parameters and types; they define no test.
+# Macros for lists of parameters and types, which define no test.
 LISTS = (
     *("INSTANTIATE_TEST_SUITE_P", "INSTANTIATE_TYPED_TEST_SUITE_P", "TYPED_TEST_SUITE"),
     *("TYPED_TEST_SUITE_P", "REGISTER_TYPED_TEST_SUITE_P"),

@@ -51,13 +51,13 @@ def hash_of(kind: str, text: str) -> str:
 
 def numbered(code: str) -> str:
     """Code with a number in place of each local variable and parameter."""
-    declared = [one[2] for one in LOCAL.finditer(code) if one[1] not in NO_TYPES]
+    declared = [match[2] for match in LOCAL.finditer(code) if match[1] not in NO_TYPES]
     names = list(dict.fromkeys(name for name in declared if name not in BUILT_IN))
     if not names:
         return code
     numbers = {name: f"${number}" for number, name in enumerate(names)}
     used = re.compile(rf"(?<![\w.$>:])({'|'.join(map(re.escape, names))})(?!\w)")
-    return used.sub(lambda found: numbers[found[1]], code)
+    return used.sub(lambda match: numbers[match[1]], code)
 
 
 @functools.cache
@@ -115,7 +115,7 @@ def _specifications(text: str) -> Iterator[tuple[range, str, str]]:
 
 def texts_of_requirement(text: str, name: str) -> Iterator[str]:
     """The complete text below a requirement."""
-    return (source for known, source in requirements(text) if known == name)
+    return (source for identifier, source in requirements(text) if identifier == name)
 
 
 def texts_of_tree(text: str, name: str) -> Iterator[str]:
@@ -144,13 +144,13 @@ def code_with_bounds(text: str) -> str:
 
 def texts_of_constants(text: str, _file: str) -> Iterator[str]:
     """The constants, tables and constant-initialised objects of a file."""
-    code = STRING.sub(lambda found: found[0].replace(";", ","), code_of(text))
+    code = STRING.sub(lambda match: match[0].replace(";", ","), code_of(text))
     yield "\n".join(match[0] for match in CONSTANT.finditer(code))
 
 
 def texts_of_test(text: str, name: str) -> Iterator[str]:
     """The body of the test ``Suite.Name``, without comments."""
-    return (code for known, code in tests(text) if known == name)
+    return (code for test, code in tests(text) if test == name)
 
 
 def texts_of_support(text: str, name: str) -> Iterator[str]:

@@ -45,29 +45,29 @@ class Bounds:
             return None
         text = lines[place[1] - 1]
         before = lines[place[1] - 2].strip() if place[1] > 1 else ""
-        found = DECLARED.search(text) or (DECLARED.match(before) if before else None)
+        match = DECLARED.search(text) or (DECLARED.match(before) if before else None)
         head = HEAD.search(text)
-        if not found and not head:
+        if not match and not head:
             return None
         try:
-            rounds = self.value(found[1] if found else head[2] if head else "")
+            rounds = self.value(match[1] if match else head[2] if head else "")
         except (KeyError, SyntaxError, ValueError):
             return None  # an unknown name: the loop counts as one without a bound
-        return Bound(rounds, found is not None and found[2] is not None)
+        return Bound(rounds, match is not None and match[2] is not None)
 
     def passes(self, place: Place) -> int | None:
         """Greatest number of executions of a line in a call of its function."""
         lines = self._lines(place[0])
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
-        found = PASSES.match(before)
-        return self.value(found[1]) if found else None
+        match = PASSES.match(before)
+        return self.value(match[1]) if match else None
 
     def counter(self, place: Place) -> str | None:
         """The name by which flow facts count the executions of a line."""
         lines = self._lines(place[0])
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
-        found = COUNTS.match(before)
-        return found[1] if found else None
+        match = COUNTS.match(before)
+        return match[1] if match else None
 
     def value(self, text: str) -> int:
         """The number of a constant expression."""

@@ -55,7 +55,7 @@ class Block:
         return sum(instruction.cycles for instruction in self.instructions)
 
     def exits(self) -> list[int]:
-        return [one for one in (self.next, self.jump) if one is not None]
+        return [address for address in (self.next, self.jump) if address is not None]
 
 
 @dataclass
@@ -78,7 +78,7 @@ class Code:
     loops: list[Loop] = field(default_factory=list)
 
     def instructions(self) -> Iterator[Instruction]:
-        return (one for block in self.blocks.values() for one in block.instructions)
+        return (instruction for block in self.blocks.values() for instruction in block.instructions)
 
 
 def read_code(elf: Path) -> dict[str, Code]:
@@ -90,8 +90,8 @@ def read_code(elf: Path) -> dict[str, Code]:
     for line in listed.splitlines():
         if start := FUNCTION.match(line):
             current = functions.setdefault(start[2], [])
-        elif (found := LINE.match(line)) and not found[2].startswith("."):
-            current.append(_instruction(int(found[1], 16), found[2], found[3] or ""))
+        elif (match := LINE.match(line)) and not match[2].startswith("."):
+            current.append(_instruction(int(match[1], 16), match[2], match[3] or ""))
     codes = {}
     for symbol, instructions in functions.items():
         if instructions:
@@ -107,16 +107,16 @@ def read_code(elf: Path) -> dict[str, Code]:
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
     """File and line of each instruction: its own, then those of the functions that inlined it."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
-    asked = "\n".join(f"{address:#x}" for address in addresses)
-    said = subprocess.run(words, input=asked, capture_output=True, text=True, check=True).stdout
-    found: dict[int, list[tuple[str, int]]] = {}
+    request = "\n".join(f"{address:#x}" for address in addresses)
+    said = subprocess.run(words, input=request, capture_output=True, text=True, check=True).stdout
+    by_address: dict[int, list[tuple[str, int]]] = {}
     current: list[tuple[str, int]] = []
     for text in said.splitlines():
         if text.startswith("0x"):
-            current = found.setdefault(int(text, 16), [])
+            current = by_address.setdefault(int(text, 16), [])
         elif place := PLACE.search(text):
             current.append((place[1], int(place[2])))
-    return found
+    return by_address
 
 
 def _instruction(address: int, name: str, operands: str) -> Instruction:
@@ -177,27 +177,29 @@ def _registers(operands: str) -> int:
 
 
 def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
-    known = {instruction.address for instruction in instructions}
+    addresses = {instruction.address for instruction in instructions}
     starts = {instructions[0].address}
-    for one, after in zip(instructions, [*instructions[1:], None], strict=True):
-        if one.jumps in known:
-            starts.add(one.jumps)
-        if after and (one.ends or one.jumps is not None):
+    for present, after in zip(instructions, [*instructions[1:], None], strict=True):
+        if present.jumps in addresses:
+            starts.add(present.jumps)
+        if after and (present.ends or present.jumps is not None):
             starts.add(after.address)
     blocks: dict[int, Block] = {}
     block = None
-    for one in instructions:
-        if one.address in starts:
+    for present in instructions:
+        if present.address in starts:
             if block is not None and block.instructions and not block.instructions[-1].ends:
-                block.next = one.address
-            block = blocks[one.address] = Block(one.address, [])
+                block.next = present.address
+            block = blocks[present.address] = Block(present.address, [])
         assert block is not None
-        block.instructions.append(one)
-        if one.jumps in known:
-            block.jump, one.call = one.jumps, ""
-        elif one.jumps is not None:  # a jump into another function, which returns to the caller of
+        block.instructions.append(present)
+        if present.jumps in addresses:
+            block.jump, present.call = present.jumps, ""
+        elif (
+            present.jumps is not None
+        ):  # a jump into another function, which returns to the caller of
             # this one
-            one.cycles += REFILL
+            present.cycles += REFILL
     return blocks
 
 
@@ -209,43 +211,45 @@ def _loops(code: Code) -> list[Loop]:
         for after in block.exits():
             before[after].append(block.start)
     dominators = _dominators(code, entry, before)
-    found: dict[int, Loop] = {}
+    loops: dict[int, Loop] = {}
     for block in code.blocks.values():
         for head in block.exits():
             if head in dominators[block.start]:
-                loop = found.setdefault(head, Loop(head, {head}, set()))
+                loop = loops.setdefault(head, Loop(head, {head}, set()))
                 loop.back.add(block.start)
                 waiting = [block.start]
                 while waiting:
-                    one = waiting.pop()
-                    if one not in loop.blocks:
-                        loop.blocks.add(one)
-                        waiting += before[one]
-    return [*found.values(), *_entered_twice(code, list(found.values()))]
+                    current = waiting.pop()
+                    if current not in loop.blocks:
+                        loop.blocks.add(current)
+                        waiting += before[current]
+    return [*loops.values(), *_entered_twice(code, list(loops.values()))]
 
 
 def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
     """The loops that a path can enter at more than one block, so that they have no head that is on
     every path. Each gets a block for its head that is part of each of its rounds."""
-    found: list[Loop] = []
+    entered_loops: list[Loop] = []
     while True:
         ways = {
             start: [
                 after
                 for after in block.exits()
-                if not any(after == loop.head and start in loop.back for loop in [*loops, *found])
+                if not any(
+                    after == loop.head and start in loop.back for loop in [*loops, *entered_loops]
+                )
             ]
             for start, block in code.blocks.items()
         }
         cycle = _cycle(ways)
         if not cycle:
-            return found
-        blocks = {one for one in _after(ways, cycle[0]) if cycle[0] in _after(ways, one)}
-        heads = (one for one in sorted(blocks) if not _cycle(_within(ways, blocks - {one})))
+            return entered_loops
+        blocks = {block for block in _after(ways, cycle[0]) if cycle[0] in _after(ways, block)}
+        heads = (block for block in sorted(blocks) if not _cycle(_within(ways, blocks - {block})))
         head = next(heads, None)
         if head is None:
-            return found  # such a function has no bound
-        found.append(Loop(head, blocks, {one for one in blocks if head in ways[one]}))
+            return entered_loops  # such a function has no bound
+        entered_loops.append(Loop(head, blocks, {block for block in blocks if head in ways[block]}))
 
 
 def _cycle(ways: Mapping[int, Iterable[int]]) -> list[int]:
@@ -257,35 +261,35 @@ def _cycle(ways: Mapping[int, Iterable[int]]) -> list[int]:
 
 
 def _within(ways: Mapping[int, Iterable[int]], blocks: set[int]) -> dict[int, list[int]]:
-    return {start: [one for one in ways[start] if one in blocks] for start in blocks}
+    return {start: [way for way in ways[start] if way in blocks] for start in blocks}
 
 
 def _after(ways: Mapping[int, Iterable[int]], start: int) -> set[int]:
-    found: set[int] = set()
+    reached: set[int] = set()
     waiting = [start]
     while waiting:
         for after in ways[waiting.pop()]:
-            if after not in found:
-                found.add(after)
+            if after not in reached:
+                reached.add(after)
                 waiting.append(after)
-    return found
+    return reached
 
 
 def _dominators(code: Code, entry: int, before: dict[int, list[int]]) -> dict[int, set[int]]:
     reached = _reached(code, entry)
     all_of = set(reached)
-    found = {start: ({start} if start == entry else set(all_of)) for start in reached}
+    dominators = {start: ({start} if start == entry else set(all_of)) for start in reached}
     changed = True
     while changed:
         changed = False
         for start in reached:
             if start == entry:
                 continue
-            ways = [found[one] for one in before[start] if one in found]
+            ways = [dominators[block] for block in before[start] if block in dominators]
             now = {start} | (set.intersection(*ways) if ways else set())
-            if now != found[start]:
-                found[start], changed = now, True
-    return {start: found.get(start, {start}) for start in code.blocks}
+            if now != dominators[start]:
+                dominators[start], changed = now, True
+    return {start: dominators.get(start, {start}) for start in code.blocks}
 
 
 def _reached(code: Code, entry: int) -> list[int]:

@@ -20,14 +20,14 @@ def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
     """Folder -> its port, with the results of its tests when they are of these sources."""
     data = read_json(root / RESULT)
     results = data if isinstance(data, dict) and is_fresh(root, PORTS) else {}
-    found = {}
+    ports = {}
     for path in sorted((root / FOLDER).glob("*/port.toml")):
         item: dict[str, Any] = dict(entries.whole(path))
         place = Place(str(path.relative_to(root)), 1)
         needs = dict.fromkeys(("title", "says", "tests", "image"), str)
         if entries.fits(item, place, needs, {"needs": str}):
-            found[path.parent.name] = _port(root, path.parent, item, results)
-    return found
+            ports[path.parent.name] = _port(root, path.parent, item, results)
+    return ports
 
 
 # The headers next to the folders of the ports are shared by all of them.
@@ -49,7 +49,9 @@ def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[st
         },
         composition_lines=changed.composition_lines,
         outside_lines=changed.outside_lines,
-        tests={name: one.result for name, one in results_in(suites).items()} if suites else None,
+        tests={name: result.result for name, result in results_in(suites).items()}
+        if suites
+        else None,
         size=suites.get("image", {}),
         size_on_k64=results.get("k64", {}),
     )

@@ -47,8 +47,8 @@ def listed(root: Path) -> list[Product]:
 
 
 _LISTED = listed(Path(__file__).parents[2])
-PRODUCTS = {one.name: one.commands for one in _LISTED}
-HAS = {one.name: set(one.has) for one in _LISTED}
+PRODUCTS = {product.name: product.commands for product in _LISTED}
+HAS = {product.name: set(product.has) for product in _LISTED}
 DIFFERENT = set().union(*HAS.values())
 RESULTS = Path("build/results/products.json")  # contents of each image
 
@@ -56,9 +56,9 @@ RESULTS = Path("build/results/products.json")  # contents of each image
 SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+)")
 
 
-def intruders(held: Iterable[str], has: set[str]) -> set[str]:
+def intruders(modules: Iterable[str], has: set[str]) -> set[str]:
     """The modules in an image that its product must not contain."""
-    return (set(held) & DIFFERENT) - has
+    return (set(modules) & DIFFERENT) - has
 
 
 def image_of(product: str, suffix: str) -> Path:
@@ -77,11 +77,11 @@ def module_names(root: Path) -> set[str]:
     return {path.stem for path in headers if "@secret" in path.read_text(encoding="utf-8")}
 
 
-def modules_in(elf: Path, known: Iterable[str]) -> list[str]:
-    """The known modules of which an image contains code or constants, by its symbols."""
+def modules_in(elf: Path, modules: Iterable[str]) -> list[str]:
+    """The modules of this list whose code or constants an image contains, by its symbols."""
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
-    return sorted(modules_of(listed).intersection(known))
+    return sorted(modules_of(listed).intersection(modules))
 
 
 def modules_of(listed: str) -> set[str]:
@@ -91,6 +91,6 @@ def modules_of(listed: str) -> set[str]:
 
 def read_products(root: Path) -> dict[str, ProductImage] | None:
     """Product -> its image, when all were built from the present sources."""
-    found = read_record(root / RESULTS, dict[str, ProductImage])
-    fresh = found is not None and set(found) == set(PRODUCTS) and read_image(root) is not None
-    return found if fresh else None
+    images = read_record(root / RESULTS, dict[str, ProductImage])
+    fresh = images is not None and set(images) == set(PRODUCTS) and read_image(root) is not None
+    return images if fresh else None

@@ -61,7 +61,9 @@ def read_proofs(root: Path) -> dict[str, ProofResult] | None:
     return read_record(root / PROOFS, dict[str, ProofResult])
 
 
-def readable(events: Sequence[str], known: Mapping[str, ProofEvent]) -> list[tuple[str, list[str]]]:
+def readable(
+    events: Sequence[str], declared: Mapping[str, ProofEvent]
+) -> list[tuple[str, list[str]]]:
     """Returns the rounds of a counterexample, each with its events and transitions in words."""
     rounds: list[tuple[str, list[str]]] = []
     for line in events:
@@ -69,7 +71,7 @@ def readable(events: Sequence[str], known: Mapping[str, ProofEvent]) -> list[tup
         if kind == "round":
             rounds.append((f"round {len(rounds) + 1}", []))
         elif kind == "event" and rounds:
-            rounds[-1][1].append(known[rest].says if rest in known else rest)
+            rounds[-1][1].append(declared[rest].says if rest in declared else rest)
         elif kind == "transition" and rounds:
             machine, source, target = rest.split(" ")
             rounds[-1][1].append(f"{machine}: {source} \N{RIGHTWARDS ARROW} {target}")
@@ -78,7 +80,9 @@ def readable(events: Sequence[str], known: Mapping[str, ProofEvent]) -> list[tup
     return rounds
 
 
-def scenario(proof: ProofProperty, events: Sequence[str], known: Mapping[str, ProofEvent]) -> str:
+def scenario(
+    proof: ProofProperty, events: Sequence[str], declared: Mapping[str, ProofEvent]
+) -> str:
     """Returns a scenario that plays a counterexample; "" when no action causes one of its
     events."""
     lines, at, number, lasting = [], START_MS, 0, dict[str, str]()
@@ -90,8 +94,8 @@ def scenario(proof: ProofProperty, events: Sequence[str], known: Mapping[str, Pr
             number, after = number + 1, 0
             lines += [f"at {at} {action}" for action in ending.values()]
             ending = {}
-        elif kind == "event" and rest in known:
-            event = known[rest]
+        elif kind == "event" and rest in declared:
+            event = declared[rest]
             if not event.actions and not event.wait:
                 return ""
             at += event.wait

@@ -23,8 +23,8 @@ def cached_result(path: Path, parts: Iterable[object], make: Callable[[], Result
     if path.exists():
         with path.open("rb") as stream:
             if pickle.load(stream) == key:
-                found: Result = pickle.load(stream)
-                return found
+                stored: Result = pickle.load(stream)
+                return stored
     result = make()
     write_whole(path, pickle.dumps(key) + pickle.dumps(result))
     return result

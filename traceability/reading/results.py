@@ -126,7 +126,7 @@ def read_results(root: Path, binding: str) -> dict[str, Result]:
 
 def results_in(data: dict[str, Any]) -> dict[str, Result]:
     """The same, of the content of a file of results."""
-    found: dict[str, Result] = {}
+    results: dict[str, Result] = {}
     for suite in data.get("testsuites", []):
         for test in suite.get("testsuite", []):
             name = plain_name(suite["name"], test["name"])
@@ -135,22 +135,24 @@ def results_in(data: dict[str, Any]) -> dict[str, Result]:
             result.recordings.append(own)
             if "/" in test["name"] or TYPE.search(suite["name"]):
                 result.instances[own] = result.result
-            found[name] = _together(found[name], result) if name in found else result
-    return found
+            results[name] = _together(results[name], result) if name in results else result
+    return results
 
 
-def _together(known: Result, result: Result) -> Result:
+def _together(earlier: Result, result: Result) -> Result:
     """The result of several instances, and of a test with several images: one failure fails all."""
-    worst = known if known.result == "failed" else result
-    failed = {name: one for name, one in known.instances.items() if one == "failed"}
+    worst = earlier if earlier.result == "failed" else result
+    failed = {
+        name: instance for name, instance in earlier.instances.items() if instance == "failed"
+    }
     return Result(
         worst.result,
-        known.milliseconds + result.milliseconds,
+        earlier.milliseconds + result.milliseconds,
         worst.message,
-        list(dict.fromkeys(known.recordings + result.recordings)),
+        list(dict.fromkeys(earlier.recordings + result.recordings)),
         result.measured,
-        known.instances | result.instances | failed,
-        sorted({*known.images, *result.images}),
+        earlier.instances | result.instances | failed,
+        sorted({*earlier.images, *result.images}),
     )
 
 

@@ -29,36 +29,38 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
     added = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SAFETY) or ""
     files = [file for file in edited.splitlines() if file in before]
     texts = contents(root, [f"{commit}:{file}" for file in files for commit in (base, head)])
-    edits = (edits_of_code(*one) for one in zip(files, texts[::2], texts[1::2], strict=True))
-    found = [one for one in edits if one.touched]
+    edits = (edits_of_code(*file) for file in zip(files, texts[::2], texts[1::2], strict=True))
+    touching = [edit for edit in edits if edit.touched]
     new = numstat(added)
-    corrected = [correction_of(one.file, case.corrections) for one in found]
+    corrected = [correction_of(edit.file, case.corrections) for edit in touching]
     touched = [
-        replace(one, corrections=correction.why) if correction else one
-        for one, correction in zip(found, corrected, strict=True)
+        replace(edit, corrections=correction.why) if correction else edit
+        for edit, correction in zip(touching, corrected, strict=True)
     ]
-    own = sum(one.touched for one in touched if not one.corrections)
-    shared = sum(one.for_safety for one in case.corrections if one in corrected)
-    lines = sum(one.added for one in new)
-    return SafetyCost(case.base, head, [one.file for one in new], lines, touched, own + shared)
+    own = sum(file.touched for file in touched if not file.corrections)
+    shared = sum(
+        correction.for_safety for correction in case.corrections if correction in corrected
+    )
+    lines = sum(edit.added for edit in new)
+    return SafetyCost(case.base, head, [edit.file for edit in new], lines, touched, own + shared)
 
 
 def contents(root: Path, names: list[str]) -> list[str]:
     """The texts of files of commits; a missing file has no text."""
     words = ["git", "-C", str(root), "cat-file", "--batch"]
-    asked = "".join(f"{name}\n" for name in names).encode()
-    answer = subprocess.run(words, input=asked, capture_output=True, check=True).stdout
-    found, at = [], 0
+    requests = "".join(f"{name}\n" for name in names).encode()
+    answer = subprocess.run(words, input=requests, capture_output=True, check=True).stdout
+    texts, at = [], 0
     for _ in names:
         end = answer.index(b"\n", at)
         head, at = answer[at:end], end + 1
         if head.endswith(b" missing"):
-            found.append("")
+            texts.append("")
             continue
         size = int(head.rpartition(b" ")[2])
-        found.append(answer[at : at + size].decode())
+        texts.append(answer[at : at + size].decode())
         at += size + 1
-    return found
+    return texts
 
 
 def edits_of_code(file: str, before: str, after: str) -> TouchedFile:
@@ -82,13 +84,13 @@ def numstat(text: str) -> list[TouchedFile]:
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
     """The entry with the longest path that is the file itself or a folder of it."""
-    found = [
+    matching = [
         (len(path), correction)
         for correction in corrections
         for path in correction.paths
         if file == path or (path.endswith("/") and file.startswith(path))
     ]
-    return max(found, key=lambda pair: pair[0])[1] if found else None
+    return max(matching, key=lambda pair: pair[0])[1] if matching else None
 
 
 def _git(root: Path, *arguments: str) -> str | None:

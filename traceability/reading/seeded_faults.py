@@ -69,11 +69,11 @@ class Fault:
 
 def read_faults(root: Path) -> list[Fault]:
     """All faults, in the order of their files."""
-    found: list[Fault] = []
+    faults: list[Fault] = []
     for path in sorted((root / FAULTS).glob("*.toml")):
         entries = tomllib.loads(path.read_text(encoding="utf-8"))["fault"]
-        found += [_fault(f"{path.stem}-{number}", item) for number, item in enumerate(entries, 1)]
-    return found
+        faults += [_fault(f"{path.stem}-{number}", item) for number, item in enumerate(entries, 1)]
+    return faults
 
 
 def _fault(name: str, item: dict[str, object]) -> Fault:

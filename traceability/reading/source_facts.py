@@ -58,8 +58,8 @@ class Facts:
     @property
     def with_role(self) -> set[str]:
         """The modules with a role in the design."""
-        known = self.declared.applications.values()
-        return {name for item in known for names in item.roles.values() for name in names}
+        applications = self.declared.applications.values()
+        return {name for item in applications for names in item.roles.values() for name in names}
 
     @property
     def builders(self) -> set[str]:
@@ -88,8 +88,8 @@ class Facts:
     @functools.cached_property
     def folders(self) -> dict[str, Comment]:
         """Folder -> its comment with ``@dir``."""
-        found = self.comments.below(DESIGN)
-        return {comment.of("dir")[0].argument: comment for comment in found if comment.of("dir")}
+        comments = self.comments.below(DESIGN)
+        return {comment.of("dir")[0].argument: comment for comment in comments if comment.of("dir")}
 
     def kind_of(self, name: str) -> str:
         """Returns class, struct, enum or alias; empty for a class outside the project."""
@@ -121,9 +121,9 @@ class Facts:
             if method.name == name:
                 return method
         for base in fact.bases:
-            found = self.method(base, name)
-            if found is not None:
-                return found
+            inherited = self.method(base, name)
+            if inherited is not None:
+                return inherited
         return None
 
 
@@ -133,12 +133,12 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
     overriders: dict[str, list[str]] = {}
     methods = {method.id: method for fact in syntax.classes for method in fact.methods}
     for fact in syntax.classes:
-        above, known = list(fact.bases), set()
+        above, visited = list(fact.bases), set()
         while above:
             base = above.pop()
-            if base in known:
+            if base in visited:
                 continue
-            known.add(base)
+            visited.add(base)
             heirs.setdefault(base, []).append(fact.name)
             above += classes[base].bases if base in classes else []
     for method in methods.values():
@@ -196,8 +196,8 @@ class References:
                     if kind in self.facts.classes:
                         self._know(f"field {name}", Object(name, kind))
 
-    def _know(self, place: str, one: Object) -> None:
-        self.known.setdefault(place, set()).add(one)
+    def _know(self, place: str, item: Object) -> None:
+        self.known.setdefault(place, set()).add(item)
 
     def _flows(self) -> None:
         for flow in self.facts.syntax.flows:
@@ -225,7 +225,7 @@ class References:
     def _places_of(self, kind: str) -> list[str]:
         family = {kind, *self.facts.heirs.get(kind, [])}
         return [
-            place for place, known in self.known.items() if any(o.kind in family for o in known)
+            place for place, objects in self.known.items() if any(o.kind in family for o in objects)
         ]
 
     def _solve(self) -> None:
@@ -233,24 +233,24 @@ class References:
         while work:
             place = work.pop()
             for target in self.next.get(place, ()):
-                known = self.known.setdefault(target, set())
-                before = len(known)
-                known |= self.known[place]
-                if len(known) > before:
+                objects = self.known.setdefault(target, set())
+                before = len(objects)
+                objects |= self.known[place]
+                if len(objects) > before:
                     work.append(target)
 
     def objects(self, places: list[str], kind: str = "") -> set[Object]:
         """Returns the objects that places may refer to: of a class and its subclasses, or all."""
         family = {kind, *self.facts.heirs.get(kind, [])}
-        found = {one for place in places for one in self.known.get(place, set())}
-        return {one for one in found if not kind or one.kind in family}
+        reachable = {item for place in places for item in self.known.get(place, set())}
+        return {item for item in reachable if not kind or item.kind in family}
 
     def targets(self, call: CallFact) -> list[str]:
         """The methods that a call may reach: those of the objects on which it is called."""
         owner, _, name = call.target.rpartition("::")
         if not call.virtual:
             return [call.target]
-        kinds = sorted({one.kind for one in self.objects(call.on, owner)})
+        kinds = sorted({item.kind for item in self.objects(call.on, owner)})
         if not kinds:
             return self.facts.targets(call.target, virtual=True)
         methods = [self.facts.method(kind, name) for kind in kinds]
@@ -261,21 +261,21 @@ class References:
     ) -> dict[str, str]:
         """Returns the methods and functions that may run below the start -> first caller of each.
 
-        ``within`` restricts a virtual method to one of its overriding methods. Calls below ``ends``
-        are ignored.
+        ``within`` restricts a virtual method to one of its overriding methods. The search does not
+        continue below the methods in ``ends``.
         """
-        found = dict.fromkeys(start, "")
-        work = list(found)
+        callers = dict.fromkeys(start, "")
+        work = list(callers)
         while work:
             caller = work.pop(0)
             for body in self.own_bodies(caller) if caller not in ends else []:
                 for call in body.calls:
                     narrowed = within.get(call.target)
                     for target in [narrowed] if narrowed else self.targets(call):
-                        if target not in found:
-                            found[target] = caller
+                        if target not in callers:
+                            callers[target] = caller
                             work.append(target)
-        return found
+        return callers
 
     def own_bodies(self, method: str) -> list[BodyFact]:
         """The bodies in the robot itself."""

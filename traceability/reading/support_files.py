@@ -67,7 +67,7 @@ class SupportFiles:
         ]
 
     def _played(self, file: str, test: str) -> set[str]:
-        """Scenarios that the test or its parameters name; all of a folder that it lists."""
+        """The scenarios that the test or its parameters name; all scenarios of a listed folder."""
         suite = test.split(".", maxsplit=1)[0]
         bodies = [case.body for case in read_tests(self.text(file)) if case.id == test]
         lists = re.findall(

@@ -40,14 +40,14 @@ def read_syntax(root: Path, cache: Path) -> Syntax:
     """The facts of all files of the design. Only the units whose files changed are parsed."""
     cache.mkdir(parents=True, exist_ok=True)
     hashes: dict[str, str] = {}
-    found = translation_units(root)
+    units = translation_units(root)
     stale: list[tuple[Path, Path, list[str], str]] = []
-    for board in sorted({is_board(unit) for unit in found}):
+    for board in sorted({is_board(unit) for unit in units}):
         prepare_standard(root, cache, board)
-    for unit, files in found.items():
+    for unit, files in units.items():
         if not _is_stored(root, cache, unit, hashes):
             stale.append((root, cache, files, unit))
-    _drop_old(cache, found)
+    _drop_old(cache, units)
     if len(stale) > 2:
         with multiprocessing.get_context("fork").Pool(2) as pool:
             pool.starmap(_parse_and_store, stale, chunksize=2)
@@ -55,7 +55,7 @@ def read_syntax(root: Path, cache: Path) -> Syntax:
         for work in stale:
             _parse_and_store(*work)
     result = Syntax()
-    for unit in found:
+    for unit in units:
         entry = pickle.loads(_entry(cache, unit).read_bytes())
         result.merge(pickle.loads(entry["facts"]))
     return result
@@ -65,10 +65,10 @@ def _entry(cache: Path, unit: str) -> Path:
     return cache / (unit.replace("/", "__") + ".facts")
 
 
-def _drop_old(cache: Path, known: dict[str, list[str]]) -> None:
-    wanted = {_entry(cache, unit).name for unit in known}
+def _drop_old(cache: Path, units: dict[str, list[str]]) -> None:
+    names = {_entry(cache, unit).name for unit in units}
     for path in cache.glob("*.facts"):
-        if path.name not in wanted:
+        if path.name not in names:
             path.unlink()
 
 
@@ -80,11 +80,11 @@ def _is_stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bo
     if entry["reader"] != _reader_hash(is_board(unit)):
         return False
     own = own_files(unit)
-    for file, known in entry["files"].items():
+    for file, digest in entry["files"].items():
         key = file if file in own else f"code of {file}"
         if key not in hashes:
             hashes[key] = file_hash(root / file) if file in own else code_hash(root / file)
-        if hashes[key] != known:
+        if hashes[key] != digest:
             return False
     return True
 
@@ -106,7 +106,7 @@ def code_hash(path: Path) -> str:
 def _reader_hash(board: bool) -> str:
     here = Path(__file__).parent
     own = b"".join((here / f"{name}.py").read_bytes() for name in READERS)
-    shape = repr(signature(Place))  # a part of most facts, and of no reader
+    shape = repr(signature(Place))  # types of most facts, without code of a reader
     return hashlib.sha256(own + f"{Place} {shape} {clang_arguments(board)}".encode()).hexdigest()
 
 
@@ -127,11 +127,11 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
     write_whole(path, pickle.dumps(entry))
 
 
-def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax, set[str]]:
+def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax, set[str]]:
     """The facts of the files, and all files of the project that the unit includes."""
     arguments = [*clang_arguments(is_board(unit)), *include_options(root)]
-    if known.exists():
-        arguments += ["-include-pch", str(known)]
+    if header.exists():
+        arguments += ["-include-pch", str(header)]
     tree = cindex.Index.create().parse(str(root / unit), args=arguments)
     reader = Reader(root, set(files))
     reader.walk(tree.cursor, None, "")
@@ -140,8 +140,8 @@ def parse(root: Path, unit: str, files: list[str], known: Path) -> tuple[Syntax,
         target = reader.relative(entry.include.name)
         if target is not None:
             included.add(target)
-    for wanted in files:
-        reader.facts.includes += includes_of(root, wanted)
+    for name in files:
+        reader.facts.includes += includes_of(root, name)
     for problem in tree.diagnostics:
         # With parsed headers libclang reports errors without a file; they have no meaning.
         if problem.severity >= cindex.Diagnostic.Error and problem.location.file:
@@ -162,7 +162,7 @@ def includes_of(root: Path, file: str) -> list[IncludeFact]:
 
     The compiler's list lacks a header that was included before: such a header is read only once.
     """
-    found: list[IncludeFact] = []
+    includes: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()
     for number, line in enumerate(lines, 1):
         written = INCLUDE.match(line)
@@ -172,6 +172,6 @@ def includes_of(root: Path, file: str) -> list[IncludeFact]:
             target = (folder / written[1]).resolve()
             if target.is_file() and target.is_relative_to(root):
                 name = str(target.relative_to(root))
-                found.append(IncludeFact(name, Place(file, number)))
+                includes.append(IncludeFact(name, Place(file, number)))
                 break
-    return found
+    return includes

@@ -51,5 +51,5 @@ def _read(root: Path) -> dict[str, Any]:
 
 @lru_cache(maxsize=4)
 def _load(path: Path, _time: int, _size: int) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-    return found
+    record: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return record

@@ -47,9 +47,9 @@ class Entries:
         return self._read[path]
 
     def _unreadable(self, path: Path, text: str, error: str) -> None:
-        found = re.search(r" \(at line (\d+), column \d+\)$", error)
-        line = int(found[1]) if found else len(text.splitlines())
-        said = error[: found.start()] if found else error
+        match = re.search(r" \(at line (\d+), column \d+\)$", error)
+        line = int(match[1]) if match else len(text.splitlines())
+        said = error[: match.start()] if match else error
         place = Place(str(path.relative_to(self.root)), line)
         self.unreadable.append(place.file)
         self.problems.append(Problem(place, f"{place.file} is no TOML: {said}", "correct the line"))
@@ -65,7 +65,7 @@ class Entries:
         """The entries ``[[name]]``. Two entries never have the same value of the key ``own``."""
         listed = self.value(path, name, [])
         places = self._places(path, name, len(listed))
-        found: list[Entry] = []
+        entries: list[Entry] = []
         seen: dict[str, int] = {}
         for item, place in zip(listed, places, strict=True):
             if not self.fits(item, place, needs, may or {}):
@@ -76,8 +76,8 @@ class Entries:
                 continue
             if own:
                 seen[item[own]] = place.line
-            found.append((item, place))
-        return found
+            entries.append((item, place))
+        return entries
 
     def _places(self, path: Path, name: str, count: int) -> list[Place]:
         header = re.compile(rf"\s*\[\[\s*{re.escape(name)}\s*\]\]")
@@ -88,7 +88,7 @@ class Entries:
 
     def fits(self, item: dict[str, Any], place: Place, needs: Keys, may: Keys) -> bool:
         """Whether an entry has the keys that it needs; unknown keys are a problem."""
-        known = {*needs, *may}
+        keys = {*needs, *may}
         missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
         for key in missing:
             text = f"the entry has no {key}, which is {_WORDS[needs[key]]}"
@@ -97,7 +97,7 @@ class Entries:
             text = f"{key} is empty"
             fix = "write its text, or remove the key"
             self.problems.append(Problem(self.line_in(place, key), text, fix))
-        for key in [key for key in item if key not in known]:
+        for key in [key for key in item if key not in keys]:
             text = f"the entry has a key {key}, which nothing reads"
             self.problems.append(Problem(self.line_in(place, key), text, "correct its name"))
             del item[key]
@@ -108,20 +108,20 @@ class Entries:
         itself."""
         path = self.root / place.file
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-        wanted = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
+        pattern = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
         header = lines[place.line - 1] if place.line <= len(lines) else ""
         below = header.strip().rstrip("]") + "."  # its parts: [[entry.part]]
         for number, line in enumerate(lines[place.line - 1 :], place.line):
             if number > place.line and line.startswith("[[") and not line.startswith(below):
                 break
-            if wanted.search(line.split(" #")[0]) and not line.startswith("#"):
+            if pattern.search(line.split(" #")[0]) and not line.startswith("#"):
                 return Place(place.file, number)
         return place
 
     def others(self) -> None:
         """Records the tables and names of the files that no reader uses."""
-        for path, asked in self._asked.items():
-            for name in self._read.get(path, {}).keys() - asked:
+        for path, keys in self._asked.items():
+            for name in self._read.get(path, {}).keys() - keys:
                 text = f"no reader uses the values under {name}"
                 self.problems.append(Problem(self.place_of(path, name), text, "correct the name"))
 
@@ -129,14 +129,14 @@ class Entries:
         """Records the expected files that do not exist."""
         for path in [path for path in files if not path.exists()]:
             place = Place(str(path.relative_to(self.root)), 1)
-            text, fix = "there is no such file", "write it: a complete design contains it"
+            text, fix = "there is no such file", "write the file: a complete design contains it"
             self.problems.append(Problem(place, text, fix))
 
     def place_of(self, path: Path, name: str) -> Place:
         """The first place of a name."""
         begins = re.compile(rf"\s*(\[\[?\s*)?{re.escape(name)}\b")
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-        line = next((n for n, one in enumerate(lines, 1) if begins.match(one)), 1)
+        line = next((n for n, line in enumerate(lines, 1) if begins.match(line)), 1)
         return Place(str(path.relative_to(self.root)), line)
 
 

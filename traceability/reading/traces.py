@@ -81,31 +81,31 @@ class Traces:
         Repeated calls that contain no call of ``turning`` are listed again only after such a call.
         """
         events = self.events(test)
-        told = {address: [(name, True)] for address, name in names.items()}
-        told |= {address | EXIT: [(name, False)] for address, name in names.items()}
+        calls = {address: [(name, True)] for address, name in names.items()}
+        calls |= {address | EXIT: [(name, False)] for address, name in names.items()}
         quiet = set()
         for event in set(events):
             if event & REPEAT:
                 again = list(_outermost(events, event & ~REPEAT))
-                told[event] = [call for one in again if one in told for call in told[one]]
-                if not told[event]:
-                    del told[event]
+                calls[event] = [call for event in again if event in calls for call in calls[event]]
+                if not calls[event]:
+                    del calls[event]
                 elif turning.isdisjoint(again):
                     quiet.add(event)
         since: set[int] = set()
-        for event in [event for event in events if event in told]:
+        for event in [event for event in events if event in calls]:
             if event in quiet:
                 if event in since:
                     continue
                 since.add(event)
             elif event & REPEAT or event in turning:
                 since.clear()
-            yield from told[event]
+            yield from calls[event]
 
     def methods(self, test: str) -> set[str]:
         """The methods that ran in a test."""
-        found = (self.symbols.get(address, "") for address in set(self.events(test)))
-        return {method for method in found if "::" in method}
+        methods = (self.symbols.get(address, "") for address in set(self.events(test)))
+        return {method for method in methods if "::" in method}
 
     def addresses(self, methods: Set[str]) -> set[int]:
         return {address for address, name in self.symbols.items() if name in methods}
@@ -113,12 +113,12 @@ class Traces:
     def rows(self, test: str, shown: Set[int]) -> list[Row]:
         """The calls of the methods at these addresses, in order."""
         rows: list[Row] = []
-        known = shown | self.addresses(self.vectors)
-        known |= {at | EXIT for at in known}
+        addresses = shown | self.addresses(self.vectors)
+        addresses |= {at | EXIT for at in addresses}
         # Index of the row, or -1 for a handler that is not shown; and the previous activation.
         open_calls: list[tuple[int, int]] = []
         depth, parent, activation, entries = 0, -1, 0, 0
-        for event in [event for event in self.events(test) if event in known]:
+        for event in [event for event in self.events(test) if event in addresses]:
             if event & EXIT:
                 row, activation = open_calls.pop() if open_calls else (-1, activation)
                 if row >= 0:
@@ -151,24 +151,24 @@ def _outermost(events: array[int], begin: int) -> Iterator[int]:
 
 
 def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
-    found: dict[str, Traces] = {}
+    by_target: dict[str, Traces] = {}
     for binding, source in SOURCES.items():
         traces = Traces(root / source.folder)
         tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
         done = (root / RESULTS / f"{RUNS[binding]}.json").exists()  # else they are running
         if tests and done and (root / source.executable).exists():
-            known = cache / f"symbols-{source.names}.json"
+            cached = cache / f"symbols-{source.names}.json"
             traces.state = _state(traces.folder, root / source.executable)
-            traces.symbols = read_symbols(root / source.executable, source.names, known)
+            traces.symbols = read_symbols(root / source.executable, source.names, cached)
             traces.tests = tests
-        found[binding] = traces
-    return found
+        by_target[binding] = traces
+    return by_target
 
 
 def _state(folder: Path, executable: Path) -> str:
     """Computes a hash that identifies the recordings and the executable."""
     total = hashlib.sha256(file_hash(executable).encode())
-    for entry in sorted(os.scandir(folder), key=lambda one: one.name):
+    for entry in sorted(os.scandir(folder), key=lambda item: item.name):
         state = entry.stat()
         total.update(f"{entry.name}\0{state.st_size} {state.st_mtime_ns}\n".encode())
     return total.hexdigest()
@@ -179,9 +179,9 @@ def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
     state = executable.stat()
     key = f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(__file__))}"
     if cache.exists():
-        known = json.loads(cache.read_text(encoding="utf-8"))
-        if known["key"] == key:
-            return {int(address): name for address, name in known["symbols"].items()}
+        by_address = json.loads(cache.read_text(encoding="utf-8"))
+        if by_address["key"] == key:
+            return {int(address): name for address, name in by_address["symbols"].items()}
     run = subprocess.run([names, "-C", str(executable)], capture_output=True, text=True, check=True)
     symbols: dict[int, str] = {}
     even = 0 if names == "nm" else 1
@@ -199,7 +199,7 @@ def method_of(symbol: str) -> str:
     """``wr::Pipe<int>::write(int const&)`` -> ``Pipe::write``; empty for other symbols."""
     if "{lambda" in symbol or not re.match(r"(?:[\w:<>,&* ]+ )?wr::", symbol):
         return ""
-    kept, depth = "", 0
+    text, depth = "", 0
     for letter in symbol.replace("(anonymous namespace)::", "").replace("operator()", "operator"):
         if letter == "<":
             depth += 1
@@ -208,8 +208,8 @@ def method_of(symbol: str) -> str:
         elif letter == "(" and depth == 0:
             break
         elif depth == 0:
-            kept += letter
-    name = kept.split(" ")[-1]
+            text += letter
+    name = text.split(" ")[-1]
     return name.removeprefix("wr::") if name.startswith("wr::") and "::" in name[4:] else ""
 
 
@@ -252,26 +252,26 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
                 if not child.children and not names[id(child)]:
                     continue  # implemented outside the trace
                 if child.kind == "post":
-                    found = fit(child, position, len(rows), None)
+                    matched = fit(child, position, len(rows), None)
                 else:
-                    found = fit(child, position, rows[index].end, rows[index].activation)
-                if found is None:
+                    matched = fit(child, position, rows[index].end, rows[index].activation)
+                if matched is None:
                     break
-                placed |= found
-                position = rows[found[id(child)]].end
+                placed |= matched
+                position = rows[matched[id(child)]].end
             else:
                 return placed
         return None
 
-    found = fit(tree, 0, len(rows), None)
-    return Embedding(found, None) if found is not None else Embedding({}, reached)
+    matched = fit(tree, 0, len(rows), None)
+    return Embedding(matched, None) if matched is not None else Embedding({}, reached)
 
 
 def nodes_of(tree: TreeNode) -> list[TreeNode]:
-    found = [tree]
+    nodes = [tree]
     for child in tree.children:
-        found += nodes_of(child)
-    return found
+        nodes += nodes_of(child)
+    return nodes
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:

@@ -77,7 +77,9 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
             names.update(re.findall(r"^#include (<[^>]+>)", path.read_text("utf-8"), re.MULTILINE))
     parsed = standard(cache, board)
     header = parsed.with_suffix(".hpp")
-    arguments = ["c++-header" if one == "c++" else one for one in clang_arguments(board)]
+    arguments = [
+        "c++-header" if argument == "c++" else argument for argument in clang_arguments(board)
+    ]
     arguments.append("-fpch-instantiate-templates")  # else each unit parses them again
     text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {arguments}\n"
     if header.exists() and header.read_text(encoding="utf-8") == text:

@@ -19,7 +19,8 @@ void checked(Core& core, const Instruction& in) {
   }
 }
 
-// A6.2: the number of a single register, whose lowest bit is apart.
+// Returns the number of a single-precision register: the encoding has its lowest bit in a separate
+// field (A6.2).
 std::uint8_t single(Encoding code, unsigned high, unsigned low) {
   return static_cast<std::uint8_t>(code.field(high + 3, high) << 1 | code.field(low, low));
 }

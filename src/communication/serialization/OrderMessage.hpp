@@ -49,6 +49,7 @@ class OrderMessage final : public Serializable {
   /// @isr{yes}
   [[nodiscard]] bool inRange() const;
 
+  /// @satisfies FR-170
   [[nodiscard]] bool readFrom(Reader& reader) override;
   [[nodiscard]] bool writeTo(Writer& writer) const override;
 

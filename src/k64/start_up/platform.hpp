@@ -74,7 +74,7 @@ struct RcEdges {
 /// @isr{yes}
 RcEdges enterRcInterrupt();
 
-/// @brief Returns whether a Hall edge waits for its interrupt. All Hall sensors have the same one.
+/// @brief Returns whether a Hall edge waits for its interrupt. All Hall sensors share this interrupt.
 /// @return true if an edge is not acknowledged yet
 /// @isr{yes}
 [[nodiscard]] bool hallEdgeWaits();

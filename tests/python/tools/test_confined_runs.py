@@ -178,7 +178,7 @@ def test_a_set_up_waits_for_another_and_does_not_repeat_it(copy: Path) -> None:
 
 
 def test_an_interrupted_set_up_is_never_taken_for_a_whole_one(copy: Path) -> None:
-    """The previous packages have a stamp. The set-up is ended while it removes them."""
+    """The packages have a stamp. The test kills the set-up while it removes the packages."""
     (copy / ".venv/bin").mkdir(parents=True)
     (copy / ".venv/stamp").write_text("of another lock file\n")
     tools = copy / "tools"
