@@ -1,4 +1,4 @@
-"""The page of the likely changes: its table says for what each number was measured."""
+"""Page of likely changes: costs, reasons and both designs in its table; pages of changes."""
 
 from __future__ import annotations
 
