@@ -140,8 +140,15 @@ def write_release(root: Path, made: Release, folder: Path) -> None:
     for part, files in (("images", images), ("portal", site), ("exports", exports)):
         inside = {f"{made.name}/{part}/{name}": path for name, path in files.items()}
         write_archive(folder / f"{made.name}-{part}{ARCHIVE}", inside, made.when)
+    write_source(root, made, folder / f"{made.name}-source{ARCHIVE}")
     add_book(root, folder / f"{made.name}-book.pdf")
     (folder / SUMS).write_text(sums_text(folder, below(folder)), encoding="utf-8")
+
+
+def write_source(root: Path, made: Release, path: Path) -> None:
+    """Git gives each file the time of the commit, and keeps the permission to execute."""
+    words = ["archive", "--format=tar.gz", f"--prefix={made.name}/source/", made.commit]
+    subprocess.run(["git", *words, "--output", path], cwd=root, check=True)
 
 
 def add_book(root: Path, path: Path) -> None:

@@ -120,6 +120,24 @@ def test_a_release_is_made_of_a_commit_without_changes(tmp_path: Path) -> None:
         release.identity(tmp_path)
 
 
+def test_the_sources_of_a_release_can_be_executed_and_are_of_the_commit(tmp_path: Path) -> None:
+    git = ["git", "-C", tmp_path, "-c", "user.name=A", "-c", "user.email=a@b.invalid"]
+    (tmp_path / "wr").write_text("#!/bin/sh\n")
+    (tmp_path / "wr").chmod(0o755)
+    for words in (["init", "-q"], ["add", "."], ["commit", "-qm", "x"]):
+        subprocess.run([*git, *words], check=True)
+    (tmp_path / "wr").write_text("changed later\n")
+    made = release.Release("1.0.0", "HEAD", WHEN)
+    archives = [tmp_path / "first.tar.gz", tmp_path / "second.tar.gz"]
+    for path in archives:
+        release.write_source(tmp_path, made, path)
+    assert archives[0].read_bytes() == archives[1].read_bytes()
+    with tarfile.open(archives[0]) as archive:
+        content = archive.extractfile("weeding_robot-1.0.0/source/wr")
+        assert content and content.read() == b"#!/bin/sh\n"
+        assert archive.getmember("weeding_robot-1.0.0/source/wr").mode & 0o100
+
+
 def test_different_releases_are_found(tmp_path: Path) -> None:
     for folder, content in (("a", "same"), ("b", "same")):
         (tmp_path / folder).mkdir()
