@@ -19,7 +19,7 @@ from tools.lock import only_one
 from tools.release_files import below, different_members, sums_text, write_archive
 from tools.sbom import NAME as SBOM
 from tools.sbom import sbom_text
-from tools.steps import FailureError, MissingError
+from tools.steps import FailureError, MissingError, UsageError
 from tools.tasks import DOCUMENTS, K64_FIRMWARE, graph, pages_graph
 from tools.verify_build import clone, environment
 from traceability.exports.svd import write_svd
@@ -29,6 +29,7 @@ from traceability.model.pattern_price import MEASURED
 from traceability.reading.build_evidence import git
 from traceability.reading.live_record import MODULE
 from traceability.reading.products import PRODUCTS, image_of
+from traceability.reading.published import publish
 from traceability.reading.release_record import RECORD
 from traceability.reading.results import RESULTS
 from traceability.reading.task_record import IMAGES
@@ -43,6 +44,7 @@ CHANGELOG = Path("CHANGELOG.md")
 VERSION = re.compile(r"project\([^)]*VERSION\s+([\d.]+)")
 ARCHIVE = ".tar.gz"
 TIMES, MODEL = MEASURED.parent, Path("build/model")
+VERIFY = "./wr release --verify"
 SHOWN = 20  # differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
 # Files of a build that no page needs: they contain paths and times of this machine.
@@ -74,10 +76,21 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         action="store_true",
         help="make it a second time in a new folder, with the same results of tests, and compare",
     )
-    parser.set_defaults(run=lambda root, options: release(root, verify=options.verify))
+    parser.add_argument(
+        "--publish",
+        action="store_true",
+        help="with --verify: write the number of equal files to tests/records/release.json",
+    )
+    parser.set_defaults(run=run_release)
 
 
-def release(root: Path, *, verify: bool) -> int:
+def run_release(root: Path, options: argparse.Namespace) -> int:
+    if options.publish and not options.verify:
+        raise UsageError("--publish needs --verify")
+    return release(root, verify=options.verify, published=options.publish)
+
+
+def release(root: Path, *, verify: bool, published: bool = False) -> int:
     made = identity(root)
     folder = root / FOLDER
     with only_one(root, "release"):
@@ -94,6 +107,12 @@ def release(root: Path, *, verify: bool) -> int:
     (root / RECORD).write_text(json.dumps(record) + "\n", encoding="utf-8")
     for line in different:
         print(line)
+    if published:
+        files = len(below(folder))
+        unequal = sum(not line.startswith(" ") for line in different)
+        score = {"found": files - unequal, "tried": files}
+        path = publish(root, RECORD.stem, VERIFY, made.commit[:10], score)
+        print(f"published in {path.relative_to(root)}")
     print("The two releases are the same." if not different else f"{len(different)} files differ.")
     return 1 if different else 0
 

@@ -722,7 +722,8 @@ class BuildEvidence:
 
 @dataclass(frozen=True)
 class LastRecord:
-    """A test of the tests or of the checks that takes too long for each build, when last run."""
+    """A test that takes too long for each build, when last run: of the tests, the checks, or the
+    release, whose equal files are found."""
 
     command: str
     commit: str  # empty without git

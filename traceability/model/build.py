@@ -43,6 +43,7 @@ from traceability.reading.fault_record import read_campaigns
 from traceability.reading.mutation_record import last_mutation, read_mutation
 from traceability.reading.ports import read_ports
 from traceability.reading.products import read_products
+from traceability.reading.published import last_score
 from traceability.reading.results import read_sizes
 from traceability.reading.seeded_fault_record import last_seeded, read_record
 from traceability.reading.seeded_faults import read_faults
@@ -165,7 +166,11 @@ def _assemble(
 
 def _last(root: Path, sources: str) -> dict[str, LastRecord]:
     """Returns the last records of the commands that do not run in each build."""
-    records = {"mutation": last_mutation(root, sources), "drift": last_seeded(root)}
+    records = {
+        "mutation": last_mutation(root, sources),
+        "drift": last_seeded(root),
+        "release": last_score(root, "release"),
+    }
     return {name: record for name, record in records.items() if record}
 
 

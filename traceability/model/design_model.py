@@ -120,7 +120,7 @@ class Model:
     products: Mapping[str, ProductImage] | None = None
     faults: Sequence[Fault] = field(default_factory=list)  # that are seeded to test the checks
     outcomes: Sequence[Outcome] | None = None  # their results
-    last: Mapping[str, LastRecord] = field(default_factory=dict)  # "mutation", "drift"
+    last: Mapping[str, LastRecord] = field(default_factory=dict)  # by test of the tests
     campaigns: Mapping[str, Published] = field(default_factory=dict)  # the published records
     build: BuildEvidence | None = None
     measured: Mapping[str, Any] = field(default_factory=dict)  # metrics of other steps
