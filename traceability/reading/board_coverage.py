@@ -1,8 +1,9 @@
 """The lines of the design that were executed on the virtual K64.
 
 The drivers are built for the K64 only, so no coverage of this machine includes them. A test on the
-virtual K64 sets one bit for each half-word of the flash that it executed; the debug data of the
-image contain the source line of each instruction.
+virtual K64 sets one bit for each half-word that it executed: first those of the lower RAM, from
+which the program runs, then those of the flash. The debug data of the image contain the source line
+of each instruction.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ FOLDERS = tuple(f"{name}/" for name in DESIGN)
 FILE = re.compile(r"^(\S+):(?:\[\++\])?$")
 ROW = re.compile(r"^\S+\s+(\d+|-)\s+0x([0-9a-f]+)")
 
+LOWER_RAM, RAM_SIZE = 0x1FFF0000, 0x10000  # K64 manual, table 4-1: SRAM_L; bytes
 Stretch = tuple[str, int, int, int]  # file, line, first address, address after the last one
 
 
@@ -42,10 +44,16 @@ def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict
     last = 8 * len(executed)
     for file, line, first, end in ranges:
         lines = files.setdefault(file, {})
-        halves = range(first // 2, min(end // 2, last))
+        halves = range(_half(first), min(_half(first) + (end - first) // 2, last))
         hit = any(executed[half // 8] >> half % 8 & 1 for half in halves)
         lines[line] = lines.get(line, False) or hit
     return files
+
+
+def _half(address: int) -> int:
+    """The number of the bit of an address."""
+    place = address - LOWER_RAM if address >= LOWER_RAM else RAM_SIZE + address
+    return place // 2
 
 
 def stretches(listing: Iterable[str]) -> Iterator[Stretch]:

@@ -10,7 +10,7 @@ from traceability.reading.coverage import Coverage, read_coverage
 from traceability.reading.gcov_arcs import Covered
 from traceability.reading.results import COVERAGE_LINES, read_totals
 from traceability.reading.task_record import TESTS_TRACE, is_fresh
-from traceability.schema import HOST
+from traceability.schema import HOST, VIRTUAL_K64
 
 ROOT = Path(__file__).parents[3]
 
@@ -45,6 +45,15 @@ def differences(counted: dict[str, set[int]], recorded: dict[str, set[int]]) -> 
         for file in sorted(counted | recorded)
         for line in sorted(counted.get(file, set()) ^ recorded.get(file, set()))
     ]
+
+
+def test_code_in_flash_and_in_ram_is_seen_on_the_virtual_k64(tmp_path: Path) -> None:
+    board = read_coverage(ROOT, tmp_path)[VIRTUAL_K64]
+    if not board.recordings:
+        pytest.skip("no test ran on the virtual K64")
+    flash, ram = "src/k64/start_up/reset.cpp", "src/k64/K64Pit.cpp"
+    assert board.all.lines[flash]
+    assert board.all.lines[ram]
 
 
 def test_both_know_the_same_lines(counted: dict[str, Lines], recorded: Coverage) -> None:
