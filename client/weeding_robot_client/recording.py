@@ -17,10 +17,10 @@ COLUMNS = (*LAYOUTS["Report"].value_names, "round_trip_ms")
 
 
 def row(report: Report) -> list[object]:
-    return [_cell(value) for value in (*report.values.values(), report.round_trip_ms)]
+    return [cell_of(value) for value in (*report.values.values(), report.round_trip_ms)]
 
 
-def _cell(value: object) -> object:
+def cell_of(value: object) -> object:
     if isinstance(value, bool):
         return int(value)
     return " ".join(value) if isinstance(value, tuple) else value

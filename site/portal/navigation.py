@@ -94,6 +94,7 @@ class Navigation:
         tuning = Entry("tuning", "Values to tune", "tuning.html")
         exports = Entry("exports", "Exports", "exports.html")
         live = Entry("run", "Run the robot", "run.html")
+        plot = Entry("plot", "Plot a recording", "plot.html")
         answers = Entry("answers", "Answers", "answers/index.html", "", questions)
         answers_ = [answers] if questions else []
         self.groups = [
@@ -101,7 +102,9 @@ class Navigation:
                 "understand", "Understand", [*answers_, *written["understand"], *understand(model)]
             ),
             Group("verify", "Verify", [*verify(model, checks, faults), *written["verify"]]),
-            Group("build", "Build and use", [live, *written["build"], tuning, source, exports]),
+            Group(
+                "build", "Build and use", [live, plot, *written["build"], tuning, source, exports]
+            ),
         ]
         if explain := written["explain"]:
             self.groups.append(Group("explain", "Explanations", explain))

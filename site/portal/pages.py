@@ -29,6 +29,7 @@ from portal.measured_pages import (
 from portal.module_page import module_page
 from portal.paper_views import change_page, concordance, families, hidden_names
 from portal.portal import Page, Portal
+from portal.recording_page import plotted
 from portal.requirement_pages import aligned, first_run, requirement_page, requirements
 from portal.safety_pages import cost, goal_page, hazards_page, safety
 from portal.search import entries
@@ -349,5 +350,6 @@ VIEWS: dict[str, Callable[[Portal], dict[str, Any]]] = {
         "files": available(portal.root),
     },
     "run": run,
+    "plot": plotted,
     "tuning": tuning,
 }

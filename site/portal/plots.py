@@ -14,6 +14,8 @@ from traceability.schema import HOST, Curve, LoopPlot
 
 WIDTH, HEIGHT = 1000, 300
 TICKS = 5
+ROBOT = "robot"  # the source of the values of a recording, in place of a target of the simulator
+SOURCES = {HOST: "host", ROBOT: "robot"}  # classes of the lines
 WORDS = {"set_point": "set-point", "measured": "measured", "truth": "truth"}
 
 
@@ -85,7 +87,7 @@ def draw(plot: LoopPlot) -> Drawing | None:
 def class_of(curve: Curve) -> str:
     if curve.kind == "set_point":
         return "set-point"
-    return f"{curve.kind} {'host' if curve.binding == HOST else 'board'}"
+    return f"{curve.kind} {SOURCES.get(curve.binding, 'board')}"
 
 
 def words_of(curve: Curve) -> str:

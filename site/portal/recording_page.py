@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 import csv
+import json
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from portal.plots import Drawing, draw
+from portal.plots import ROBOT, Drawing, draw
 from traceability.schema import Curve, LoopPlot
 from weeding_robot_client.layout import LAYOUTS, WHEEL_COUNT, Layout
 from weeding_robot_client.mcap_file import read_mcap
 
 SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
-ROBOT = "robot"  # name of the source of the values, in place of a target in the plots of the
-# simulator
 MS_OF_S = 1000
 VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # as the reports name them
 # Values whose changes are listed.
@@ -86,31 +85,52 @@ def _value(cell: str) -> float | str | None:
 # ---- the plots -----------------------------------------------------------------
 
 
-def plots(reports: Sequence[Values]) -> list[LoopPlot]:
-    """For each wheel its velocity, voltage and current with the set-points, then the steering."""
-    wheel_plots = []
-    for wheel in range(WHEEL_COUNT):
-        for title, unit, quantity, name in (
+@dataclass(frozen=True)
+class Series:
+    """A plot: the columns of its measured value and of its set-point.
+
+    The set-point is drawn where the column ``quantity`` has the value ``ordered``; an empty name of
+    this column means everywhere.
+    """
+
+    title: str
+    unit: str
+    measured: str
+    set_point: str
+    quantity: str = ""
+    ordered: str = ""
+
+
+def all_series() -> list[Series]:
+    """For each wheel its velocity, voltage and current, then the steering."""
+    wheels = [
+        Series(f"Wheel {wheel}, {title}", unit, name, f"set_point{wheel}", f"quantity{wheel}", of)
+        for wheel in range(WHEEL_COUNT)
+        for title, unit, of, name in (
             ("velocity", "rpm", VELOCITY, f"velocity{wheel}_rpm"),
             ("voltage", "V", VOLTAGE, f"tension{wheel}_volts"),
             ("current", "A", CURRENT, f"current{wheel}_amperes"),
-        ):
-            ordered = [
-                (at, report[f"set_point{wheel}"])
-                for at, report in timed(reports)
-                if report[f"quantity{wheel}"] == quantity
-            ]
-            wheel_plots.append(
-                _plot(f"Wheel {wheel}, {title}", unit, ordered, points(reports, name))
-            )
-    steering = points(reports, "steering_set_point_degrees")
-    wheel_plots.append(_plot("Steering", "degree", steering, points(reports, "steering_degrees")))
-    return wheel_plots
+        )
+    ]
+    steering = Series("Steering", "degree", "steering_degrees", "steering_set_point_degrees")
+    return [*wheels, steering]
 
 
-def _plot(title: str, unit: str, ordered: Any, measured: Any) -> LoopPlot:
-    curves = [Curve("set_point", ROBOT, ordered), Curve("measured", ROBOT, measured)]
-    return LoopPlot(title, unit, curves)
+def plots(reports: Sequence[Values]) -> list[LoopPlot]:
+    return [_plot(reports, series) for series in all_series()]
+
+
+def _plot(reports: Sequence[Values], series: Series) -> LoopPlot:
+    ordered = [
+        report
+        for report in timed(reports)
+        if not series.quantity or report[1][series.quantity] == series.ordered
+    ]
+    curves = [
+        Curve("set_point", ROBOT, points(ordered, series.set_point)),
+        Curve("measured", ROBOT, points(timed(reports), series.measured)),
+    ]
+    return LoopPlot(series.title, series.unit, curves)
 
 
 def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
@@ -126,9 +146,9 @@ def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
         yield last - start, report
 
 
-def points(reports: Sequence[Values], name: str) -> list[tuple[float, float]]:
+def points(reports: Iterable[tuple[float, Values]], name: str) -> list[tuple[float, float]]:
     """The values that are not missing."""
-    return [(at, report[name]) for at, report in timed(reports) if report[name] is not None]
+    return [(at, report[name]) for at, report in reports if report[name] is not None]
 
 
 def changes(reports: Sequence[Values]) -> list[Change]:
@@ -150,7 +170,13 @@ def text_of(value: object) -> str:
     return str(bool(value)).lower() if isinstance(value, bool | float | int) else str(value)
 
 
-# ---- the page ------------------------------------------------------------------
+# ---- the pages -----------------------------------------------------------------
+
+
+def plotted(_: object) -> dict[str, Any]:
+    """The values of the template of the page that draws a recording in the browser."""
+    series = [asdict(one) for one in all_series()]
+    return {"recording": json.dumps({"series": series, "states": STATES}), "wide": True}
 
 
 def recording_page(path: Path) -> str:

@@ -3,7 +3,7 @@
   "use strict";
   const SMALL = new Set(
     ("a about an and any are as at be been by could did do does doing each for from get given gets got had " +
-      "happen happens has have how i if in into is it its kind just look made make many may me much must my need of " +
+      "happen happens has have how i if in into is it its kind just look made make many may me mean meaning means much must my of " +
       "on one or our out shall should so tell than that the their them then there these they thing this " +
       "those to was way we were what when where which who whose why will with work works would you your").split(" "),
   );
@@ -44,7 +44,9 @@
     Tests: 0.15,
     Source: 0.3,
   };
+  const DEFINES = /\b(mean|means|meaning|definition)\b/i; // asks for the glossary
   const MAY = /^can (?=(i|you|we|it|this|the|a)\b)/i;
+  const DEFINED = 4; // weight of a term for such a question
   const ENOUGH = 8; // hits with all words; with fewer hits, those without one word are also shown
   const NEAR = 0.45; // least score of a question with two words, as a share of the best score
   const FEW = 3; // least number of letters of a word that may contain a typing error
@@ -150,11 +152,15 @@
       tokenize: pieces,
       prefix: (term) => term.length > 1 || words.length === 1,
       boost: { title: 6, also: 5, text: 2, words: 1 },
-      boostDocument: (id) => WEIGHTS[entries[id][0]] || 1,
+      boostDocument: (id) => (entries[id][0] === "Glossary" && DEFINES.test(text) ? DEFINED : WEIGHTS[entries[id][0]] || 1),
     };
-    /* Its title, or the name of the method without its class. The paper's names come later. */
-    const named = ([group, , title]) =>
-      group !== "Paper" && [title, title.split("::").pop()].some((name) => same(name) === whole);
+    /* Its title, or the name of the method without its class. A method name of one word, such as release, is
+       also an ordinary word. The paper's names come later. */
+    const named = ([group, , title]) => {
+      const method = title.split("::").pop();
+      const names = pieces(method).length > 1 ? [title, method] : [title];
+      return group !== "Paper" && names.some((name) => same(name) === whole);
+    };
     /* Finds a name that is written as one word with an error. */
     const joined = { queries: [whole], prefix: false, boost: { title: 12, also: 10 }, ...tolerance(whole) };
     const queries = [...wanted.map(asked), ...(words.length > 1 ? [joined] : [])];

@@ -20,7 +20,7 @@ PAGES = [
     "patterns/reading-modes", "requirements/index", "requirements/FR-15", "checks/index",
     "checks/tree-static", "changes", "changes/reading-modes", "secrets", "inheritances",
     "concordance", "virtual_k64", "beliefs", "closed_loop", "products", "source/index",
-    f"source/src/{MODES}/RC.cpp", "docs/tour", "run",
+    f"source/src/{MODES}/RC.cpp", "docs/tour", "run", "plot",
 ]  # fmt: skip
 
 pytestmark = [

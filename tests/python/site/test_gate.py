@@ -24,7 +24,7 @@ PAGES = [
     "reverse", "closed_loop", "bench", "virtual_k64", "beliefs", "evidence", "checks/index",
     "checks/drift", "checks/uses-allowed", "docs/quick_start", "docs/protocol", "docs/bring_up",
     "docs/glossary", "source/index", "source/src/main_control/operation_modes/RC.cpp", "exports",
-    "modules/RC", "modules/MainController",
+    "modules/RC", "modules/MainController", "plot",
 ]  # fmt: skip
 # Those that axe looks at: each part of a page is on one of them.
 LOOKED_AT = [
@@ -32,6 +32,7 @@ LOOKED_AT = [
     "patterns/index", "patterns/reading-modes", "machines", "changes/reading-modes", "products",
     "execution", "requirements/FR-15", "requirements/FR-37", "safety/SG-2", "closed_loop", "bench",
     "checks/uses-allowed", "docs/quick_start", "docs/bring_up", "modules/RC", "uses", "trees",
+    "plot",
 ]  # fmt: skip
 WIDTHS = (320, 390, 600, 768, 821, 900, 1024, 1280, 1920)
 AXE_WIDTHS = (390, 768, 1024, 1440)
