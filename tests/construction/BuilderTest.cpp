@@ -7,6 +7,7 @@
 #include "construction/MainControllerBuilder.hpp"
 #include "construction/RobotDirector.hpp"
 #include "construction/WheelSystemBuilder.hpp"
+#include "main_control/ControllerFixture.hpp"
 #include "sim/host/HostPins.hpp"
 #include "sim/host/HostScheduler.hpp"
 #include "sim/host/HostSerialPort.hpp"
@@ -218,6 +219,7 @@ TEST_F(BuilderDeathTest, FR78_ProductIsMissingBeforeItIsBuilt) {
   EXPECT_DEATH(static_cast<void>(builder.controller()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.clock()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.pcReader()), "assertion 1 failed");
+  EXPECT_DEATH(static_cast<void>(builder.rcReader()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.connection()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.velocityPin()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.directionPin()), "assertion 1 failed");
@@ -248,6 +250,33 @@ TEST_F(BuilderDeathTest, FR78_StepNeedsItsParts) {
   builder.buildRemoteControl();
   builder.buildModes();
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
+}
+
+/// @brief The modes need the link to the PC, also when the remote control is built.
+/// @verifies FR-78
+TEST_F(BuilderDeathTest, FR78_ModesNeedTheLink) {
+  builder.buildRemoteControl();
+  EXPECT_DEATH(builder.buildModes(), "assertion 1 failed");
+}
+
+/// @brief The controller needs the modes, also when everything else is built.
+/// @verifies FR-78
+TEST_F(BuilderDeathTest, FR78_ControllerNeedsItsModes) {
+  poolBuilder.buildSystems();
+  poolBuilder.buildPool();
+  builder.buildConnection();
+  builder.buildStates();
+  EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
+}
+
+/// @brief Wheel and steering need their sensors, also when everything else is built.
+/// @verifies FR-78
+TEST_F(BuilderDeathTest, FR78_SystemNeedsItsSensors) {
+  for (ControlSystemBuilder* system : systemBuilders) {
+    system->buildActuator();
+    system->buildController();
+    EXPECT_DEATH(system->buildSystem(), "assertion 1 failed");
+  }
 }
 
 /// @brief Wheel and steering cannot be built without one of their parts.
@@ -288,6 +317,8 @@ TEST_F(BuilderDeathTest, FR78_NoPartTwice) {
   EXPECT_DEATH(builder.buildPcMode(), "assertion 5 failed");
   EXPECT_DEATH(builder.useModes(builder.controller().getMode(), {}), "assertion 5 failed");
   EXPECT_DEATH(builder.buildStates(), "assertion 5 failed");
+  FakeState state(OperationStateId::Working);
+  EXPECT_DEATH(builder.useStates(state), "assertion 5 failed");
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 5 failed");
   EXPECT_DEATH(builder.buildClock(), "assertion 5 failed");
   for (ControlSystemBuilder* system : systemBuilders) {
@@ -296,6 +327,7 @@ TEST_F(BuilderDeathTest, FR78_NoPartTwice) {
     EXPECT_DEATH(system->buildController(), "assertion 5 failed");
     EXPECT_DEATH(system->buildSystem(), "assertion 5 failed");
   }
+  EXPECT_DEATH(wheelBuilder.useAlgorithms({}), "assertion 5 failed");
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <functional>
 
 #include "wheel_control/ControlledWheel.hpp"
 
@@ -118,6 +120,21 @@ TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
   EXPECT_EQ(controller.applied(), Tension(7854));
 }
 
+/// @brief A wheel that was stopped without a current forgets what its load needed.
+/// @verifies FR-90
+/// @verifies FR-301
+TEST_F(WheelControllerTest, FR90_ControlStartsWithoutMemory) {
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    control(velocityOf(1000), Velocity(100), Current(3500));
+  }
+  ASSERT_GT(controller.applied(), Tension(6000));
+  time.advance(milliseconds(200));
+  velocities.write(Velocity(100), time.now());
+  controller.control(velocityOf(1000), measured());
+  control(velocityOf(1000), Velocity(100), Current(3500));
+  EXPECT_EQ(controller.applied(), Tension(5236));
+}
+
 /// @brief A wheel that was never measured gets no voltage.
 /// @verifies FR-90
 TEST_F(WheelControllerTest, FR90_UnmeasuredWheelGetsNoTension) {
@@ -207,7 +224,7 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   for (const auto& [tension, current, cycles] :
        {Case{6000, 4000, 120}, Case{6000, 2001, 120}, Case{6000, 2000, 8}, Case{14000, 9000, 52},
         Case{14100, 9000, 26}, Case{3300, 2000, 219}, Case{3200, 2000, 15}, Case{-6000, -4000, 120},
-        Case{-6000, 4000, 8}}) {
+        Case{-6000, -2001, 120}, Case{-6000, -2000, 8}, Case{-6000, 4000, 8}}) {
     ControlledWheel one;
     one.control(tensionOf(tension));  // a reversal and a soft start need one cycle each
     one.control(tensionOf(tension));
@@ -239,6 +256,71 @@ TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   EXPECT_FALSE(controller.blind());
   control(tensionOf(7000));
   EXPECT_EQ(controller.applied(), Tension(7000));
+}
+
+/// @brief The limit of 4.5 V s is exact. The count begins at 0 after a motion, after the release,
+/// and after cycles whose voltage need not turn a wheel.
+/// @verifies FR-91
+TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
+  constexpr std::int32_t kLimit = 45000;  // [mV cycles]
+  constexpr std::int16_t kUsual = 5000;
+  constexpr int kUsualCycles = 7;
+  const auto stand = [](ControlledWheel& one, std::int32_t tension) {
+    one.measure(Velocity(), Current());
+    one.controller.control(tensionOf(static_cast<std::int16_t>(tension)), one.measured());
+  };
+  // Each begin ends with the usual voltage at the output, and returns the count.
+  const auto afterMotion = [](ControlledWheel& one) {
+    one.control(tensionOf(kUsual));
+    return 0;
+  };
+  const auto afterRelease = [&](ControlledWheel& one) {
+    while (!one.controller.blind()) {
+      stand(one, 7000);
+    }
+    const std::int32_t left = one.controller.applied()->count();
+    one.controller.release();
+    stand(one, kUsual);
+    return left;
+  };
+  const auto afterLowVoltage = [&](ControlledWheel& one) {
+    for (int cycle = 0; cycle < 3; ++cycle) {
+      stand(one, 2000);
+    }
+    stand(one, kUsual);
+    return 0;
+  };
+  const std::array<std::function<std::int32_t(ControlledWheel&)>, 3> begins{
+      afterMotion, afterRelease, afterLowVoltage};
+  for (std::size_t begin = 0; begin < begins.size(); ++begin) {
+    for (const std::int32_t missing : {0, 1}) {
+      ControlledWheel one;
+      const std::int32_t last = kLimit - begins.at(begin)(one) - kUsualCycles * kUsual - missing;
+      for (int cycle = 1; cycle <= kUsualCycles; ++cycle) {
+        stand(one, cycle < kUsualCycles ? kUsual : last);
+      }
+      EXPECT_FALSE(one.controller.blind()) << begin;
+      stand(one, kUsual);
+      EXPECT_EQ(one.controller.blind(), missing == 0) << begin;
+    }
+  }
+}
+
+/// @brief The count falls by 2 V s for each second with a voltage that need not turn a wheel, down to 0.
+/// @verifies FR-91
+TEST_F(WheelControllerTest, FR91_TheCountFalls) {
+  control(tensionOf(7000));
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    controlStanding(tensionOf(cycle < 4 ? 7000 : 1000));  // counts 35000 mV cycles
+  }
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    controlStanding(tensionOf(cycle < 9 ? 1000 : 7000));  // 15000 are left
+  }
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    EXPECT_FALSE(controller.blind()) << cycle;
+    controlStanding(tensionOf(7000));
+  }
+  EXPECT_TRUE(controller.blind());
 }
 
 /// @brief A halt does not clear the count: pulses of voltage are added up.
@@ -285,7 +367,7 @@ TEST_F(WheelControllerTest, FR91_StandingStillOnASlopeIsNoFault) {
   for (int cycle = 0; cycle < 6; ++cycle) {
     control(velocityOf(500), Velocity(200), Current(3000));
   }
-  for (int cycle = 0; cycle < 100; ++cycle) {
+  for (int cycle = 0; cycle < 300; ++cycle) {
     measure(Velocity(), Current(3000));
     controller.control(velocityOf(0), measured());
     EXPECT_GT(controller.applied(), Tension(3000));
@@ -315,6 +397,57 @@ TEST_F(WheelControllerTest, FR222_ReversalThatWaitsTooLongIsLate) {
   control(tensionOf(-2000), Velocity(0));
   control(tensionOf(-2000), Velocity(0));
   EXPECT_EQ(output(), Tension(-1999));
+}
+
+/// @brief The time of a reversal that waits begins again at a halt, at an overcurrent trip, and at
+/// the release.
+/// @verifies FR-222
+TEST_F(WheelControllerTest, FR222_TheWaitBeginsAgain) {
+  const auto halt = [](WheelController& one) { one.halt(); };
+  const auto trip = [](WheelController& one) { one.driverOff(); };
+  const auto release = [](WheelController& one) { one.release(); };
+  const std::array<std::function<void(WheelController&)>, 3> ends{halt, trip, release};
+  for (std::size_t end = 0; end < ends.size(); ++end) {
+    ControlledWheel one;
+    one.control(tensionOf(2000), Velocity(1000));
+    for (int cycle = 0; cycle < 15; ++cycle) {
+      one.control(tensionOf(-2000), Velocity(800));
+    }
+    ends.at(end)(one.controller);
+    for (int cycle = 0; cycle < 20; ++cycle) {
+      one.control(tensionOf(-2000), Velocity(800));
+      EXPECT_FALSE(one.controller.reversalLate()) << end << " " << cycle;
+    }
+    one.control(tensionOf(-2000), Velocity(800));
+    EXPECT_TRUE(one.controller.reversalLate()) << end;
+  }
+}
+
+/// @brief A reversal waits also for the least set-point, and for the least demand that counts; a
+/// wheel that is ordered to stand still waits for nothing.
+/// @verifies FR-222
+TEST_F(WheelControllerTest, FR222_WhichReversalsWait) {
+  struct Case {
+    bool backwards;  // orientation of the wheel, and direction in which a slope turns it
+    WheelSetPoint setPoint;
+    bool late;
+  };
+  for (const auto& [backwards, setPoint, late] :
+       {Case{false, velocityOf(-1), true}, Case{true, velocityOf(1), true},
+        Case{false, velocityOf(0), false}, Case{true, velocityOf(0), false},
+        Case{false, tensionOf(-500), true}, Case{true, tensionOf(500), true},
+        Case{false, tensionOf(-499), false}, Case{true, tensionOf(499), false}}) {
+    const int sign = backwards ? -1 : 1;
+    ControlledWheel one;
+    for (int cycle = 0; cycle < 3; ++cycle) {
+      one.control(tensionOf(static_cast<std::int16_t>(sign * 2000)), Velocity(sign * 900));
+    }
+    ASSERT_EQ(one.controller.applied(), Tension(sign * 2000));
+    for (int cycle = 0; cycle < 30; ++cycle) {
+      one.control(setPoint, Velocity(sign * 900));
+    }
+    EXPECT_EQ(one.controller.reversalLate(), late) << backwards << " " << setPoint.value;
+  }
 }
 
 /// @brief A wheel that creeps with 39 rpm down a slope can be driven uphill.
@@ -359,6 +492,31 @@ TEST_F(WheelControllerTest, FR89_DriverOffAppliesNothing) {
   EXPECT_EQ(output(), Tension(0));
   control(velocityOf(1500), Velocity(100));
   EXPECT_EQ(controller.applied(), Tension(7854));
+}
+
+/// @brief After an overcurrent trip control forgets what the load of the wheel needed.
+/// @verifies FR-89
+/// @verifies FR-301
+TEST_F(WheelControllerTest, FR89_DriverOffClearsTheMemory) {
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    control(velocityOf(1000), Velocity(100), Current(3500));
+  }
+  ASSERT_GT(controller.applied(), Tension(6000));
+  controller.driverOff();
+  control(velocityOf(1000), Velocity(100), Current(3500));
+  EXPECT_EQ(controller.applied(), Tension(5236));
+}
+
+/// @brief After an overcurrent trip the voltage rises from 0.
+/// @verifies FR-81
+/// @verifies FR-89
+TEST_F(WheelControllerTest, FR81_RiseBeginsAtZeroAfterATrip) {
+  control(tensionOf(12000));
+  control(tensionOf(24000));
+  ASSERT_EQ(controller.applied(), Tension(24000));
+  controller.driverOff();
+  control(tensionOf(24000));
+  EXPECT_EQ(controller.applied(), Tension(12000));
 }
 
 }  // namespace

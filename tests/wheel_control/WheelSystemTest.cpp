@@ -160,6 +160,21 @@ TEST_F(WheelSystemTest, FR88_HoldStopsTheWheel) {
   EXPECT_EQ(output(), Tension(0));
 }
 
+/// @brief An acknowledgement releases the faults of its own cycle only.
+/// @verifies FR-89
+TEST_F(WheelSystemTest, FR89_AcknowledgementActsOnce) {
+  system.start();
+  pass(false, kMiddle);
+  system.acknowledge(1);
+  wheel.cutOff().execute();
+  pass(false, kMiddle);
+  system.hold(2);
+  Measurements measurements;
+  Outputs outputs;
+  system.collect(measurements, outputs);
+  EXPECT_TRUE(measurements.wheels.at(kWheel).cutOff);
+}
+
 /// @brief A second start ends the program.
 /// @verifies FR-176
 TEST_F(WheelSystemTest, SecondStartEndsTheProgram) {

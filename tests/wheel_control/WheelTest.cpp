@@ -11,6 +11,19 @@
 namespace wr::test {
 namespace {
 
+/// An output that an overcurrent trip interrupts just before it changes its level.
+class Interrupted final : public DigitalOutput {
+ public:
+  Wheel* wheel = nullptr;
+  bool on = false;
+  void set(bool level) override {
+    if (level) {
+      wheel->cutOff().execute();
+    }
+    on = level;
+  }
+};
+
 class WheelTest : public testing::Test {
  protected:
   host::HostPwmOutput pwm;
@@ -129,6 +142,18 @@ TEST_F(WheelTest, FR221_TripWinsAgainstBraking) {
   EXPECT_FALSE(enable.isOn());
 }
 
+/// @brief A second trip that comes just before the driver is switched on for braking has priority.
+/// @verifies FR-221
+TEST_F(WheelTest, FR221_TripWinsBeforeBraking) {
+  Interrupted output;
+  Wheel interrupted(pwm, orientation, output);
+  output.wheel = &interrupted;
+  interrupted.cutOff().execute();
+  interrupted.stop();
+  interrupted.stop();
+  EXPECT_FALSE(output.on);
+}
+
 /// @brief A release alone does not switch the driver on; the next voltage does.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
@@ -152,18 +177,6 @@ TEST_F(WheelTest, FR89_TripWinsAgainstSwitchingOn) {
 /// @brief A trip that comes between the check of the latch and the switching also has priority.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripWinsBeforeTheSwitch) {
-  // This output interrupts just before it changes its level.
-  class Interrupted final : public DigitalOutput {
-   public:
-    Wheel* wheel = nullptr;
-    bool on = false;
-    void set(bool level) override {
-      if (level) {
-        wheel->cutOff().execute();
-      }
-      on = level;
-    }
-  };
   Interrupted output;
   Wheel interrupted(pwm, orientation, output);
   output.wheel = &interrupted;

@@ -73,6 +73,18 @@ TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
   EXPECT_EQ(regulator.regulate(-100), Tension(-300));
 }
 
+/// @brief A missing voltage explains also the least error.
+/// @verifies FR-301
+TEST_F(PiRegulatorTest, FR301_LeastErrorIsExplained) {
+  for (const int sign : {1, -1}) {
+    PiRegulator integral({.proportional = 0, .integral = 1000});
+    integral.missed(Tension(sign * 100));
+    EXPECT_EQ(integral.regulate(sign), Tension(0));
+    integral.missed(Tension());
+    EXPECT_EQ(integral.regulate(sign), Tension(sign));
+  }
+}
+
 /// @brief A changed bit in the memory of the integral has no effect.
 /// @verifies FR-224
 TEST(PiRegulatorMemory, FR224_OneBitIsCorrected) {
@@ -92,6 +104,15 @@ TEST_F(PiRegulatorTest, FR301_ResetForgets) {
   regulator.missed(Tension(400));
   regulator.reset();
   EXPECT_EQ(regulator.regulate(100), Tension(350));
+}
+
+/// @brief A reset leaves no fraction of a millivolt.
+/// @verifies FR-301
+TEST(PiRegulatorReset, FR301_ResetLeavesNoFraction) {
+  PiRegulator integral({.proportional = 0, .integral = 999});
+  integral.regulate(1000);
+  integral.reset();
+  EXPECT_EQ(integral.regulate(1), Tension(0));
 }
 
 }  // namespace

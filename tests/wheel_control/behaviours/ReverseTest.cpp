@@ -46,6 +46,8 @@ TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
   EXPECT_EQ(apply(-100, 0), Tension(-100));
   EXPECT_EQ(apply(99, 0), Tension(0));
   EXPECT_EQ(apply(-99, 0), Tension(-99));
+  EXPECT_EQ(apply(100, 0), Tension(0));
+  EXPECT_EQ(apply(100, 0), Tension(100));
 }
 
 /// @brief A demand against the orientation stops the wheel; after two slow cycles without voltage the
@@ -124,8 +126,20 @@ TEST_F(ReverseTest, FR87_BackToForwards) {
 TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
   apply(-5000, 0);
   EXPECT_EQ(apply(1000, 0), Tension(1000));
+  EXPECT_EQ(apply(0, 0), Tension(0));
   EXPECT_EQ(apply(-5000, 0), Tension(0));
   EXPECT_EQ(apply(-5000, 0), Tension(-5000));
+}
+
+/// @brief After a change of orientation the next one needs two slow cycles again, also when a trip
+/// has removed the voltage at once.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_NextTurnCountsFromZero) {
+  apply(-5000, 0);
+  ASSERT_EQ(apply(-5000, 0), Tension(-5000));
+  reverse.resume(Tension(0));
+  EXPECT_EQ(apply(5000, 0), Tension(0));
+  EXPECT_EQ(apply(5000, 0), Tension(5000));
 }
 
 /// @brief The rise begins again after the change of orientation, and after an interrupted stop.
@@ -151,7 +165,32 @@ TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
     EXPECT_EQ(apply(-5000, 790), Tension(0)) << cycle;
   }
   EXPECT_EQ(apply(-5000, 790), Tension(-5000));
-  EXPECT_EQ(apply(5000, -800), Tension(-2600));
+  EXPECT_EQ(apply(5000, -790), Tension(-2600));
+  EXPECT_EQ(apply(5000, -790), Tension(-200));
+  for (int cycle = 0; cycle < 12; ++cycle) {
+    EXPECT_EQ(apply(5000, -790), Tension(0)) << cycle;
+  }
+  EXPECT_EQ(apply(5000, -790), Tension(5000));
+}
+
+/// @brief A demand in the present orientation ends the count of the cycles without voltage.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_AgreementEndsTheCreep) {
+  for (int cycle = 0; cycle < 10; ++cycle) {
+    EXPECT_EQ(apply(-5000, 790), Tension(0)) << cycle;
+  }
+  apply(0, 790);
+  for (int cycle = 0; cycle < 11; ++cycle) {
+    EXPECT_EQ(apply(-5000, 790), Tension(0)) << cycle;
+  }
+  EXPECT_EQ(apply(-5000, 790), Tension(-5000));
+}
+
+/// @brief A wheel that a slope keeps turning at 80 rpm never changes its orientation.
+/// @verifies FR-87
+TEST_F(ReverseTest, FR87_AFastWheelIsNotTurned) {
+  apply(-5000, 0);
+  ASSERT_EQ(apply(-5000, 0), Tension(-5000));
   for (int cycle = 0; cycle < 50; ++cycle) {
     EXPECT_LE(apply(5000, -800), Tension(0)) << cycle;
   }

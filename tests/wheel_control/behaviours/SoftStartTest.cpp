@@ -57,6 +57,14 @@ TEST_F(SoftStartTest, FR81_RisesFromWhatAnotherBehaviourApplied) {
   EXPECT_EQ(apply(24000), Tension(17000));
 }
 
+/// @brief The voltage of another behaviour reaches each of two decorators.
+/// @verifies FR-81
+TEST_F(SoftStartTest, FR81_EachDecoratorBeginsAtTheVoltage) {
+  SoftStart outer(static_cast<WheelBehaviour&>(softStart));
+  outer.resume(Tension(5000));
+  EXPECT_EQ(outer.apply(Tension(24000), Velocity()), Tension(17000));
+}
+
 /// @brief Without decorators the behaviour Advance applies the demand at once.
 /// @verifies FR-80
 TEST_F(SoftStartTest, FR80_AdvanceAppliesAtOnce) {

@@ -219,6 +219,21 @@ TEST_F(WheelOrderTest, FR91_FR222_OnlyAnAcknowledgementReleasesTheFaults) {
   EXPECT_FALSE(work.measured.reversalLate);
 }
 
+/// @brief Control reports a late reversal, and so does a halt.
+/// @verifies FR-222
+TEST_F(WheelOrderTest, FR222_LateReversalIsReported) {
+  for (int cycle = 0; cycle < 25; ++cycle) {
+    ControlledWheel::measure(Velocity(900), Current());
+    work.measured = measured();
+    work.setPoint = tensionOf(-5000);
+    applyControl.execute(work);
+    EXPECT_EQ(work.measured.reversalLate, cycle >= 20) << cycle;
+  }
+  WheelWork halted;
+  haltWheel.execute(halted);
+  EXPECT_TRUE(halted.measured.reversalLate);
+}
+
 /// @brief A halt stops the wheel step by step.
 /// @verifies FR-88
 /// @verifies FR-94
