@@ -48,8 +48,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "the clock pulse to the report, load, latencies, and the speed of the simulator. Compares "
         "the patterns with the baseline design, and measures the cost of the records of the calls. "
         "With --port, sends the same orders to a connected board and reads the cycles that its "
-        "reports contain. Lift the robot: its wheels will turn with up to 300 rpm. The orders are "
-        "those of a PC: no remote control is needed, it may be off.",
+        "reports contain. Lift the robot: its wheels will turn with up to 300 rpm. A PC sends the "
+        "orders: the remote control is not needed and may be off.",
     )
     parser.add_argument("--port", type=Path, help="serial port of a board that has the image")
     parser.add_argument(

@@ -1,4 +1,4 @@
-"""./wr book: the pages that explain the system as one PDF, to read without a screen."""
+"""./wr book: one PDF with the pages that explain the system, to read without a screen."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ svg, img { max-width: 100%; height: auto }
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "book",
-        description="Prints the pages of the portal that explain the system as one PDF: "
+        description="Prints the explaining pages of the portal into one PDF: "
         f"{PDF}. It uses the last pages of ./wr portal or ./wr test, and needs "
         "Chromium.",
     )

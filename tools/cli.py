@@ -67,7 +67,7 @@ def parser() -> argparse.ArgumentParser:
         module.add(commands)
     setup = commands.add_parser(
         "setup",
-        description="Installs the packages of setup/debian.txt with apt-get and those of "
+        description="Installs the packages of setup/debian.txt with apt-get and the packages of "
         "setup/python.lock into .venv. Does nothing when nothing is missing.",
     )
     setup.set_defaults(run=lambda _root, _options: 0)

@@ -125,8 +125,8 @@ def program_of(root: Path, run_name: str) -> Path:
 
 
 def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
-    """Runs the tests of a build, or the tests on the virtual K64; each processor runs a part of
-    them."""
+    """Runs the tests of a build, or the tests on the virtual K64; each processor runs a part of the
+    tests."""
     on_board = run_name == BOARD
     results = results_of(root, run_name)
     results.parent.mkdir(parents=True, exist_ok=True)
@@ -182,7 +182,7 @@ def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
 
 @dataclass(frozen=True)
 class Shard:
-    """A part of the tests of a program, in a process of its own."""
+    """A part of the tests of a program, in a separate process."""
 
     whole: Path
     number: int

@@ -29,7 +29,7 @@ ON_HOST = "debug"  # the preset of programs that are debugged on this machine
 # Folders of tests whose subject runs on this machine.
 OF_EMULATOR = ("tests/sim/", "tests/torture/")
 SCENARIO = ".scenario"
-SCENARIO_ADVICE = "name the file of a scenario, such as those of sim/scenario/examples"
+SCENARIO_ADVICE = "name the file of a scenario, such as a file of sim/scenario/examples"
 TEST_ADVICE = "the page Tests has the names of the tests"
 WAIT = 20  # s, until a board waits at its port
 

@@ -1,4 +1,4 @@
-"""Makes the documents: model, checks, site and links, in a process of its own."""
+"""Makes the documents in a separate process: model, checks, site and links."""
 
 from __future__ import annotations
 
@@ -157,7 +157,7 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
 
 
 def record_revision(root: Path, model: Model, report: Report, metrics: Path) -> None:
-    """Keeps the verdicts and sizes for ./wr diff, if all files are those of the commit."""
+    """Keeps the verdicts and sizes for ./wr diff, if no file differs from the commit."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if commit and not git(root, "status", "--porcelain"):
         write_revision(root, revision_of(model, commit, report, read_json(metrics) or {}))

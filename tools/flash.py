@@ -133,8 +133,8 @@ def ways(image: Path, folder: Path | None) -> dict[str, Way]:
     """All ways, in the order in which they are tried."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
-    # OpenOCD reads a script: braces keep the path one word. Without fcf_source OpenOCD writes its
-    # own flash configuration field, and the comparison fails. The field was checked before.
+    # OpenOCD reads a script: braces keep the path one word. Without fcf_source OpenOCD writes a
+    # different flash configuration field, and the comparison fails. The field was checked before.
     script = f"init; kinetis fcf_source write; program {{{file}}} verify reset exit 0x0"
     return {
         "pyocd": pyocd(file, flags),

@@ -15,7 +15,7 @@ from tools.steps import FailureError, run
 from tools.task_graph import Outcome
 from traceability.reading.results import RESULTS
 
-# Tests that mostly wait for a robot in real time: more of them than processors run in parallel.
+# Tests that mostly wait for a robot in real time: more tests than processors run in parallel.
 TESTS = Path("tests/python")
 WAITING = "client"
 WAITING_JOBS = "8"
@@ -94,7 +94,7 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
     words += [*options, root / "tests/python" / folder]
     counts = counted(log, words, results)
-    # A busy machine may be too slow for these tests: those that failed run again, one by one.
+    # A busy machine may be too slow for these tests: failed tests run again, one by one.
     if counts.failed and folder == WAITING:
         again = counted(log, [*words, "--lf", "-n", "0"], results)
         counts = replace(again, passed=counts.passed + again.passed, skipped=counts.skipped)

@@ -1,4 +1,5 @@
-"""./wr review: a person reviews one requirement; or the baseline records the present texts."""
+"""./wr review: records the review of one requirement by a person, or records the present texts as
+the baseline."""
 
 from __future__ import annotations
 

@@ -232,7 +232,7 @@ def _content(path: Path) -> bytes | None:
 
 
 def copy_part(root: Path, tree: Path, name: str) -> None:
-    """The precompiled library contains the path of its tree: each copy builds its own."""
+    """The precompiled library contains the path of its tree: each copy builds the library again."""
     source, target = root / name, tree / name
     if source.is_dir():
         ignored = shutil.ignore_patterns("python", "standard*", "__pycache__", "xml")

@@ -47,7 +47,7 @@ class Handler(SimpleHTTPRequestHandler):
         self.send_header("Cache-Control", "no-cache")
         super().end_headers()
 
-    # The name of the parameter is that of the base class.
+    # The base class defines the name of the parameter.
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002
         """Prints nothing for each page."""
 

@@ -80,7 +80,7 @@ def port_number(text: str) -> int:
 
 
 def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
-    """Builds the chosen program, and replaces this process with it."""
+    """Builds the chosen program, and replaces this process with that program."""
     if options.product not in (DEFAULT, PAPER) and not options.board:
         parser.error(f"--product {options.product} needs --board")
     if options.trace and not options.board:
@@ -90,7 +90,7 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
     if options.gdb is not None and not options.board:
         parser.error(f"--gdb {options.gdb} needs --board")
     if options.gdb is not None and (options.trace or options.control):
-        parser.error("--gdb goes neither with --trace nor with --control")
+        parser.error("--gdb cannot be combined with --trace or --control")
     if options.fast and not (options.board and options.cycles):
         parser.error("--fast needs --board and --cycles")
     if options.reports and not options.scenario:
@@ -111,7 +111,7 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
 def need_files(options: argparse.Namespace) -> None:
     """Checks the files of the options before the build."""
     if options.scenario:
-        need_file(options.scenario, "name a scenario, such as those of sim/scenario/examples")
+        need_file(options.scenario, "name a scenario, such as a file of sim/scenario/examples")
     for file in (options.reports, options.trace):
         if file and not file.absolute().parent.is_dir():
             raise MissingError(f"cannot write {file}: make the folder {file.parent} first")

@@ -106,7 +106,7 @@ def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
 
 
 def stop_programs() -> None:
-    """Ends the programs that still run, with those that they started, after an interrupt."""
+    """After an interrupt, ends the programs that still run and the programs that they started."""
     for program in list(_started):
         with suppress(ProcessLookupError):
             os.killpg(program.pid, signal.SIGTERM)
@@ -159,7 +159,7 @@ def log_of(root: Path, title: str) -> Path:
 
 @dataclass
 class Steps:
-    """Runs the steps of one command and records those that failed."""
+    """Runs the steps of one command and records the failed steps."""
 
     root: Path
     total: int

@@ -252,7 +252,7 @@ class Reporter:
 
 @dataclass
 class Graph:
-    """The tasks of the project, and how a part of them is run."""
+    """The tasks of the project, and the way to run a part of them."""
 
     root: Path
     tasks: list[Task]
@@ -263,7 +263,7 @@ class Graph:
     def run(
         self, names: Iterable[str], changed: Callable[[Task | None, Progress], None] | None = None
     ) -> Reporter:
-        """Runs the named tasks and those that they need; returns their results.
+        """Runs the named tasks and the tasks that they need; returns their results.
 
         ``changed`` is called with the task that ended with new results, if any, and with the
         progress.

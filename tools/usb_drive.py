@@ -1,4 +1,5 @@
-"""The drive that the debug probe of the FRDM-K64F shows: an image copied to it is written."""
+"""The drive that the debug probe of the FRDM-K64F shows: the probe writes an image that is copied
+to the drive into the flash."""
 
 from __future__ import annotations
 
@@ -79,7 +80,7 @@ def copy(image: Path, folder: Path, log: TextIO) -> str:
         return "the board accepted the image"
     if went:
         return "copied; the drive was not mounted again: mount it and look for a file FAIL.TXT"
-    raise FailureError("copied, but the board did not react: its drive did not change")
+    raise FailureError("copied, but the board did not react: the content of its drive is unchanged")
 
 
 def failure(folder: Path) -> str:

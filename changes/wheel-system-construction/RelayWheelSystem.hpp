@@ -31,7 +31,7 @@ class RelayWheelSystem final : public ControlSystem {
   void activate(std::uint32_t cycle) override { cycle_ = cycle; }
 
   DigitalOutput& relay_;
-  std::uint32_t cycle_ = 0;  // the last one whose work is done
+  std::uint32_t cycle_ = 0;  // last cycle whose work is complete
 };
 
 }  // namespace wr

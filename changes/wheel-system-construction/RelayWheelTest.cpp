@@ -26,7 +26,7 @@ TEST(RelayWheel, HelpsForwardsOnly) {
   EXPECT_TRUE(builder.system().completed(9));
 }
 
-/// @brief The pin of the relay is that of the red light. The pin is low while the robot drives
+/// @brief The relay is connected to the pin of the red light. The pin is low while the robot drives
 /// forwards, and high after a stop; the unchanged image never changes it.
 TEST(RelayWheelOnBoard, RelayFollowsTheFirstWheel) {
   ChangedRobot before(kUnchanged);

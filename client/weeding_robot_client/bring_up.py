@@ -215,7 +215,7 @@ class BringUp:
             Step("connection", "the robot answers, and versions fit", self._connection),
             Step(
                 "image",
-                "the build id is that of an image in build/k64",
+                "build/k64 contains an image with this build id",
                 self._image,
                 ("connection",),
             ),
@@ -711,7 +711,7 @@ def folder(text: str) -> Path:
 
 def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
-        "--link", type=Path, metavar="PATH", help="serial port (default: that of the board)"
+        "--link", type=Path, metavar="PATH", help="serial port (default: the port of the board)"
     )
     parser.add_argument(
         "--record",

@@ -57,8 +57,8 @@ def _type_of(one: Field) -> str:
 
 
 class McapFile:
-    """Writes reports to a file. The time of a message is that of this computer; its publish time is
-    that of the robot's clock."""
+    """Writes reports to a file. The time of a message is the time of this computer; its publish
+    time is the time of the robot's clock."""
 
     def __init__(self, path: Path) -> None:
         self._file = path.open("wb")

@@ -38,7 +38,7 @@ class Quantity(Enum):
 
 @dataclass(frozen=True)
 class WheelSetPoint:
-    """Value in the unit of the quantity; velocity is that of the motor shaft."""
+    """Value in the unit of the quantity; velocity is measured at the motor shaft."""
 
     quantity: Quantity
     value: float

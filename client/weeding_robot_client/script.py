@@ -32,8 +32,8 @@ A script has one line for each change, with times that do not decrease:
 
 Time starts when the robot is armed. `velocity`, `tension` and `current` are for all four wheels,
 or, after 'wheel N', for wheel N alone: 0 front left, 1 front right, 2 rear left, 3 rear right.
-`tension` is the voltage of the motor; velocity is that of the motor shaft. Steering is positive to
-the left. A line changes only the values that it names. 'stop' orders stop, also after the end of
+`tension` is the voltage of the motor; velocity is measured at the motor shaft. Steering is positive
+to the left. A line changes only the values that it names. 'stop' orders stop, also after the end of
 the script, until 'release'. 'acknowledge' releases a protective stop. 'release' and 'acknowledge'
 set all wheels to 0; keep them there for 0.5 s, which arms the robot again. The last line is
 'end'."""

@@ -12,8 +12,8 @@ namespace wr {
 
 /// @brief Builds a robot that the PC and a Bluetooth device command, and starts it.
 ///
-/// @function Calls the steps of the builders in the required sequence, passes them the modes of
-/// this product instead of their own, and starts the parts that they built.
+/// @function Calls the steps of the builders in the required sequence, replaces the standard
+/// reading modes by the modes of this product, and starts the built parts.
 ///
 /// @secret Which steps build a robot with a Bluetooth device and without a remote control.
 ///

@@ -34,7 +34,7 @@ struct BluetoothStops {
 struct BluetoothDevices {
   SerialPort& port;          ///< line to the Bluetooth module
   SipHash::Key key;          ///< key that the device shares with the robot
-  RandomSource& random;      ///< draws the number of this start
+  RandomSource& random;      ///< generator of the random number that identifies this start
   const Timebase& timebase;  ///< gives the time
   const StartRecord& start;  ///< cause of the start of the firmware
   BluetoothStops stops;      ///< memories of the stops
@@ -70,8 +70,8 @@ struct BluetoothModes {
   PcConnection connection;         ///< connection to the device, with the handshake of the PC
   BasicMode basicPc;               ///< basic mode of the PC
   BasicMode basicBluetooth;        ///< basic mode of the device
-  PersistentStop stopOfPc;         ///< keeps the stop of the PC over a reset
-  PersistentStop stopOfBluetooth;  ///< keeps the stop of the device over a reset
+  PersistentStop stopOfPc;         ///< keeps the stop of the PC during a reset
+  PersistentStop stopOfBluetooth;  ///< keeps the stop of the device during a reset
   PC pc;                           ///< reads from the PC
   Bluetooth bluetooth;             ///< reads from the device
   std::array<Mode*, 2> all;        ///< both modes

@@ -35,7 +35,7 @@ class SignedPort final : public SerialPort {
   /// @brief Binds the port to its line and its key. Without a random number it receives and sends nothing.
   /// @param port line to the Bluetooth module
   /// @param key secret key; a key whose bytes are all 0xFF is no key: nothing is received or sent
-  /// @param random draws the number of this start
+  /// @param random generator of the random number that identifies this start
   /// @satisfies FR-264
   SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& random);
 

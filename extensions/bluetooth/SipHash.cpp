@@ -59,7 +59,7 @@ void SipHash::compress(std::uint64_t word) {
   v_[0] ^= word;
 }
 
-// The distances of the rotations are those of the algorithm.
+// The algorithm defines the distances of the rotations.
 void SipHash::round() {
   v_[0] += v_[1];
   v_[2] += v_[3];

@@ -40,7 +40,7 @@ class ProgramCheck final {
   void tick() { due_.store(true, std::memory_order_relaxed); }
 
   /// @brief Once in a tick, adds up the next words of the copies; in the first pass also the words
-  /// of the originals. The loop that waits for interrupts calls it after each of them.
+  /// of the originals. The loop that waits for interrupts calls it after each interrupt.
   /// @errors Copies that differ from their originals end the program with the assertion
   /// ProgramChanged.
   /// @satisfies FR-309

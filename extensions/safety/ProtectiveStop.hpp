@@ -15,8 +15,8 @@ namespace wr {
 /// @brief Stops the whole robot when one of its parts fails.
 ///
 /// @function Checks the contact of the emergency-stop circuit, the steering and every wheel after each
-/// order. When one of them fails, all control systems hold in this cycle and in every later cycle
-/// until an acknowledgement.
+/// order. When a part fails, all control systems hold in this cycle and in every later cycle until
+/// an acknowledgement.
 ///
 /// @secret Which parts are supervised, and how long a protective stop lasts.
 class ProtectiveStop final : public OrderStageDecorator {

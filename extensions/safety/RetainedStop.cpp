@@ -4,7 +4,8 @@ namespace wr {
 
 namespace {
 
-// More than half of the bits differ, and neither word is the content of erased or empty memory.
+// The two words differ in more than half of their bits. Erased or empty memory does not contain
+// them.
 constexpr std::uint32_t kStopped = 0x5AC3'3C69;
 constexpr std::uint32_t kReleased = 0xA53C'C396;
 

@@ -8,7 +8,7 @@
 
 namespace wr {
 
-/// @brief The robot with its safety functions as one control system.
+/// @brief The robot and its safety functions, together as a single control system.
 ///
 /// @function Records the order of a cycle while it arrives in parts, and passes it to the first
 /// safety function in one call: follow set-points, hold, or acknowledge.

@@ -21,7 +21,7 @@
 
 namespace wr {
 
-/// @brief Builds the robot with its safety functions as one control system.
+/// @brief Builds the robot and its safety functions as a single control system.
 ///
 /// @function Calls each step of the builders of the robot's control systems, wraps their products
 /// in the safety functions of the control cycle, and forwards ticks to them.
@@ -52,7 +52,7 @@ class SafetyBuilder final : public ControlSystemBuilder {
   /// @satisfies FR-283
   /// @isr{no}
   void buildController() override;
-  /// @brief Builds every control system, and wraps all of them in the safety functions.
+  /// @brief Builds every control system, and wraps the control systems in the safety functions.
   /// @satisfies FR-293
   /// @isr{no}
   void buildSystem() override;

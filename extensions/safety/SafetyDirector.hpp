@@ -17,8 +17,8 @@ namespace wr {
 
 /// @brief Builds a robot with safety functions, and starts it.
 ///
-/// @function Calls the steps of the builders in the required sequence, passes them reading modes
-/// with safety functions instead of their own, and starts the parts that they built.
+/// @function Calls the steps of the builders in the required sequence, replaces the standard
+/// reading modes by reading modes with safety functions, and starts the built parts.
 ///
 /// @secret Which steps build a robot with safety functions.
 ///

@@ -36,7 +36,7 @@ struct SafetyModes {
 
   BasicMode basicPc;              ///< reads orders of the PC
   BasicMode basicRc;              ///< reads orders of the remote control
-  PersistentStop persistentStop;  ///< keeps the stop of the PC over a reset
+  PersistentStop persistentStop;  ///< keeps the stop of the PC during a reset
   SteeringGeometry geometry;      ///< computes the velocity of each wheel
   EnableSwitch enableSwitch;      ///< adds a stop to the remote control
   PC pc;                          ///< mode of the PC

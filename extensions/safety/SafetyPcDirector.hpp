@@ -11,8 +11,8 @@ namespace wr {
 
 /// @brief Builds a robot with safety functions that only the PC commands, and starts it.
 ///
-/// @function Calls the steps of the builders in the required sequence, passes them the reading mode
-/// with safety functions instead of their own, and starts the parts that they built.
+/// @function Calls the steps of the builders in the required sequence, replaces the standard
+/// reading modes by the reading mode with safety functions, and starts the built parts.
 ///
 /// @secret Which steps build a robot with safety functions that has no remote control.
 ///

@@ -25,7 +25,7 @@ struct SafetyPcMode {
         all{&pc} {}
 
   BasicMode basicPc;              ///< reads orders of the PC
-  PersistentStop persistentStop;  ///< keeps the stop of the PC over a reset
+  PersistentStop persistentStop;  ///< keeps the stop of the PC during a reset
   PC pc;                          ///< mode of the PC
   std::array<Mode*, 1> all;       ///< the mode
 };

@@ -12,10 +12,11 @@ namespace wr {
 
 /// @brief Limits the acceleration and the speed of the robot.
 ///
-/// @function Changes the set-points of velocity towards the ordered ones by at most 0.5 m/s^2, and
-/// those of voltage by at most 1.0 V per cycle. The greatest velocity falls with the steering
-/// angle. The wheels share one factor, so that the ratio of their velocities stays as ordered.
-/// While a wheel is too fast, the set-points of all wheels are lowered by another factor.
+/// @function Changes the set-points of velocity towards the ordered set-points by at most 0.5
+/// m/s^2, and the set-points of voltage by at most 1.0 V per cycle. The greatest velocity falls
+/// with the steering angle. The wheels share one factor, so that the ratio of their velocities
+/// stays as ordered. While a wheel is too fast, the set-points of all wheels are lowered by another
+/// factor.
 ///
 /// @secret How far a set-point changes in a cycle, how fast a curve may be driven, and how a robot that is too
 /// fast slows down.

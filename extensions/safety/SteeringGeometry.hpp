@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief Computes the velocity of each wheel on its own circle.
+/// @brief Computes the velocity of each wheel from the circle on which it rolls.
 ///
 /// @function Changes the set-points of a source that orders one velocity for all wheels: each wheel
 /// gets a velocity proportional to its circle at the ordered steering angle, and the fastest wheel

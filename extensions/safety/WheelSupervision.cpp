@@ -37,7 +37,7 @@ constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-constexpr std::uint8_t kMissingCycles = 3;  // the third one ends more than 0.2 s after the first
+constexpr std::uint8_t kMissingCycles = 3;  // in the third, a value is missing for over 0.2 s
 
 constexpr std::uint8_t kEqualCycles = 7;  // changes of cycle in which a current is equal to the
                                           // milliampere
@@ -150,8 +150,8 @@ std::optional<WheelSupervision::Balance> WheelSupervision::balanceOf(
                  .residual = *tension_ - ofVelocity - ofCurrent};
 }
 
-// A slope or the other wheels can drag a wheel against its voltage: its velocity then explains its
-// current. A wheel that its own motor turns the wrong way draws less current.
+// A slope or the other wheels can drag a wheel against its voltage: its current is then consistent
+// with its velocity. A wheel draws less current when its motor turns it in the wrong direction.
 bool WheelSupervision::opposes(const Balance& balance) {
   const bool forwards = balance.tension > Tension();
   const bool driven = magnitude(balance.tension) > kDriving;

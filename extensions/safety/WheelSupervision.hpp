@@ -51,13 +51,14 @@ class WheelSupervision final {
  private:
   static constexpr std::size_t kReferences = 10;  // number of stored set-points
 
-  // The voltage of a wheel, and the parts of it that its velocity and its current explain.
+  // The voltage of a wheel: the part that the velocity causes, the part that the current causes,
+  // and the rest.
   struct Balance {
     Velocity velocity;
     Tension tension;
     Tension induced;
     Tension winding;
-    Tension residual;  // that neither explains
+    Tension residual;  // the rest
   };
 
   // Nothing while the voltage or a measurement is missing.

@@ -9,8 +9,8 @@ namespace wr {
 
 /// @brief Builds a robot that warns before it stops, and starts it.
 ///
-/// @function Calls the steps of the builders in the required sequence, passes them the states of
-/// this product instead of their own, and starts the parts that they built.
+/// @function Calls the steps of the builders in the required sequence, replaces the standard
+/// operation states by the states of this product, and starts the built parts.
 ///
 /// @secret Which steps build a robot with a warning that the PC and the remote control command.
 ///

@@ -13,7 +13,8 @@ constexpr unsigned kPulse = kFirstInterrupt + BoardSession::kPulseInterrupt;
 constexpr unsigned kMainThread = kFirstInterrupt + 64;
 // Data register of the port to the PC.
 constexpr std::uint32_t kUart0Data = 0x4006A007;
-// The image has its stack at the start of the RAM; the first word of the flash is the end of it.
+// The image has its stack at the start of the RAM; the first word of the flash is the end address
+// of the stack.
 constexpr std::uint32_t kStack = 0x1FFF0000;
 constexpr std::uint32_t kWord = 4;
 

@@ -18,8 +18,8 @@ namespace wr::board_robot {
 ///
 /// A control cycle lasts from one clock pulse to the next. The clock pulse is the instant at which
 /// the timer raises its interrupt line. The report is handed over when all of it is in the send
-/// buffer of the serial port and its first byte is written to the port. Interrupts of the control
-/// cycle are counted with it.
+/// buffer of the serial port and its first byte is written to the port. The count of the control
+/// cycle includes its interrupts.
 class CycleMeter {
  public:
   /// Number of control cycles that are measured.
@@ -53,7 +53,7 @@ class CycleMeter {
     std::optional<std::uint64_t> at;  ///< cycle of a pending request
   };
 
-  /// @brief Replaces the observer of the line, and that of the board's writes.
+  /// @brief Replaces the observer of the line and the observer of the board's writes.
   /// @param robot the image in its robot; it lives as long as the meter
   /// @param from time of the beginning; the next clock pulse begins the first control cycle
   /// @param profiled whether to count how often each instruction is executed

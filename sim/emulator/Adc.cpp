@@ -160,7 +160,7 @@ void Adc::begin(Doing doing, std::uint64_t busClocks) {
   at(kSc2) |= kActive;
 }
 
-// A write of SC1A starts a conversion and ends the one that runs.
+// A write of SC1A ends the running conversion and starts a new conversion.
 void Adc::start(std::uint32_t value) {
   doing_ = Doing::Nothing;
   at(kSc1a) = value & (kInterrupt | kOff);
@@ -274,7 +274,7 @@ void Adc::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       }
       break;
     case kCfg1:
-      // ADICLK 1 is half the bus clock on older parts and an alternate clock on this one.
+      // ADICLK 1 is half the bus clock on older parts, and an alternate clock on this part.
       if ((value & 3U) != 0) {
         unmodelled(name_ + "_CFG1 with ADICLK " + std::to_string(value & 3U) +
                        ", which is not the bus clock",

@@ -414,7 +414,7 @@ void CortexM4::instructionFault(Trap trap) {
   }
 }
 
-// Precise bus faults: those of loads and stores.
+// Precise bus faults: faults of loads and stores.
 void CortexM4::accessFault(Trap trap) {
   const std::string address = hex(core_.trapAddress());
   const auto refused = std::exchange(refused_, std::nullopt);

@@ -101,7 +101,7 @@ class CortexM4 {
   /// @brief Instructions since construction.
   [[nodiscard]] std::uint64_t instructions() const { return core_.instructions(); }
 
-  /// @brief The instruction that runs, or the next one.
+  /// @brief The instruction that runs, or the next instruction.
   [[nodiscard]] std::uint32_t pc() const;
 
   /// @brief A core register, 0 to 15.

@@ -10,7 +10,7 @@ namespace wr::emulator {
 /// @brief Returns the name of a kind of event in the files.
 [[nodiscard]] const char* nameOf(Event::Kind kind);
 
-/// @brief The events of a virtual board: a hash of all of them, and a line for each event.
+/// @brief The events of a virtual board: a line for each event, and a hash of all events.
 class EventTrace {
  public:
   /// @brief Begins a trace.

@@ -37,8 +37,8 @@ class ExecutedCode {
   /// @brief Forgets all.
   void clear() { std::ranges::fill(counts_, std::uint64_t{0}); }
 
-  /// @brief The executed instructions: one bit for each half-word, those of the lower RAM first,
-  /// then those of the flash; the lowest bit of a byte first.
+  /// @brief The executed instructions: one bit for each half-word, first the bits of the lower RAM,
+  /// then the bits of the flash; the lowest bit of a byte first.
   [[nodiscard]] std::vector<std::uint8_t> bits() const {
     std::vector<std::uint8_t> bits(counts_.size() / 8);
     for (std::size_t half = 0; half < counts_.size(); ++half) {

@@ -239,7 +239,7 @@ std::vector<CanFrame> FlexCan::takeSent() {
   return std::exchange(sent_, {});
 }
 
-// The frame with the smaller identifier wins a bus that is free from a time on.
+// When the bus gets free, the frame with the smaller identifier is sent first.
 void FlexCan::nextFrame(Time from) {
   if (busy_) {
     return;
@@ -249,7 +249,7 @@ void FlexCan::nextFrame(Time from) {
       buffers_, [](const Buffer& buffer) { return codeOf(buffer.control) == kData; });
   const bool sends = runs && own != buffers_.end();
   if (sends && !connected_()) {
-    misuse("CAN0 sends, but its pins are not connected to it");
+    misuse("CAN0 sends, but no pins are connected to CAN0");
     return;
   }
   const auto identifier = [](const Buffer& buffer) {

@@ -130,7 +130,7 @@ Ftm::Channel* Ftm::channelAt(std::uint32_t offset) {
              : nullptr;
 }
 
-// MOD and CnV of a counter that runs take effect when it goes from MOD to 0.
+// MOD and CnV of a running counter take effect when the counter restarts at 0 after MOD.
 void Ftm::waitForOverflow() {
   if (!waits_) {
     waits_ = true;

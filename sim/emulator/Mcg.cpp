@@ -238,7 +238,7 @@ void Mcg::checkChange(Mode before, bool wasSettled) {
   if (after == Mode::None || !leadsTo(before, after)) {
     misuse("MCG: change of mode that the state diagram does not contain");
   } else if (after != before && !wasSettled) {
-    misuse("MCG: change of mode before the last one is complete");
+    misuse("MCG: change of mode before the previous change is complete");
   } else if (after == Mode::Pee && before == Mode::Pbe && locked_.now == 0) {
     misuse("MCG: the PLL is chosen before it is locked");
   }

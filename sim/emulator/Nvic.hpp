@@ -6,8 +6,8 @@
 
 namespace wr::emulator {
 
-/// @brief State and priorities of the exceptions: the enabled, pending and active ones, and the
-/// next one. Registers and order of ARMv7-M ARM, B1.5 and B3.4.
+/// @brief State and priorities of the exceptions: which exceptions are enabled, pending and active,
+/// and which exception is next. Registers and order of ARMv7-M ARM, B1.5 and B3.4.
 ///
 /// Exceptions are numbered as in the architecture: 2 NMI, 3 HardFault, ... 16 interrupt line 0.
 class Nvic {

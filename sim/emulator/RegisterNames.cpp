@@ -23,7 +23,7 @@ struct Row {
   std::uint32_t stride = 0;
 };
 
-// The registers of blocks without a model, and those of modelled blocks that programs use most:
+// The registers of blocks without a model, and the most used registers of modelled blocks:
 // K64P144M120SF5RM, the memory map of each chapter.
 constexpr auto kRows = std::to_array<Row>({
     {"ADC", 0x00, "SC1A"},

@@ -92,7 +92,7 @@ std::string Symbols::placeOf(std::uint32_t address) const {
   std::snprintf(number.data(), number.size(), "0x%x", static_cast<unsigned>(address));
   const std::string command =
       "arm-none-eabi-addr2line -i -e '" + elf_.string() + "' " + number.data() + " 2>/dev/null";
-  // The command is that of the toolchain, with a path of the project and a number.
+  // The command belongs to the toolchain; its arguments are a path of the project and a number.
   // NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
   // The last line is the place in the function itself; the lines before it are places in inlined

@@ -28,7 +28,8 @@ class Symbols {
   /// @brief The address of a symbol of any kind; 0 when there is none.
   [[nodiscard]] std::uint32_t addressOf(const std::string& name) const;
 
-  /// @brief File and line of an instruction, from arm-none-eabi-addr2line; empty without it.
+  /// @brief File and line of an instruction, from arm-none-eabi-addr2line; empty when this program
+  /// is not installed.
   [[nodiscard]] std::string placeOf(std::uint32_t address) const;
 
  private:

@@ -74,11 +74,10 @@ class VirtualBoard {
   /// modelled.
   [[nodiscard]] std::vector<Finding> takeWarnings();
 
-  /// @brief Sends bytes of the PC from now on, after those that are still being sent, at 115200
-  /// baud.
+  /// @brief Sends bytes of the PC at 115200 baud, after the bytes that are still being sent.
   void receive(std::span<const std::uint8_t> bytes);
 
-  /// @brief Sends bytes of the PC from a time on. Times must not decrease.
+  /// @brief Sends bytes of the PC; the first bit begins at a given time. Times must not decrease.
   void receiveAt(nanoseconds time, std::span<const std::uint8_t> bytes);
 
   /// @brief Sends one byte of the PC with a wrong stop bit.
@@ -90,7 +89,7 @@ class VirtualBoard {
   /// @brief Returns the bytes that the board has sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
-  /// @brief Sends bytes to another serial port from now on, after those that are still being sent.
+  /// @brief Sends bytes to another serial port, after the bytes that are still being sent.
   /// @param uart 0 for the line to the PC, 4
   /// @param bytes the bytes
   void receiveOn(int uart, std::span<const std::uint8_t> bytes);
@@ -139,7 +138,7 @@ class VirtualBoard {
   /// @param volts against ground
   void setAnalog(int converter, int channel, double volts);
 
-  /// @brief Opens an input of an analog-to-digital converter: neither a source nor a resistor is
+  /// @brief Opens an input of an analog-to-digital converter: no source and no resistor is
   /// connected to it. Each conversion returns the voltage of the previous conversion.
   void openAnalog(int converter, int channel);
 

@@ -257,7 +257,7 @@ Time Wdog::nextEvent() const {
 void Wdog::advance() {
   const std::uint64_t now = bus();
   if (lock_ == Lock::FreshlyReset && now > lockChanged_ + kConfigurationTime) {
-    // The first key must come in time; the second key has its own limit.
+    // The first key must come in time; the second key has another limit.
     const bool keyGiven = unlockKeyAt_ && *unlockKeyAt_ <= lockChanged_ + kConfigurationTime;
     if (keyGiven && now <= *unlockKeyAt_ + kKeyTime) {
       lockChanged_ = *unlockKeyAt_ + kKeyTime - kConfigurationTime;

@@ -63,7 +63,7 @@ struct Fault {
 }
 
 /// @brief Longest time of observation [ms]. The angle sensor may drift for 6.8 s before FR-227 detects
-/// it, and implausible Hall edges add up to those of FR-279 in seconds.
+/// it, and implausible Hall edges reach the count of FR-279 in seconds.
 inline constexpr int kLongestWindow = 7000;
 
 /// @brief Returns how long the run with the fault is observed [ms]: at least until the firmware must

@@ -29,11 +29,11 @@ struct Observation {
 
 /// @brief Class of a fault.
 enum class Outcome : std::uint8_t {
-  Harmless,  ///< the outputs are equal to those of the run without the fault
+  Harmless,  ///< the outputs are equal to the outputs of the run without the fault
   Detected,  ///< a reset or a report in time, and no wrong output afterwards
   Late,      ///< a reset or a report, but the outputs were wrong for too long, or after the reset
-  Silent,    ///< wrong outputs, and neither a reset nor a report
-  Hung,      ///< neither reports nor answers nor a reset
+  Silent,    ///< wrong outputs, no reset and no report
+  Hung,      ///< no reports, no answers and no reset
   Stopped    ///< the virtual board cannot continue: a real board does something unknown
 };
 
@@ -61,7 +61,7 @@ inline constexpr int kSafeWithin = 300;
 
 /// @brief Compares a run with a fault with the same run without the fault.
 /// @param faulty the run with the fault
-/// @param reference outputs of the run without, from the same instant on; at least as many
+/// @param reference outputs of the run without the fault, from the same instant; at least as many
 /// @return its class
 [[nodiscard]] Verdict judge(const Observation& faulty, const Outputs* reference);
 

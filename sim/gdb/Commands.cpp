@@ -71,7 +71,7 @@ Commands::Commands(programs::SerialLine& line, std::function<bool()> ends, bool 
       goesBack_(goesBack),
       debugger_([this](const std::string& why) { serve(why); }, [this] { return asked(); }) {}
 
-// Bytes that come while the program runs: Ctrl-C, or the first ones of another GDB.
+// Bytes that come while the program runs: Ctrl-C, or the first bytes of another GDB.
 bool Commands::asked() {
   return stream_.takeInterrupt() || stream_.waiting() || ends_();
 }
@@ -319,7 +319,7 @@ bool Commands::monitor(const std::string& words) {
       words == "time" ? timeText()
                       : "time the time of the board, and its number of executed instructions\n"
                         "reset restarts the run\n"
-                        "run-to MS   runs, or goes back, to a time of the board in ms\n"
+                        "run-to MS runs forwards or backwards to a time of the board in ms\n"
                         "After reset and run-to: maintenance flush register-cache\n";
   stream_.send(hexOf(std::string_view(text)));
   return false;

@@ -12,12 +12,13 @@ namespace wr::gdb {
 /// @brief Thrown when GDB ends the program.
 struct Killed {};
 
-/// @brief The commands of the GDB remote serial protocol, and those of `monitor`.
+/// @brief The commands of the GDB remote serial protocol, and the commands behind `monitor`.
 class Commands {
  public:
   /// @param line the line to GDB; must outlive the object
   /// @param ends returns whether this program shall end, also while the board is stopped
-  /// @param goesBack the owner of the board can restart the run; otherwise time only goes forwards
+  /// @param goesBack true when the owner of the board can restart the run; otherwise the program
+  /// cannot run backwards
   Commands(programs::SerialLine& line, std::function<bool()> ends, bool goesBack = true);
 
   /// @brief The debugger that executes the commands.

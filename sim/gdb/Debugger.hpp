@@ -18,7 +18,7 @@ namespace wr::gdb {
 /// begin(), and runs it as before.
 struct BeginsAgain {};
 
-/// @brief Stops the program, and goes back in time.
+/// @brief Stops the program, and returns to an earlier time.
 ///
 /// The position is the number of instructions that were executed. The same input gives the same
 /// run, so an earlier position is reached by a second run from the start, and no state has to be

@@ -51,7 +51,7 @@ class HostFirmware {
   /// @brief Constructs the robot and binds it to its devices.
   /// @param timebase returns the time
   /// @param pcPort line to the PC
-  /// @param start cause of the start; without it the cause is unknown
+  /// @param start cause of the start; unknown when it is omitted
   /// @param equipment parts of the firmware
   /// @param retained memory from before the last reset
   HostFirmware(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {},

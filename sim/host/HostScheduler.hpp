@@ -21,13 +21,13 @@ class HostScheduler {
   /// @param thread thread that lives as long as the scheduler
   void add(HostThread& thread);
 
-  /// @brief Sets the callback when a thread has its turn, before it runs.
+  /// @brief Sets the callback that is called just before a thread runs.
   void beforeThread(std::function<void(const HostThread& thread)> call);
 
-  /// @brief Runs every triggered thread whose turn it is.
+  /// @brief Runs every triggered thread of sufficient priority.
   void dispatch();
 
-  /// @brief Serves an interrupt, then runs every thread whose turn it is.
+  /// @brief Executes an interrupt, then runs every triggered thread of sufficient priority.
   /// @param vector command of the interrupt
   void interrupt(const std::function<void()>& vector);
 

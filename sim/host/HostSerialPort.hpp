@@ -11,7 +11,7 @@
 
 namespace wr::host {
 
-/// @brief A serial port in memory, with buffers as large as those of a real port.
+/// @brief A serial port in memory, with the buffer sizes of a real port.
 class HostSerialPort final : public SerialPort {
  public:
   /// @brief Received bytes that can be stored: more than the 1152 that 115200 baud transfer in one

@@ -58,7 +58,7 @@ void HostSimulation::beginPeriods() {
   nextPulse_ = begin + robot.period() + kToWheels;
 }
 
-// The new firmware is at the same address as the old one, so that all references to the robot stay
+// The new firmware is at the address of the old firmware, so that all references to the robot stay
 // valid.
 void HostSimulation::reset(ResetCause cause) {
   const host::HostFirmware::Retained retained = robot.retained();

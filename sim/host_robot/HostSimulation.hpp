@@ -18,7 +18,7 @@ namespace wr::host_robot {
 /// Events are executed in the order of time: at each ms since power-on the physics advance by a
 /// step; at each ms since the firmware has started the second timer ticks, and each 100 ms the
 /// clock pulse comes; between, the edges of the Hall sensors and of the remote control are executed
-/// at their own times.
+/// at the times at which they occur.
 class HostSimulation {
  public:
   /// @brief Constructs a robot that is at rest. Its firmware does not run yet.

@@ -22,7 +22,8 @@ class HostWires {
   /// acts at once.
   void drive();
 
-  /// @brief Sets the pins to the values of the sensors, except those that come as edges.
+  /// @brief Sets the pins to the values of the sensors, except the sensors that are simulated as
+  /// edges.
   void measure();
 
  private:

@@ -4,8 +4,8 @@
 
 namespace wr::plant {
 
-/// @brief Random numbers that depend only on a seed and their purpose: two runs have the same noise
-/// at the same time, independent of how many numbers they have drawn.
+/// @brief Random numbers that depend only on a seed, a purpose and the time. Two runs have the same
+/// noise at the same time, even if one of them used more random numbers before.
 class Noise {
  public:
   /// @brief Makes noise.

@@ -15,8 +15,8 @@ inline constexpr std::size_t kWheels = 4;
 ///
 /// Hub motors with 15 pole pairs and 24 to 36 V have a torque constant of about 0.52 N m/A and 60
 /// edges of two Hall sensors in a turn (ODrive, "Hoverboard motor and remote control setup guide":
-/// 15 pole pairs, 8.27 / 16 N m/A). The other values are assumed. Resistance and constant differ by
-/// 5 % and 4 % from the values that the firmware assumes, as those of a real motor do.
+/// 15 pole pairs, 8.27 / 16 N m/A). The other values are assumed. Like in a real motor, resistance
+/// and constant differ from the values that the firmware assumes: by 5 % and 4 %.
 struct MotorParameters {
   double resistance = 1.42;      ///< ohm, winding, cable and driver
   double inductance = 1.5e-3;    ///< H

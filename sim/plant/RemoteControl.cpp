@@ -64,7 +64,7 @@ nanoseconds RemoteControl::beginOf(std::size_t channel) const {
   return coincident_ ? nanoseconds(0) : nanoseconds(kSpacing * channel);
 }
 
-// Pulses of the receiver: those of the transmitter, or those of its fail-safe.
+// Pulses of the receiver: from the transmitter, or from the fail-safe of the receiver.
 std::optional<microseconds> RemoteControl::widthOf(std::size_t channel) {
   std::optional<microseconds>& last = last_.at(channel);
   if (on_) {

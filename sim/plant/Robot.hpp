@@ -210,7 +210,7 @@ class Robot {
   [[nodiscard]] double yawRate() const { return yawRate_; }
 
   /// @brief Direction in which the robot points.
-  /// @return rad from that of the start, positive to the left
+  /// @return heading relative to the heading at the start [rad], positive to the left
   [[nodiscard]] double heading() const { return heading_; }
 
   /// @brief Speed with which the tyre of a wheel slides across the wheel.

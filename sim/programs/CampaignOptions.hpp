@@ -15,7 +15,7 @@ struct CampaignOptions {
   std::uint64_t seed = 1;  ///< chooses the cases
   int count = 1;           ///< number of cases
 
-  /// @brief Adds the options to those of a program.
+  /// @brief Adds the options of a campaign to the options of a program.
   /// @param app options of the program
   void addTo(CLI::App& app) {
     app.add_option("--image", image, "content of the flash from address 0")

@@ -16,7 +16,7 @@ class SerialLine {
   SerialLine& operator=(const SerialLine&) = delete;
   virtual ~SerialLine() = default;
 
-  /// @brief Returns the name by which a client opens the line.
+  /// @brief Returns the name with which a client opens the line.
   [[nodiscard]] virtual const std::string& name() const = 0;
 
   /// @brief Reads bytes that a client has sent.

@@ -96,10 +96,12 @@ void addImageOptions(CLI::App& app, Settings& settings) {
       ->check(CLI::IsMember({"stop", "warn"}))
       ->group(group);
   app.add_flag("--resets", settings.resets,
-               "continue after a reset that the program causes; without it a reset is a finding")
+               "continue after a reset that the program causes; without this option such a "
+               "reset is a finding")
       ->group(group);
   app.add_flag("--faults", settings.faults,
-               "pass faults to the handlers of the program; without it a fault is a finding")
+               "pass faults to the handlers of the program; without this option a fault is a "
+               "finding")
       ->group(group);
 }
 

@@ -36,13 +36,12 @@ class RobotSession {
   RobotSession& operator=(const RobotSession&) = delete;
   virtual ~RobotSession() = default;
 
-  /// @brief Sends bytes to the robot, one after the other from now on.
+  /// @brief Sends bytes to the robot, one after the other.
   /// @param bytes the bytes
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
 
-  /// @brief Sends bytes to the robot so that the last one is complete at a given time before the
-  /// next clock pulse.
-  /// A clock pulse must have come before.
+  /// @brief Sends bytes to the robot so that the last byte is complete at a given time before the
+  /// next clock pulse. A clock pulse must have come before.
   /// @param bytes the bytes
   /// @param before time before the pulse
   virtual void sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) = 0;

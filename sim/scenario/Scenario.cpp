@@ -115,7 +115,7 @@ Scenario::Action readExpectation(Words& words) {
   const FrameField* const field = findField(name);
   const TruthField* const truth = findTruth(name);
   if (field == nullptr && truth == nullptr) {
-    throw Scenario::Error("neither Welcome nor Report nor the robot has a field '" + name + "'");
+    throw Scenario::Error("Welcome, Report and the robot have no field '" + name + "'");
   }
   Scenario::Expect expect{};
   if (field != nullptr) {

@@ -104,7 +104,7 @@ class Scenario {
   [[nodiscard]] static Scenario load(const std::filesystem::path& file);
 
   /// @brief Returns the steps in the order of time.
-  /// @return each step; those of one time in the order of their lines
+  /// @return each step by time; steps of the same time in the order of their lines
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
 
   /// @brief Time at which the scenario ends.

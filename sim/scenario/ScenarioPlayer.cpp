@@ -219,7 +219,7 @@ void ScenarioPlayer::act(const Scenario::Mark& /*action*/) {
   robot_.robot().clearGreatestVelocity();
 }
 
-// Returns the value of an expectation; nothing when no frame with it was received.
+// Returns the value of an expectation; nothing when no frame with this value was received.
 std::optional<double> ScenarioPlayer::valueOf(const Scenario::Expect& expect) const {
   if (const auto* const truth = std::get_if<const TruthField*>(&expect.field)) {
     return (*truth)->valueOf(robot_.robot(), mark_);

@@ -44,7 +44,7 @@ class ScenarioPlayer {
   /// @param action the action
   void perform(const Scenario::Action& action);
 
-  /// @brief The last report without its CRC; nothing before the first one.
+  /// @brief The last report without its CRC; nothing before the first report.
   [[nodiscard]] const std::optional<Bytes>& report() const { return report_; }
 
   /// @brief The outcome up to now.

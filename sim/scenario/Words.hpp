@@ -45,7 +45,7 @@ class Words {
   /// @brief Reads an expected word.
   void skip(const std::string& word);
 
-  /// @brief Reads a word if it is the next one.
+  /// @brief Reads the next word if it is the given word.
   /// @return true if it was the next one
   bool takeIf(std::string_view word);
 

@@ -13,7 +13,7 @@
 
 namespace wr::scenario {
 
-/// @brief Events around the robot: all actions of a scenario except those of the PC.
+/// @brief Events around the robot: all actions of a scenario except the actions of the PC.
 namespace world {
 
 /// @brief Moves the sticks; without a value, switches the transmitter off.

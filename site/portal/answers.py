@@ -35,7 +35,7 @@ class Question:
 
     @property
     def steps(self) -> list[str]:
-        """The addresses to open, the last one with the anchor of the answer."""
+        """Returns the addresses to open; the last address contains the anchor of the answer."""
         last = self.clicks[-1]
         return [*self.clicks[:-1], f"{last.partition('#')[0]}#{self.part}" if self.part else last]
 

@@ -18,7 +18,7 @@ Runs = Mapping[str, BenchRun]  # by the model of time
 
 BIN_US = 20
 GROUP = 4  # number of cycles in a point of a band
-TOP = 12  # modules and functions shown of each scenario
+TOP = 12  # number of modules and of functions that the page lists for each scenario
 CLASSES = {MANUAL: "measured host", SLOW: "measured board", "board": "truth host"}
 WORDS = {**TIMINGS, "board": "a board"}
 

@@ -17,7 +17,7 @@ LABEL = 205  # space for an upright label
 SHORT = 112  # the same for the name of a signal
 MARGIN = 8
 PLACE = re.compile(r"(J\d+)-(\d+)")
-# Pins that step 7 of the page uses, besides those of the firmware.
+# Pins that step 7 of the page uses, in addition to the pins of the firmware.
 SUPPLY = {"J3-8": "3.3 V", "J3-12": "ground", "J3-14": "ground"}
 # A part of the robot: the words of its signals, its name, and the class of its colour.
 PARTS = (

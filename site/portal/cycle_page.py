@@ -34,7 +34,8 @@ MAIN_THREAD = "mainThreadInterrupt"
 
 @dataclass
 class Lane:
-    """A priority: the contexts with this priority, and the times at which one of them runs."""
+    """A priority: the contexts with this priority, and the times at which any of these contexts
+    runs."""
 
     priority: int | None
     names: list[str] = field(default_factory=list)

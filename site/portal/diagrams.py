@@ -80,7 +80,7 @@ EDGE = 4  # space below the lowest label
 
 LONG_LABEL = 12  # a transition's action goes below a longer event
 
-# (role of one end, role of the other end, arrow): drawn when the one uses the other.
+# (role of one end, role of the other end, arrow): drawn when the first end uses the second.
 RELATIONS = [
     ("Context", "State", "o-->"),
     ("Context", "Strategy", "o-->"),
@@ -97,8 +97,7 @@ RELATIONS = [
 
 
 def role_family(role: str) -> str:
-    """One of five families of roles, each with its own colour; they cover the roles of all
-    patterns."""
+    """The five families of roles, with a colour each, cover the roles of all patterns."""
     if role in FAMILIES:
         return FAMILIES[role]
     return "concrete" if role.startswith("Concrete") else "abstraction"

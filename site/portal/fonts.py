@@ -8,7 +8,7 @@ from pathlib import Path
 
 FONTS = Path(__file__).parents[1] / "theme" / "static" / "fonts"
 FAMILY = "Inter"
-# WOFF 1.0: its header and an entry of its directory; then those of OpenType.
+# The header and a directory entry of WOFF 1.0, then of OpenType.
 WOFF_HEADER, WOFF_ENTRY, WOFF_HEADER_SIZE = ">4s4sIH", ">4sIIII", 44
 HEADER, ENTRY = ">4sHHHH", ">4sIII"
 

@@ -1,4 +1,4 @@
-"""Tables of the PC protocol, made from the table of frames, for pages that people write."""
+"""Generates the tables of the PC protocol from the table of frames, for pages that people write."""
 
 from __future__ import annotations
 

@@ -66,8 +66,8 @@ class GlossaryLinks:
 
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
-    """The page in lower case without the elements that are not changed; where each part of it
-    begins, and how far this is from the place of the part on the page."""
+    """The page in lower case without the elements that are not changed; for each part its start in
+    this text, and the distance from there to its place on the page."""
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
         parts.append(html[done:begin])

@@ -67,7 +67,7 @@ class Links:
         return page and f"{page.partition('#')[0]}#{self.method_anchor(method)}"
 
     def find_method(self, identifier: str) -> Method | None:
-        """A method of the module, or the one that it inherits."""
+        """Returns a method of the module, or the inherited method."""
         name, _, method = identifier.partition("::")
         seen: set[str] = set()
         pending = [name]

@@ -111,7 +111,7 @@ def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, 
 
 
 def made_changes(portal: Portal) -> dict[str, Any]:
-    """The likely changes that are made, and the lines that some of them change in both designs."""
+    """The likely changes that are made, and the changed lines for those that both designs make."""
     done = [change.made for change in portal.model.changes.values() if change.made]
     return {
         "made": done,

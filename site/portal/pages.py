@@ -59,7 +59,7 @@ EXAMPLE = "FR-15"  # the example of the first page
 
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
-    """All pages, or one part of them: each process builds its own part."""
+    """All pages, or a part of them: each process builds a part."""
     for make in islice(_makers(portal), part, None, parts):
         yield make()
 
@@ -154,7 +154,7 @@ def products(portal: Portal) -> dict[str, Any]:
 
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
-    """The number of public methods and tests, and of those that serve no requirement."""
+    """The number of public methods and tests, and how many of them serve no requirement."""
     modules = portal.model.modules.values()
     methods = [m for item in modules if not item.datatype for m in item.methods]
     public = sum(method.access == "public" for method in methods)

@@ -113,7 +113,8 @@ def kind_of(name: str) -> str:
 
 @dataclass
 class Heir:
-    """A module in a family of subclasses: the methods that it adds and those that it overrides."""
+    """A module in a family of subclasses: the methods that it adds, and the methods that it
+    overrides."""
 
     module: Module
     depth: int
@@ -194,7 +195,7 @@ def target_link(portal: Portal, target: str) -> Markup:
 
 
 def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
-    """Returns address and title of an element without a page of its own."""
+    """Returns address and title of an element that has no separate page."""
     model = portal.model
     if kind == "machine":
         machine = model.machines.get(name)

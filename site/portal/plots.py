@@ -1,7 +1,7 @@
 """Curves over time as HTML: lines in SVG that fit any width, with labels in the text size of the
 page.
 
-Colours and strokes are those of the theme, by the classes of the lines.
+The theme sets colours and strokes by the classes of the lines.
 """
 
 from __future__ import annotations

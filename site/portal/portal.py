@@ -214,7 +214,8 @@ class Portal:
         }
 
     def drawn_modules(self) -> list[str]:
-        """The modules in the drawing of the first page, and those of its connections."""
+        """Returns the modules in the drawing of the first page, and the modules of its
+        connections."""
         states = [
             module
             for name in (OPERATION_STATES, READING_MODES)
@@ -238,7 +239,8 @@ class Portal:
         return sum(evidence.holds(measured[evidence.figure]) for evidence in requirement.evidence)
 
     def showing(self, step: Transition) -> list[str]:
-        """The tests that made a transition: those that verify a requirement of it come first."""
+        """Returns the tests that made a transition. The tests that verify a requirement of the
+        transition come first."""
         tests = self.model.tests
         return sorted(
             (name for name in step.tests if name in tests),
@@ -324,8 +326,8 @@ class Portal:
         return [self.model.tests[name] for name in module.tests if name in self.model.tests]
 
     def own_tests(self, module: Module) -> list[Test]:
-        """The tests to read first: the tests of its own file, then the tests of the requirements
-        that it satisfies."""
+        """Returns the tests to read first: the tests of the module's file, then the tests of the
+        requirements that it satisfies."""
         file = f"tests/{module.logic}/{module.name}Test.cpp"
         satisfied = {identifier for method in module.methods for identifier in method.satisfies}
         tests = self.tests_of(module)

@@ -25,7 +25,7 @@ NOT_ENTERED = "main program"
 
 @dataclass(frozen=True)
 class MethodLinks:
-    """Where the pages show a method: its own place, its source, its requirements."""
+    """Addresses of a method: its place on a page, its source, its requirements."""
 
     name: str
     page: str | None

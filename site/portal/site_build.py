@@ -63,7 +63,7 @@ def check_texts() -> list[CheckText]:
     return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix) for c in CHECKS]
 
 
-# Inherited by a forked process: too large to be sent to it.
+# A forked process inherits these data: they are too large to send.
 _shared: list[tuple[Portal, Path]] = []
 
 

@@ -67,7 +67,7 @@ def load(app: Sphinx) -> None:
 
 
 def hand_written(app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> list[str]:
-    """All these pages are read again when one of them changed or caused a warning, because they
+    """All these pages are read again when a page changed or caused a warning, because the pages
     refer to each other."""
     names = [name for name in env.found_docs if name.startswith("docs/")]
     return names if app.config.read_all_docs else []

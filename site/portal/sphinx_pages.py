@@ -95,7 +95,8 @@ def write_included(portal: Portal, target: Path) -> None:
 
 
 def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
-    """Writes the input of Breathe: the classes of the modules, without elements unknown to it.
+    """Writes the input of Breathe: the classes of the modules, without elements that Breathe does
+    not support.
 
     Breathe reads a class again when its file is newer, so only changed files are replaced.
     """

@@ -52,7 +52,7 @@ class Bar:
 
 
 def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
-    """A method in several trees counts in each of them."""
+    """A method in several trees is counted in each tree."""
 
     def methods(items: list[Requirement], binding: str) -> list[MethodCoverage]:
         return [method for item in items for method in item.coverage.get(binding, [])]

@@ -12,8 +12,8 @@ namespace wr {
 
 /// @brief Builds the pool of control systems.
 ///
-/// @function Builds each control system, puts all of them into the pool, and passes the command of each
-/// to the second timer.
+/// @function Builds each control system, adds it to the pool, and passes its command to the second
+/// timer.
 ///
 /// @secret The sequence in which the control systems are built and put into the pool, and where the
 /// pool is stored.

@@ -124,7 +124,8 @@ class MainControllerBuilder {
   /// @isr{no}
   void buildModes();
 
-  /// @brief Builds the reading mode PC for a product without other modes: it is its own successor.
+  /// @brief Builds the reading mode PC for a product without other modes: a change of the mode
+  /// leads to PC again.
   /// @pre The link is built.
   /// @errors A missing part ends the program with the assertion PartMissing, modes that are already
   /// built with PartBuiltTwice.

@@ -94,7 +94,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   [[nodiscard]] ControlSystem& system() override;
   [[nodiscard]] Command& tickCommand() override;
 
-  /// @brief Sets the algorithms of the controller, instead of those of the builder.
+  /// @brief Sets the algorithms of the controller, instead of the algorithms of the builder.
   /// @param algorithms one for each WheelQuantity, in the order of the enumeration; they live as
   /// long as the builder
   /// @pre buildController() was not called.

@@ -15,7 +15,7 @@ namespace wr {
 ///
 /// @patternapp{functions, Strategy, Functions}
 /// @why The values of sensors and of the remote control must be converted into physical values,
-/// each by its own formula. A sensor gets a function, and does not depend on its formula.
+/// each by a different formula. A sensor gets a function, and does not depend on its formula.
 /// @changes A formula may change with the sensor. A new calculation is a new subclass of this class.
 class Function {
  public:

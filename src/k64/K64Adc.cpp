@@ -23,9 +23,9 @@ static_assert(kSlowestClock >= kMinClock && kFastest <= kMaxCalibrationClock,
               "limits of the calibration");
 static_assert(kClock >= kMinClock && kClock <= kMaxClock, "limits of a conversion with 12 bits");
 
-// A sample needs 20 clocks, and 20 more until it has reached the voltage of the pin. With four
-// samples for a mean, and some bus clocks, one conversion takes 22 us, so three of them need little
-// of a tick.
+// A sample needs 20 clocks, and 20 more until it has reached the voltage of the pin. One conversion
+// is the mean of four samples and takes 22 us with its bus clocks, so three conversions need a
+// small part of a tick.
 constexpr auto kConfiguration =
     adc::CFG1_ADICLK_BUS | adc::CFG1_MODE_12_BITS | adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;
 

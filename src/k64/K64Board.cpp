@@ -49,7 +49,7 @@ bool comes(Status mask, Status wanted) {
 
 constexpr std::uint32_t kRetainedMark = 0x57656564;
 
-// In memory that a start does not initialise. At power-on its content is undefined.
+// The record is in memory that a start does not initialise. At power-on its content is undefined.
 struct FaultRecord {
   std::uint32_t mark;
   std::uint32_t kind;

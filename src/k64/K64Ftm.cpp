@@ -43,7 +43,7 @@ void K64Ftm::start() {
 }
 
 void K64Ftm::set(DutyCycle dutyCycle) {
-  // While the timer runs, a new value takes effect when the counter goes from MOD to 0.
+  // While the timer runs, a new value takes effect when the counter restarts at 0 after MOD.
   const std::uint32_t offset = static_cast<std::uint32_t>(channel_) * ftm0::kChannelDistance;
   ftm0::CnV.at(offset).write({widthOf(dutyCycle)});
 }

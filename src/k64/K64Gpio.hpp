@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief A pin of the K64 that is an output.
 /// @function Drives one pin, high or low.
-/// @secret How the levels of the pins are set without changing those of other pins.
+/// @secret The way to set the level of a pin without a change of other pins.
 class K64Gpio final : public DigitalOutput {
  public:
   /// @brief Level of a pin.

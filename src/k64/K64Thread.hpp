@@ -18,7 +18,7 @@ class K64Thread final : public ControlThread {
 
   /// @brief Enables an interrupt line.
   /// @param line number of the line, 0 to 85
-  /// @param priority its priority, not above that of the edges
+  /// @param priority its priority, not above the priority of the edges
   /// @isr{no}
   /// @satisfies FR-172
   static void enable(std::uint8_t line, Priority priority);

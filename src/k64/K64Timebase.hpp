@@ -7,8 +7,8 @@
 
 namespace wr {
 
-/// @brief The time since start, from channel 2 of the periodic interrupt timer, and the cycles of the
-/// core, from its own counter.
+/// @brief The time since start, from channel 2 of the periodic interrupt timer, and the cycles of
+/// the core, from the cycle counter of the core.
 /// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and
 /// returns the number of cycles in which it was awake.
 /// @secret How a 32-bit down counter becomes a time without overflow and without a 64-bit division,

@@ -68,7 +68,7 @@ void K64Uart::serve() {
 
 void K64Uart::receive() {
   std::uint32_t lost = 0;
-  std::size_t untilBroken = 0;  // bytes up to the one with a wrong stop bit
+  std::size_t untilBroken = 0;  // bytes up to the byte with a wrong stop bit
   // As many as the FIFO holds, and as many again that may come meanwhile.
   // bound: 1; on average an interrupt has one byte to take
   for (std::size_t i = 0; i < 2 * kFifo; ++i) {

@@ -21,7 +21,7 @@ inline constexpr Priority kInterruptPriority = 3;
 /// @brief Priority of the thread of the main controller.
 inline constexpr Priority kMainThreadPriority = 12;
 
-/// @brief Priority of the threads of the wheels: above that of the main controller.
+/// @brief Priority of the threads of the wheels: above the priority of the main controller.
 inline constexpr Priority kWheelThreadPriority = 8;
 
 /// @brief Waits until all stores have reached memory and the registers.

@@ -69,7 +69,7 @@ class MainController {
   /// @isr{yes}
   void clockPulse();
 
-  /// @brief Reads one order if there is one, as the present state defines it.
+  /// @brief Reads the newest order, if an order is available, with the method of the present state.
   /// @post The current state is the result of the read.
   /// @satisfies FR-2
   /// @isr{no}

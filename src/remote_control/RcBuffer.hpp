@@ -17,7 +17,7 @@ namespace wr {
 /// @role{rc-pin-interrupt, Receiver}
 ///
 /// @patternapp{rc-buffers, Template Method, RC Buffers}
-/// @why The remote control has a velocity signal and a direction signal, each at its own pin.
+/// @why The remote control has a velocity signal and a direction signal, at separate pins.
 /// Both signals are registered and interpreted in the same steps. They differ only in the meaning
 /// and the
 /// destination of the value.

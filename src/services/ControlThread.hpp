@@ -45,9 +45,9 @@ class ControlThread {
   ControlThread() = default;
   ~ControlThread() = default;
 
-  /// @brief Runs one activation, and triggers the thread again when another one is pending. The
-  /// platform calls it at the priority of the thread, as its answer to pend(). Without a pending
-  /// activation it does nothing.
+  /// @brief Runs one activation, and triggers the thread again when another activation is pending.
+  /// The platform calls it at the priority of the thread, as its answer to pend(). Without a
+  /// pending activation it does nothing.
   void run();
 
  private:

@@ -49,8 +49,7 @@ struct TurnFeedback {
 ///
 /// @function Each time a measurement of the position ends, lets the state of the steering act on
 /// the newest target, the newest position and the state of the motor, and publishes the result. It
-/// orders the
-/// motor through commands, and names neither the sensor nor the device.
+/// controls the motor through commands, and does not name the sensor or the device.
 ///
 /// @secret The greatest age of a target and a position, and how a contradiction between angle and
 /// motor is detected.

@@ -15,7 +15,7 @@ namespace wr {
 /// @brief The steering as a control system.
 ///
 /// @function Passes the ordered angle, or the order to hold, to the controller of the steering,
-/// which has its own ticks, and reports the result of the controller to Main Control.
+/// which runs in each tick, and reports the result of the controller to Main Control.
 ///
 /// @secret How the control cycle and the faster tick of the steering exchange orders and values.
 ///

@@ -48,8 +48,8 @@ class Wheel final {
   /// @brief Sets the voltage, in the present orientation. The duty cycle is rounded to the nearest
   /// 0.01 %.
   /// @param magnitude voltage [mV], 0 to 24000; a greater value counts as the limit
-  /// @post The driver is enabled; after an overcurrent trip neither the voltage nor the driver
-  /// changes.
+  /// @post The driver is enabled; after an overcurrent trip the voltage and the driver do not
+  /// change.
   /// @satisfies FR-80
   /// @satisfies FR-86
   /// @isr{no}

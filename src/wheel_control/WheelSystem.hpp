@@ -14,8 +14,8 @@ namespace wr {
 
 /// @brief The control system of one wheel.
 ///
-/// @function Records the orders of the main controller for its wheel, executes them in its own thread, and
-/// returns the measured and applied values.
+/// @function Records the orders of the main controller for its wheel, executes them in the thread
+/// of the wheel, and returns the measured and applied values.
 ///
 /// @secret How orders of the main controller are converted to orders of a wheel, and that each
 /// wheel has a thread.
@@ -52,7 +52,7 @@ class WheelSystem final : public ControlSystem {
 
   /// @brief Returns whether the orders of a cycle were executed.
   /// @param cycle number of the control cycle, from 1
-  /// @return true if the last orders that were executed are those of that cycle
+  /// @return true if the last executed orders are the orders of that cycle
   /// @satisfies FR-5
   /// @satisfies FR-74
   /// @isr{no}

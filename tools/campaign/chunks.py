@@ -1,4 +1,4 @@
-"""The chunks of a campaign, and the files of those that are finished.
+"""The chunks of a campaign, and the files of the finished chunks.
 
 A chunk is a pure function of its seed and its count: it has the same result wherever it runs.
 """
@@ -27,7 +27,7 @@ class Chunk:
 
 
 def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
-    """The chunks of a campaign; a longer campaign begins with those of a shorter campaign."""
+    """The chunks of a campaign; a longer campaign begins with the chunks of a shorter campaign."""
     if count < 1 or count > size * SEEDS:
         raise ValueError(f"a campaign has from 1 to {size * SEEDS} cases")
     number = -(-count // size)
@@ -83,7 +83,7 @@ class Store:
 
 
 def whole_part(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """The chunks before the first missing or incomplete chunk: those of a shorter campaign."""
+    """The chunks before the first missing or incomplete chunk: they make a shorter campaign."""
     whole: list[Chunk] = []
     for number, chunk in enumerate(chunks):
         if chunk.number != number or (whole and chunk.count > whole[0].count):

@@ -130,7 +130,7 @@ class Places:
                 if member is not None and (place is not None or kind.tag == "DW_TAG_union_type"):
                     at = place.value if place is not None else 0
                     if "DW_AT_bit_size" not in child.attributes and isinstance(at, int):
-                        # A base class is a part of the derived class: it has no place of its own.
+                        # A base class is a part of the derived class: it has no separate place.
                         inner = self._bytes(member, offset + at, module)
                         yield from inner
 
@@ -175,7 +175,7 @@ def _children(die: DIE, tags: Iterable[str]) -> Iterator[DIE]:
 
 
 def _path(die: DIE) -> str:
-    """The name of a class with its namespaces and classes."""
+    """The name of a class with its namespaces and enclosing classes."""
     parent = die.get_parent()
     outer = _path(parent) if parent is not None and parent.tag != "DW_TAG_compile_unit" else ""
     return f"{outer}::{_text(die, 'DW_AT_name')}"

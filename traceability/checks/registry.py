@@ -239,7 +239,7 @@ _FIXED = [
         "Every role of the pattern",
         "Every application in design/applications.toml assigns each role of its pattern, and no "
         "other, to modules that exist.",
-        "whether the module is right; the clauses of the pattern find some wrong ones.",
+        "whether the module plays the role; the clauses of the pattern find some wrong modules.",
         "bind the role, or correct the name of the module.",
     ),
     Check(

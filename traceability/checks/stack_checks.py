@@ -35,7 +35,8 @@ def _self_calls(facts: Facts) -> list[Finding]:
 
 
 def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
-    """The functions of a file that a function reaches."""
+    """Returns the functions that a function calls, directly or through other functions of its
+    file."""
     reached: set[str] = set()
     work = [function]
     while work:

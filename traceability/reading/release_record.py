@@ -11,7 +11,8 @@ RECORD = RESULTS / "release.json"
 
 
 def release_metrics(root: Path, commit: str) -> dict[str, Any]:
-    """Whether both were equal byte by byte; None when this commit was not tested."""
+    """Returns whether two builds of this commit were equal byte by byte; nothing when they were not
+    compared."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not commit or not record["commit"].startswith(commit):
         return {}

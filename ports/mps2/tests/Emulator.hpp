@@ -31,7 +31,7 @@ class Emulator {
   Emulator& operator=(const Emulator&) = delete;
 
   /// @brief Runs the program until it reaches one of the given instructions. The program must not
-  /// be at one of them now.
+  /// be at one of these instructions now.
   /// @param places addresses of the instructions
   /// @return the instruction at which it stopped
   std::uint32_t runTo(std::initializer_list<std::uint32_t> places);

@@ -12,8 +12,9 @@ namespace {
 constexpr std::uint32_t kCounter = 0x40002004;  // VALUE of the dual timer, which the timebase reads
 constexpr scenario::RobotSession::Time kPeriod{SystemConstants::instance().cyclePeriod().count()};
 
-// QEMU stops for each byte. In a stop its clock can go on for as long as this machine lets it wait.
-// So the bytes come early: the stops of a frame have most of a period.
+// QEMU stops for each byte. While the program is stopped, the clock of the emulator can continue
+// for as long as this machine is busy. So the bytes come early: the stops of a frame have most of a
+// period.
 constexpr scenario::RobotSession::Time kEarlier{80'000};
 
 }  // namespace

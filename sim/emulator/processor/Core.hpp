@@ -75,7 +75,7 @@ class Core {
   [[nodiscard]] std::uint64_t cycles() const { return instructions_ + otherCycles_; }
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
 
-  /// @brief Adds cycles to the first one of an instruction.
+  /// @brief Adds cycles to the first cycle of an instruction.
   void spend(std::uint64_t cycles) { otherCycles_ += cycles; }
 
   /// @brief Address of the running or the last instruction.

@@ -78,7 +78,7 @@ void addSingles(Core& core, const Instruction& in) {
   x.s[in.d] = Float(x.fpscr).add(x.s[in.n], x.s[in.m]);
 }
 
-// FPSub is its own operation: a NaN keeps its sign.
+// FPSub is not FPAdd with a negated operand: a NaN keeps its sign.
 void subtractSingles(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   x.s[in.d] = Float(x.fpscr).subtract(x.s[in.n], x.s[in.m]);
@@ -131,7 +131,8 @@ void toHalf(Core& core, const Instruction& in) {
   x.s[in.d] = (x.s[in.d] & ~(0xFFFFU << in.value)) | half << in.value;
 }
 
-// Conversion: value contains the number of fraction bits, and above it that of the integer part.
+// Conversion: the lower bits of value contain the number of fraction bits, the upper bits the
+// number of integer bits.
 constexpr std::uint32_t kSignedFixed = 0x100;
 constexpr std::uint32_t kHalfFixed = 0x200;
 constexpr std::uint32_t kGivenRounding = 0x400;  // towards zero, or to the nearest number

@@ -84,15 +84,13 @@ class Memory {
     return directs_[address / kMegabyte];
   }
 
-  /// @brief Returns words for loads without a call; none if not all of them can be loaded in this
-  /// way.
+  /// @brief Returns bytes that can be loaded without a call; nullptr when a part of them cannot.
   [[nodiscard]] const std::uint8_t* loadable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.loads, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief Returns words for stores without a call; none if not all of them can be stored in this
-  /// way.
+  /// @brief Returns bytes that can be stored without a call; nullptr when a part of them cannot.
   [[nodiscard]] std::uint8_t* storable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;
@@ -135,7 +133,7 @@ class Memory {
     return value;
   }
 
-  /// @brief The words of a stack; none if not all of it can be written.
+  /// @brief The words of a stack; no words when a part of the stack cannot be written.
   [[nodiscard]] std::uint8_t* stack(std::uint32_t address, std::uint32_t size) const;
 
  private:

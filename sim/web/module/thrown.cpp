@@ -23,7 +23,7 @@ std::string_view thrownText() {
 
 }  // namespace wr::web
 
-// The names are those of the C++ ABI, which the compiler calls.
+// The C++ ABI defines these names; the compiler calls them.
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 extern "C" void* __cxa_allocate_exception(std::size_t size) noexcept {
   return std::malloc(size);

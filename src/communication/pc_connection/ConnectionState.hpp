@@ -50,8 +50,9 @@ class ConnectionState {
   /// @satisfies FR-47
   virtual bool order(PcConnection& connection, const Frame& frame);
 
-  /// @brief Checks the silence before each frame, at the time when the frame was received, and after
-  /// the frames of a cycle, at its clock pulse. Has no effect unless a state defines otherwise.
+  /// @brief Checks how long the PC was silent. It is called for each frame with the time of its
+  /// arrival, and once per cycle with the time of the clock pulse. Has no effect unless a state
+  /// overrides it.
   /// @param connection the connection whose time is checked
   /// @isr{no}
   virtual void checkTime(PcConnection& connection);

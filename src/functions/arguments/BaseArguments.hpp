@@ -15,7 +15,7 @@ class BaseArguments final : public Arguments {
  public:
   /// @brief Constructs arguments of a raw value and a time.
   /// @param raw raw value, in the unit of the function
-  /// @param elapsed time that belongs to it [us]; limited to 0 to 2147483647
+  /// @param elapsed time that belongs to the value [us]; limited to 0 to 2147483647
   BaseArguments(std::int32_t raw, Microseconds elapsed);
 
   /// @brief Writes Raw and Elapsed.

@@ -18,7 +18,7 @@ namespace wr {
 ///
 /// @patternapp{control-system-orders, Template Method, Main controller orders for control sub-systems}
 /// @why The main controller sends the same sequence of orders to all control systems. Each control
-/// system carries out an order in its own way.
+/// system executes an order differently.
 /// @changes The way in which one system carries out an order may change. A new order is one more step of
 /// the sequence.
 class ControlSystem {
@@ -26,18 +26,19 @@ class ControlSystem {
   ControlSystem(const ControlSystem&) = delete;
   ControlSystem& operator=(const ControlSystem&) = delete;
 
-  /// @brief Orders to measure, to follow the set-points and to work.
+  /// @brief Orders the system to measure, to follow the set-points and to start its work.
   /// @param setPoints target of the system
   /// @param cycle number of the control cycle, from 1
   /// @isr{no}
   void control(const SetPoints& setPoints, std::uint32_t cycle);
 
-  /// @brief Orders to measure, to stand still and to work.
+  /// @brief Orders the system to measure, to stand still and to start its work.
   /// @param cycle number of the control cycle, from 1
   /// @isr{no}
   void hold(std::uint32_t cycle);
 
-  /// @brief Orders to measure, to stand still, to release latched faults and to work.
+  /// @brief Orders the system to measure, to stand still, to release latched faults and to start
+  /// its work.
   /// @param cycle number of the control cycle, from 1
   /// @isr{no}
   void acknowledge(std::uint32_t cycle);

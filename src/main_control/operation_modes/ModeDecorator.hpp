@@ -15,7 +15,7 @@ namespace wr {
 ///
 /// @patternapp{mode-extensions, Decorator, Operation modes as extensions of a basic task}
 /// @why The source of the orders determines the mode. Reading has the same basic actions in each
-/// mode, and each mode adds its own actions to them.
+/// mode, and each mode adds other actions to them.
 /// @changes The additions of a mode to reading may change without change to the basic task. A new
 /// reading mode is one more decorator around it.
 class ModeDecorator : public Mode {

@@ -31,7 +31,8 @@ struct Instants {
 ///
 /// @patternapp{instant-collectors, Decorator, Collectors of time instants}
 /// @why The signals of the remote control and of the Hall sensors are measured by the times of
-/// their edges. Each signal needs different values, and all of them extend a basic collector.
+/// their edges. Each signal needs different values, and each collector of values extends a basic
+/// collector.
 /// @changes A value that is calculated may change. A new value is one more decorator, and only the
 /// signals that need it are wrapped in it.
 class InstantCollector {

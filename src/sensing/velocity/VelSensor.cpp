@@ -23,7 +23,8 @@ constexpr Velocity kMoving{300};
 // Implausible edges in a cycle: one short disturbance of a line causes two.
 constexpr std::uint32_t kMaxImplausible = 3;
 
-// One turn in one microsecond is 600000000 [0.1 rpm]. One edge in one microsecond is a part of it.
+// One turn in one microsecond is 600000000 [0.1 rpm]. One edge in one microsecond is this number
+// divided by the edges per turn.
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;
 constexpr std::int32_t kEdgesPerTurn = SystemConstants::instance().hallEdgesPerTurn();
 constexpr std::int32_t kEdgePerMicrosecond = kTurnPerMicrosecond / kEdgesPerTurn;

@@ -24,13 +24,13 @@ struct PiGains {
 /// wheels of a robot would work against each other for a long time.
 class PiRegulator final {
  public:
-  /// @brief Three copies of a number, so that a bit that changes in one of them has no effect.
+  /// @brief Three copies of a number: a bit that changes in one copy has no effect.
   /// @datatype
   using Copies = std::array<std::int32_t, 3>;
 
   /// @brief Returns a number from its three copies.
   /// @param copies the copies
-  /// @return the number, in the unit of the copies; each bit is that of at least two copies
+  /// @return the number, in the unit of the copies; at least two copies have each bit of it
   /// @satisfies FR-224
   /// @isr{no}
   [[nodiscard]] static std::int32_t majority(const Copies& copies);

@@ -22,7 +22,7 @@ struct WheelFeedback {
 /// @role{wheel-control-algorithms, Strategy}
 ///
 /// @patternapp{wheel-control-algorithms, Strategy, Control algorithms for wheels}
-/// @why An order sets a voltage, a current or a velocity of a wheel. Each of them needs its own
+/// @why An order sets a voltage, a current or a velocity of a wheel. Each kind needs a different
 /// algorithm to calculate the voltage.
 /// @changes An algorithm may change, or a new one may be needed.
 class WheelAlgorithm {

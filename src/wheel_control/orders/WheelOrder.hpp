@@ -43,7 +43,7 @@ class WheelOrder {
   WheelOrder& operator=(const WheelOrder&) = delete;
 
   /// @brief Carries out the order.
-  /// @param work work of this cycle; the order fills in its own values
+  /// @param work work of this cycle; the order sets the values that it computes
   /// @isr{no}
   virtual void execute(WheelWork& work) = 0;
 

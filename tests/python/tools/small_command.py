@@ -1,4 +1,5 @@
-"""A small command of ./wr: a graph of three tasks whose programs write their files bit by bit."""
+"""A small command of ./wr: a graph of three tasks, whose programs write their files in several
+steps."""
 
 from __future__ import annotations
 

@@ -12,9 +12,9 @@
 #include "services/StartRecord.hpp"
 #include "units/SetPoints.hpp"
 
-// Replaces the file with this name in src: the composition of the robot includes it. The
-// names are those of the K64, the devices are those of the board MPS2. K64Thread uses the interrupt
-// controller of the core alone.
+// Replaces the file with this name in src: the composition of the robot includes it. The names come
+// from the K64, and the devices belong to the board MPS2. K64Thread uses the interrupt controller
+// of the core alone.
 
 namespace wr::platform {
 
