@@ -20,13 +20,21 @@ from tools.tasks import (
     pages_graph,
     python_task,
 )
-from traceability.reading.task_record import SEEDED_FAULTS, TESTS_BOARD, TESTS_TRACE
+from traceability.reading.task_record import (
+    CHANGES,
+    PORTS,
+    SEEDED_FAULTS,
+    TESTS_BOARD,
+    TESTS_TRACE,
+)
 
 # Word of the command line -> task.
 PARTS = {
     "host": TESTS_TRACE,
     "board": TESTS_BOARD,
     "sanitize": TESTS_SANITIZE,
+    "changes": CHANGES,
+    "ports": PORTS,
     **{folder: python_task(folder) for folder in PYTHON_TESTS},
 }
 

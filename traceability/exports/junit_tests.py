@@ -21,9 +21,10 @@ def junit_text(model: Model, _report: Report) -> str:
         ran = [test for test in model.tests.values() if target in test.results]
         for test in ran:
             _add_case(suite, test, test.results)
-        suite.set("tests", str(len(ran)))
-        for tag in ("failure", "skipped"):
-            suite.set(f"{tag}s".replace("skippeds", "skipped"), str(len(list(suite.iter(tag)))))
+    for suite in [*top, top]:
+        counts = {"tests": "testcase", "failures": "failure", "skipped": "skipped"}
+        for name, tag in counts.items():
+            suite.set(name, str(len(list(suite.iter(tag)))))
     ET.indent(top)
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{ET.tostring(top, encoding="unicode")}\n'
 
