@@ -17,7 +17,8 @@ from typing import TextIO
 
 from tools.cmake_build import build
 from tools.prose import lint_prose
-from tools.steps import FailureError, Steps, run
+from tools.steps import FailureError, run
+from tools.task_graph import Graph, Task
 from traceability.model.build import logic_of
 from traceability.reading.prose_record import write_prose
 from traceability.reading.translation_units import clang_arguments, is_board
@@ -25,10 +26,18 @@ from traceability.sources import DESIGN, include_options
 from traceability.whole_file import write_whole
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
+INCLUDED = re.compile(r'^#include ["<](.+)[">]', re.MULTILINE)
+HEADER_OBJECT = re.compile(
+    r"^(\S+_verify_interface_header_sets/\S+[.]hpp[.]cxx[.]o(?:bj)?): ", re.M
+)
 # Which module may include which; CMake writes it.
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")
+# A name that a source defines outside of a class.
+DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
+JOINED = 8  # sources that clang-tidy checks as one at most
+LINT_RECORD = Path("build/lint.json")
 WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
 WARNINGS = [
     "-Wall",
@@ -57,13 +66,15 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 
 
 def lint(root: Path) -> int:
-    steps = Steps(root, 8)
+    tasks = lint_tasks(root)
+    failed = Graph(root, tasks, record=LINT_RECORD).run([task.name for task in tasks]).failed
+    return 1 if failed else 0
+
+
+def lint_tasks(root: Path) -> list[Task]:
+    """The tasks of this command; each runs always."""
     tools = root / ".venv" / "bin"
     python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
-    steps.run("clang-format", lambda log: check_format(root, log))
-    steps.run("clang without warnings", lambda log: build_with_clang(root, log))
-    steps.run("headers alone", lambda log: check_headers(root, log))
-    steps.run("clang-tidy", lambda log: check_tidy(root, log))
 
     def ruff(log: TextIO) -> None:
         config: list[str | Path] = ["--config", root / "pyproject.toml"]
@@ -77,11 +88,22 @@ def lint(root: Path) -> int:
         packages = [root / name for name in (*names, "sim/scenario")]
         run(log, [tools / "mypy", "--strict", *config, *packages])
 
-    steps.run("ruff", ruff)
-    steps.run("mypy", mypy)
-    steps.run("imports", lambda log: check_imports(root, log))
-    steps.run("prose", lambda log: check_prose(root, log))
-    return 1 if steps.failed else 0
+    def task(
+        name: str, action: Callable[[Path, TextIO], str | None], after: tuple[str, ...] = ()
+    ) -> Task:
+        return Task(name, partial(action, root), after=after, always=True)
+
+    built = "clang without warnings"
+    return [
+        task(built, build_with_clang),
+        task("clang-format", check_format),
+        Task("ruff", ruff, always=True),
+        Task("mypy", mypy, always=True),
+        task("imports", check_imports),
+        task("prose", check_prose),
+        task("clang-tidy", check_tidy, (built,)),
+        task("headers alone", check_headers, (built,)),
+    ]
 
 
 def sources(root: Path, folders: Iterable[str], suffix: str) -> list[Path]:
@@ -134,85 +156,152 @@ def build_with_clang(root: Path, log: TextIO) -> None:
         run(log, ["clang++", "-fsyntax-only", *words, f"-fmodule-name={module}", str(source)])
 
 
-def check_headers(root: Path, log: TextIO) -> None:
+def check_headers(root: Path, log: TextIO) -> str:
     """Compiles each header alone: with clang for this machine, or for the K64 if it belongs to a
-    driver."""
+    driver.
+
+    A header that a source of the design includes first was compiled alone with this source.
+    """
+    headers = 0
     for preset in ("host", "k64"):
-        build(root, preset, log, "all_verify_interface_header_sets")
+        alone = [one for one in header_objects(root, preset, log) if not is_first(root, one)]
+        build(root, preset, log, *alone)
+        headers += len(alone)
+    return f"{headers} headers"
+
+
+def header_objects(root: Path, preset: str, log: TextIO) -> list[str]:
+    """The objects of a build that each contain one header."""
+    build(root, preset, log, "build.ninja")
+    words = ["ninja", "-C", str(root / "build" / preset), "-t", "targets", "all"]
+    listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    return sorted(set(HEADER_OBJECT.findall(listed)))
+
+
+def is_first(root: Path, target: str) -> bool:
+    """Whether the header of an object is the first include of the source with its name."""
+    header = target.rsplit("_verify_interface_header_sets/", maxsplit=1)[-1].rpartition(".cxx.")[0]
+    sources = (root / folder / header.replace(".hpp", ".cpp") for folder in DESIGN)
+    texts = (source.read_text(encoding="utf-8") for source in sources if source.exists())
+    return any(INCLUDED.findall(text)[:1] == [header] for text in texts)
 
 
 def check_tidy(root: Path, log: TextIO) -> str:
-    directory = root / "build" / "host"
-    if not (directory / "compile_commands.json").exists():
-        raise FailureError("the build with clang is missing")
+    """Runs clang-tidy on the design and sim.
 
-    def command(source: Path) -> list[str]:
-        words = [str(root / ".venv" / "bin" / "clang-tidy"), "--quiet", str(source)]
-        if on_board(root, source):
-            return [*words, "--", *clang_arguments(board=True), *include_options(root)]
-        if source.is_relative_to(root / "ports"):
-            # The headers of a port are found before those of the design.
-            own = [f"-I{folder}" for folder in source.parents if folder.is_relative_to(root)]
-            return [*words, "--", *clang_arguments(board=True), *own, *include_options(root)]
-        if source.is_relative_to(root / "sim"):
-            # CMake compiles several of these sources as one, or with parsed headers.
-            rooms = [f"-I{room}" for room in sorted((directory / "rooms").iterdir())]
-            return [
-                *words,
-                "--",
-                "-std=c++20",
-                *rooms,
-                *include_options(root),
-                f"-I{directory}/frames",
-            ]
-        return [*words, "-p", str(directory)]
-
+    Most of its time goes into the same headers: sources of a folder are checked as one.
+    """
     checked = [
         source
         for source in sources(root, CHECKED, ".cpp")
         if not source.is_relative_to(root / WEB) and source.parent.name != "tests"
     ]
-    return check_changed(root, "tidy", checked, command, log)
+
+    def command(unit: tuple[Path, ...]) -> list[str]:
+        source = unit[0] if len(unit) == 1 else joined(root, unit)
+        words = [str(root / ".venv" / "bin" / "clang-tidy"), "--quiet", str(source), "--"]
+        return [*words, *tidy_options(root, unit[0])]
+
+    return check_changed(root, "tidy", units_of(checked), command, log)
+
+
+def tidy_options(root: Path, source: Path) -> list[str]:
+    """The options of the compiler for a source, as CMake has them."""
+    if on_board(root, source):
+        return [*clang_arguments(board=True), *include_options(root)]
+    if source.is_relative_to(root / "ports"):
+        # The headers of a port are found before those of the design.
+        own = [f"-I{folder}" for folder in source.parents if folder.is_relative_to(root)]
+        return [*clang_arguments(board=True), *own, *include_options(root)]
+    if source.is_relative_to(root / "sim"):
+        directory = root / "build" / "host"
+        rooms = [f"-I{room}" for room in sorted((directory / "rooms").iterdir())]
+        return ["-std=c++20", *rooms, *include_options(root), f"-I{directory}/frames"]
+    return ["-std=c++20", "-fno-exceptions", "-fno-rtti", *include_options(root)]
+
+
+def units_of(paths: list[Path]) -> list[tuple[Path, ...]]:
+    """The sources that are checked as one: of one folder, without a private name in common."""
+    units: list[tuple[Path, ...]] = []
+    names: set[str] = set()
+    for path in paths:
+        own = set(DEFINED.findall(path.read_text(encoding="utf-8")))
+        last = units[-1] if units else ()
+        if last and last[0].parent == path.parent and len(last) < JOINED and not own & names:
+            units[-1] = (*last, path)
+            names |= own
+        else:
+            units.append((path,))
+            names = own
+    return units
+
+
+def joined(root: Path, unit: tuple[Path, ...]) -> Path:
+    """Writes the sources of a unit into one file, below the settings of their folder.
+
+    Several checks look at this file alone, not at the files that it includes.
+    """
+    folder = root / "build" / "lint" / "units"
+    file = folder / unit[0].relative_to(root)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    for found in settings(root, unit[0]):
+        if found.parent != root:
+            write_whole(folder / found.relative_to(root), found.read_text(encoding="utf-8"))
+    write_whole(file, "\n".join(path.read_text(encoding="utf-8") for path in unit))
+    return file
 
 
 def check_changed(
     root: Path,
     name: str,
-    paths: list[Path],
-    command: Callable[[Path], list[str]],
+    units: list[tuple[Path, ...]],
+    command: Callable[[tuple[Path, ...]], list[str]],
     log: TextIO,
 ) -> str:
-    """Runs the command on each file whose present content has not passed it yet.
+    """Runs the command on each unit whose present content has not passed it yet, and on each file
+    of a unit that fails.
 
-    The content of a file includes the files of the project that it includes, the settings of
+    The content of a unit includes the files of the project that it includes, the settings of
     clang-tidy, and the command.
     """
     store = root / "build" / "lint" / f"{name}.json"
     passed = json.loads(store.read_text()) if store.exists() else {}
-    keys = {}
-    for path in paths:
-        total = hashlib.sha256(" ".join(command(path)).encode())
-        for part in (*settings(root, path), *sorted(included(root, path))):
-            total.update(part.read_bytes())
-        keys[str(path.relative_to(root))] = total.hexdigest()
-    changed = [file for file, key in keys.items() if passed.get(file) != key]
+    keys = {unit: key_of(root, unit, command(unit)) for unit in units}
+    changed = [unit for unit, key in keys.items() if passed.get(name_of(root, unit)) != key]
 
-    def check(file: str) -> tuple[str, bool, str]:
-        words = command(root / file)
-        ended = subprocess.run(words, capture_output=True, text=True, check=False)
-        return file, ended.returncode == 0, ended.stdout + ended.stderr
+    def failed_files(unit: tuple[Path, ...]) -> dict[Path, str]:
+        ended = subprocess.run(command(unit), capture_output=True, text=True, check=False)
+        if ended.returncode == 0:
+            return {}
+        if len(unit) == 1:
+            return {unit[0]: ended.stdout + ended.stderr}
+        # The compiler may refuse the sources only as one.
+        return {path: text for one in unit for path, text in failed_files((one,)).items()}
 
-    failed = []
+    failed: dict[Path, str] = {}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for file, good, output in pool.map(check, changed):
-            if not good:
-                failed.append(file)
-                log.write(f"{file}:\n{output}\n")
-    good_keys = {file: key for file, key in keys.items() if file not in failed}
-    write_whole(store, json.dumps(good_keys, indent=1))
+        for found in pool.map(failed_files, changed):
+            failed |= found
+    log.writelines(f"{path.relative_to(root)}:\n{text}\n" for path, text in failed.items())
+    good = {name_of(root, unit): key for unit, key in keys.items() if not failed.keys() & unit}
+    write_whole(store, json.dumps(good, indent=1))
+    count = sum(map(len, units))
     if failed:
-        raise FailureError(f"{len(failed)} of {len(paths)} files")
-    return f"{len(paths)} files, {len(changed)} of them changed"
+        raise FailureError(f"{len(failed)} of {count} files")
+    return f"{count} files, {sum(map(len, changed))} of them changed"
+
+
+def name_of(root: Path, unit: tuple[Path, ...]) -> str:
+    return str(unit[0].relative_to(root))
+
+
+def key_of(root: Path, unit: tuple[Path, ...], command: list[str]) -> str:
+    """The hash of all that determines the result of a command on a unit."""
+    total = hashlib.sha256(" ".join(command).encode())
+    read = {file for path in unit for file in included(root, path)}
+    for part in (*unit, *settings(root, unit[0]), *sorted(read)):
+        total.update(part.read_bytes())
+    return total.hexdigest()
 
 
 def settings(root: Path, path: Path) -> list[Path]:

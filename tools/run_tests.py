@@ -8,8 +8,9 @@ from pathlib import Path
 from tools.check import report
 from tools.cmake_build import Counts
 from tools.documents import read_findings
+from tools.lint import lint_tasks
 from tools.lock import only_one
-from tools.task_graph import Reporter
+from tools.task_graph import Graph, Reporter
 from tools.tasks import (
     DOCUMENTS,
     PAGES,
@@ -59,6 +60,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         action="store_true",
         help="also seed each fault of tests/drift in a copy, and test whether the checks find it",
     )
+    parser.add_argument("--lint", action="store_true", help="also do ./wr lint, at the same time")
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
 
 
@@ -66,7 +68,9 @@ def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
     unknown = [part for part in options.parts if part not in PARTS]
     if unknown:
         parser.error(f"there is no part {unknown[0]}; the parts are {', '.join(PARTS)}")
-    return test_parts(root, options.parts) if options.parts else test(root, long=options.long)
+    if options.parts:
+        return test_parts(root, options.parts)
+    return test(root, long=options.long, lint=options.lint)
 
 
 def test_parts(root: Path, parts: list[str]) -> int:
@@ -77,10 +81,13 @@ def test_parts(root: Path, parts: list[str]) -> int:
     return 0 if counts.passed and not results.failed else 1
 
 
-def test(root: Path, *, long: bool) -> int:
+def test(root: Path, *, long: bool, lint: bool) -> int:
     with only_one(root, "test"):
         names = [*RESULT_TASKS, TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
-        results = graph(root).run([*names, SEEDED_FAULTS] if long else names)
+        names += [SEEDED_FAULTS] if long else []
+        style = lint_tasks(root) if lint else []
+        tasks = Graph(root, [*style, *graph(root).tasks])
+        results = tasks.run([*(task.name for task in style), *names])
         pages = pages_graph(root).run([DOCUMENTS, PAGES])
         counts = counts_of(results) + counts_of(pages)
         code = report(read_findings(root), [*results.failed, *pages.failed])

@@ -31,7 +31,7 @@ function next() {
     seen[name] = await probe(frame.contentWindow);
     next();
   }, 30);
-  frame.src = name + ".html%QUERY%";
+  frame.src = name.replace(/(?=[?]|$)/, ".html");
 }
 async function probe(view) { const doc = view.document; %PROBE% }
 next();
@@ -59,12 +59,14 @@ def look(
     probe: str,
     *,
     width: int = 1200,
-    query: str = "",
     name: str = "probe",
 ) -> tuple[dict[str, Any], list[str]]:
-    """Returns the result of the probe for each page, and the errors on the console."""
+    """Returns the result of the probe for each page, and the errors on the console.
+
+    A page is a name without the suffix, with a query or not.
+    """
     address, site = server
-    values = {"PAGES": json.dumps(pages), "WIDTH": str(width), "QUERY": query, "PROBE": probe}
+    values = {"PAGES": json.dumps(pages), "WIDTH": str(width), "PROBE": probe}
     page = HARNESS
     for key, value in values.items():
         page = page.replace(f"%{key}%", value)

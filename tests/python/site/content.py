@@ -7,15 +7,12 @@ import posixpath
 import re
 from dataclasses import dataclass, field
 from functools import cache
-from html.parser import HTMLParser
 from pathlib import Path
+
+from lxml.html import HtmlElement, HTMLParser, fromstring
 
 SITE = Path(__file__).parents[3] / "build" / "site"
 FIRST = "index.html"
-VOID = {
-    "area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track",
-    "wbr", "path", "rect", "circle", "line",
-}  # fmt: skip
 LISTING = re.compile(r"source/.+\.\w+\.html")  # pages of code
 # Classes of elements for navigation: the side navigation, the way back, the search.
 NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
@@ -40,59 +37,42 @@ class Content:
     text: str = ""
 
 
-class Reader(HTMLParser):
+class Reader:
+    """Collects the content of the element ``main`` of a page, without navigation."""
+
     def __init__(self, page: str) -> None:
-        super().__init__()
         self.page = page
         self.found = Content()
-        self.open: list[tuple[str, bool, str, int]] = []  # tag, is navigation, id, start
         self.parts: list[str] = []
         self.size = 0
-        self.code: list[str] | None = None
 
-    @property
-    def inside(self) -> bool:
-        tags = [tag for tag, *_ in self.open]
-        return "main" in tags and not any(passed for _, passed, *_ in self.open)
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        values = {name: value or "" for name, value in attrs}
-        skipped = tag == "nav" or bool(NAVIGATION.search(values.get("class", "")))
-        if tag not in VOID:
-            self.open.append((tag, skipped, values.get("id", ""), self.size))
-        if not self.inside:
+    def read(self, element: HtmlElement, linked: bool = False, listing: bool = False) -> None:
+        """Reads an element; ``linked`` and ``listing`` say whether it is in a link or listing."""
+        tag = element.tag
+        if tag == "nav" or NAVIGATION.search(element.get("class", "")):
             return
-        if "id" in values:
-            self.found.ids.setdefault(values["id"], (self.size, self.size))
-        if tag == "a" and values.get("href"):
-            self.found.links.append(resolved(self.page, values["href"]))
+        identifier = element.get("id")
+        start, first = self.size, len(self.parts)
+        new = identifier is not None and identifier not in self.found.ids
+        if tag == "a" and (address := element.get("href")):
+            self.found.links.append(resolved(self.page, address))
+        self.add(element.text)
+        inner = (linked or tag in ("a", "summary"), listing or tag == "pre")
+        if new:
+            self.found.ids[identifier] = (start, start)
+        for child in element:
+            if isinstance(child.tag, str):
+                self.read(child, *inner)
+            self.add(child.tail)
+        if new:
+            self.found.ids[identifier] = (start, self.size)
         if tag == "code":
-            self.code = []
+            self.found.codes.append(Code("".join(self.parts[first:]), *inner))
 
-    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.handle_starttag(tag, attrs)
-        if tag not in VOID:
-            self.handle_endtag(tag)
-
-    def handle_endtag(self, tag: str) -> None:
-        if tag == "code" and self.code is not None:
-            tags = {name for name, *_ in self.open}
-            text = "".join(self.code)
-            self.found.codes.append(Code(text, bool(tags & {"a", "summary"}), "pre" in tags))
-            self.code = None
-        while tag in [name for name, *_ in self.open]:
-            name, _, identifier, start = self.open.pop()
-            if identifier in self.found.ids and self.found.ids[identifier][0] == start:
-                self.found.ids[identifier] = (start, self.size)
-            if name == tag:
-                break
-
-    def handle_data(self, data: str) -> None:
-        if self.inside:
-            self.parts.append(data)
-            self.size += len(data)
-            if self.code is not None:
-                self.code.append(data)
+    def add(self, text: str | None) -> None:
+        if text:
+            self.parts.append(text)
+            self.size += len(text)
 
 
 def resolved(page: str, link: str) -> str:
@@ -106,8 +86,9 @@ def resolved(page: str, link: str) -> str:
 @cache
 def content(page: str) -> Content:
     reader = Reader(page)
-    reader.feed((SITE / page).read_text(encoding="utf-8"))
-    reader.close()
+    document = fromstring((SITE / page).read_bytes(), parser=HTMLParser(encoding="utf-8"))
+    for main in document.iter("main"):
+        reader.read(main)
     reader.found.text = "".join(reader.parts)
     return reader.found
 

@@ -173,13 +173,13 @@ def test_only_files_whose_content_or_includes_changed_are_checked_again(tmp_path
     (tmp_path / "src/a.hpp").write_text("int a;\n")
     (tmp_path / "src/b.cpp").write_text('#include "a.hpp"\n')
     (tmp_path / "src/c.cpp").write_text("int c;\n")
-    paths = [tmp_path / "src/b.cpp", tmp_path / "src/c.cpp"]
+    units = [(tmp_path / "src/b.cpp",), (tmp_path / "src/c.cpp",)]
 
     def check(command: str = "true") -> str:
         lint.direct.cache_clear()
         with (tmp_path / "log").open("a") as log:
             return lint.check_changed(
-                tmp_path, "test", paths, lambda path: [command, str(path)], log
+                tmp_path, "test", units, lambda unit: [command, *map(str, unit)], log
             )
 
     assert check() == "2 files, 2 of them changed"
@@ -189,3 +189,31 @@ def test_only_files_whose_content_or_includes_changed_are_checked_again(tmp_path
     with pytest.raises(FailureError, match="2 of 2"):
         check("false")
     assert check() == "2 files, 2 of them changed"
+
+
+def test_sources_without_a_private_name_in_common_are_checked_as_one(tmp_path: Path) -> None:
+    texts = {"a": "const int kA = 1;\nint a() {\n}\n", "b": "void B::go() {\n}\n", "c": ""}
+    texts |= {"d": "constexpr int kA{2};\n", "e": "int e() {\n}\n"}
+    paths = [tmp_path / f"{name}.cpp" for name in texts]
+    for path in paths:
+        path.write_text(f"namespace wr {{\n{texts[path.stem]}}}  // namespace wr\n")
+    a, b, c, d, e = paths
+    assert lint.units_of(paths) == [(a, b, c), (d, e)]
+
+
+def test_a_unit_fails_only_with_the_files_that_fail_alone(tmp_path: Path) -> None:
+    (tmp_path / ".clang-tidy").touch()
+    unit = (tmp_path / "a.cpp", tmp_path / "b.cpp")
+    for path in unit:
+        path.touch()
+
+    def check(failing: str) -> str:
+        with (tmp_path / "log").open("a") as log:
+            return lint.check_changed(
+                tmp_path, "test", [unit], lambda part: ["sh", "-c", f"{failing} {len(part)}"], log
+            )
+
+    assert check("test 1 -eq") == "2 files, 2 of them changed"
+    assert check("test 1 -eq") == "2 files, 0 of them changed"
+    with pytest.raises(FailureError, match="2 of 2"):
+        check("test 0 -eq")
