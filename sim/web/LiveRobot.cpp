@@ -111,8 +111,14 @@ void LiveRobot::take(const emulator::Event& event) {
   if (setup_.verifies) {
     events_.add(event);
   }
-  if (event.kind == emulator::Event::Kind::ExceptionEntered && event.number == kPulse) {
+  const bool entered = event.kind == emulator::Event::Kind::ExceptionEntered;
+  if (entered && event.number == kPulse) {
     endCycle();
+  }
+  if (entered || event.kind == emulator::Event::Kind::ExceptionLeft) {
+    switches_.push_back({.exception = event.number,
+                         .entered = entered,
+                         .at = static_cast<std::uint32_t>((event.at - pulseAt_).count())});
   }
 }
 
@@ -130,6 +136,8 @@ void LiveRobot::endCycle() {
     }
   }
   cycle_.truncated = recorder_.truncated();
+  cycle_.switches = std::exchange(switches_, {});
+  pulseAt_ = session_.board.now();
   recorder_.clear();
   const std::uint64_t now = session_.board.cycles();
   const std::uint64_t slept = session_.board.sleptCycles();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <sstream>
@@ -31,6 +32,13 @@ class LiveRobot {
 
   enum class State : std::uint8_t { Runs, Ended, Found };
 
+  /// @brief The instant at which an interrupt or a thread begins or ends.
+  struct Switch {
+    std::uint32_t exception = 0;  ///< number of the exception
+    bool entered = false;         ///< begins; otherwise it ends
+    std::uint32_t at = 0;         ///< time since the begin of the cycle [ns]
+  };
+
   /// @brief The recorded calls from one clock pulse to the next.
   struct Cycle {
     std::vector<std::uint32_t> calls;  ///< address of a function; bit 0 is set when it is left
@@ -38,6 +46,7 @@ class LiveRobot {
     std::uint64_t awake = 0;           ///< cycles in which the processor did not sleep
     std::uint32_t hash = 0;            ///< two cycles with the same calls have the same hash
     bool truncated = false;            ///< further calls were not recorded
+    std::vector<Switch> switches;      ///< in the order of time
   };
 
   /// @brief Switches the robot on. Throws Scenario::Error.
@@ -100,6 +109,8 @@ class LiveRobot {
   std::optional<scenario::Scenario::Action> order_;
   scenario::RobotSession::Time orderAt_{};
   Cycle cycle_;
+  std::vector<Switch> switches_;  // since the begin of the present cycle
+  std::chrono::nanoseconds pulseAt_{};
   std::uint64_t beganAt_ = 0;      // processor cycle
   std::uint64_t sleptBefore_ = 0;  // processor cycles
   std::vector<std::uint32_t> entries_;

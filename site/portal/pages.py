@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import functools
+import json
 from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from itertools import islice
 from typing import Any
+
+from markupsafe import Markup
 
 from portal.answers import by_topic
 from portal.bench_page import bench
@@ -42,7 +45,7 @@ from traceability.model.made_changes import proven
 from traceability.model.not_shown import by_method, not_shown
 from traceability.model.orphan_methods import methods_without, tests_without
 from traceability.reading.bench_record import SCENARIOS
-from traceability.reading.products import PRODUCTS
+from traceability.reading.products import DEFAULT, PRODUCTS
 from traceability.schema import (
     Method,
     Module,
@@ -204,7 +207,23 @@ def execution(portal: Portal) -> dict[str, Any]:
     ordered = sorted(
         contexts, key=lambda context: (context.priority is None, context.priority or 0)
     )
-    return {"contexts": ordered, "wide": True}
+    lanes = [
+        {"id": one.id, "name": one.name, "lines": one.lines, "priority": one.priority}
+        for one in ordered
+        if one.priority is not None
+    ]
+    times = portal.model.times
+    machines = portal.model.machines.values()
+    return {
+        "contexts": ordered,
+        "responses": {bound.context: bound.response_ms for bound in times.contexts}
+        if times
+        else {},
+        "lane_data": Markup(json.dumps(lanes)),
+        "state_modules": sorted({name for one in machines for name in one.states.values()}),
+        "image": DEFAULT,
+        "wide": True,
+    }
 
 
 def tests(portal: Portal) -> dict[str, Any]:

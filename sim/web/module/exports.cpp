@@ -183,6 +183,19 @@ std::size_t liveCallCount() {
   return module().robot->cycle().calls.size();
 }
 
+/// Stores the begins and ends of interrupts and threads in the last control cycle. Each has its
+/// exception (2 bytes), 1 when it begins (1 byte), and its time since the begin of the cycle in ns
+/// (4 bytes).
+void liveSwitches() {
+  Bytes& bytes = module().bytes;
+  bytes.clear();
+  for (const LiveRobot::Switch& one : module().robot->cycle().switches) {
+    append(bytes, static_cast<std::uint16_t>(one.exception));
+    append(bytes, static_cast<std::uint8_t>(one.entered ? 1 : 0));
+    append(bytes, one.at);
+  }
+}
+
 std::uint32_t liveCallsHash() {
   return module().robot->cycle().hash;
 }

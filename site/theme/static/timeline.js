@@ -148,18 +148,24 @@
         if (!drawRow(group, lane.rows[depth - 1], y, x, names)) break;
       }
       const title = lane.priority === null ? "main program" : "priority " + lane.priority;
-      const list = [...names].join(", ");
       const name = draw("text", { class: "tl-name", x: 6, y: top + 13 }, group);
-      name.textContent = (title + (list && list !== title ? ": " + list : "")).slice(
-        0,
-        Math.floor(width / 6.4),
-      );
+      fit(name, title, [...names].filter((each) => each !== title), width - 12);
       top += HEAD + depth * ROW + 4;
       draw("path", { class: "tl-base", d: "M0 " + top + "H" + width }, area);
     });
     area.setAttribute("viewBox", "0 0 " + width + " " + (top + 2));
     area.setAttribute("height", top + 2);
     words.textContent = time(from) + " to " + time(to) + ", " + time(to - from) + " in view";
+  }
+  /* The title with as many of the names as the width permits. */
+  function fit(text, title, names, width) {
+    for (let count = names.length; count >= 0; count -= 1) {
+      const rest = names.length - count;
+      const list = [...names.slice(0, count), ...(rest ? [`${rest} more`] : [])].join(", ");
+      text.textContent = list ? `${title}: ${list}` : title;
+      if (text.getComputedTextLength() <= width) return;
+    }
+    text.textContent = title;
   }
   function axis(width, x) {
     const rough = ((to - from) * 110) / width,

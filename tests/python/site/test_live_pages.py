@@ -73,6 +73,54 @@ frame.onload = async () => {
 frame.src = "patterns/operation-states.html";
 </script>"""
 
+LANES = """
+const lanes = require(process.argv[1]);
+const { contexts, switches, lasted, at } = JSON.parse(require("fs").readFileSync(0, "utf8"));
+const activations = lanes.activationsOf(switches, lasted);
+const found = lanes.lanesOf(contexts, activations);
+process.stdout.write(JSON.stringify({
+  activations,
+  counts: found.map((lane) => lane.counts.map(({ context, count }) => [context.id, count])),
+  active: at.map((instant) => lanes.activeAt(found, instant).map((context) => context.id)),
+}));
+"""
+# In the page of the execution: play ten cycles, pause, and move the instant to the clock pulse.
+LANES_OF_PAGE = """<!doctype html><meta charset="utf-8">
+<iframe style="width:1200px;height:900px"></iframe>
+<script>
+const frame = document.querySelector("iframe");
+const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+frame.onload = async () => {
+  const doc = frame.contentDocument, one = (selector) => doc.querySelector(selector);
+  const button = one("[data-go]");
+  button.click();
+  const at = () => (one(".lv-at") || {}).textContent || "";
+  while (!(Number(at().replace(/.*cycle (\\d+).*/, "$1")) >= 10)) await wait(50);
+  button.click();
+  await wait(300);
+  const slider = one("#lanes-instant"), span = one("#lanes-window"), instants = [];
+  span.value = "1";
+  for (const value of [1, 1000]) {
+    slider.value = value;
+    slider.dispatchEvent(new Event("input"));
+    instants.push(one(".lv-instant").textContent);
+  }
+  const found = {
+    instants,
+    lanes: [...doc.querySelectorAll(".lv-lane svg")].map((svg) => svg.getAttribute("aria-label")),
+    active: [...doc.querySelectorAll("tr.lv-active")].map((row) => row.id),
+    sizes: [],
+  };
+  for (const width of [1200, 375]) {
+    frame.style.width = `${width}px`;
+    await wait(100);
+    found.sizes.push(doc.documentElement.scrollWidth - width);
+  }
+  await fetch("/", { method: "POST", body: JSON.stringify(found) });
+};
+frame.src = "execution.html";
+</script>"""
+
 pytestmark = pytest.mark.skipif(
     not (SITE / "live" / "live.wasm").exists(), reason="the module of the page was not built"
 )
@@ -172,3 +220,56 @@ def test_the_diagram_marks_the_called_modules_and_stops_when_paused() -> None:
     assert "MainController" in found["active"]
     assert len(set(found["present"])) == 1
     assert "pattern-operation-states-MainController-OperationState" in found["lines"]
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> None:
+    """A timer preempts a thread that began before the cycle; a second thread does not end in it."""
+
+    def switch(line: int, entered: bool, at: int) -> dict[str, object]:
+        return {"exception": 16 + line, "entered": entered, "at": at}
+
+    contexts = [
+        {"id": "timer", "name": "timer", "lines": [48], "priority": 2},
+        {"id": "threads", "name": "threads", "lines": [70, 71], "priority": 5},
+    ]
+    switches = [
+        switch(48, True, 0),
+        switch(48, False, 100),
+        switch(70, False, 300),
+        switch(99, True, 400),  # of no context
+        switch(99, False, 420),
+        switch(71, True, 500),
+        switch(48, True, 600),
+        switch(48, False, 650),
+    ]
+    given = {"contexts": contexts, "switches": switches, "lasted": 1000, "at": [50, 200, 450, 620]}
+    words = ["node", "-e", LANES, str(SCRIPTS / "lanes.js")]
+    run = subprocess.run(words, input=json.dumps(given), capture_output=True, text=True, check=True)
+    found = json.loads(run.stdout)
+    spans = [(one["exception"] - 16, one["begin"], one["end"]) for one in found["activations"]]
+    assert sorted(spans) == [
+        (48, 0, 100),
+        (48, 600, 650),
+        (70, 0, 300),
+        (71, 500, 1000),
+        (99, 400, 420),
+    ]
+    assert found["counts"] == [[["timer", 2]], [["threads", 2]]]
+    assert found["active"] == [["timer", "threads"], ["threads"], [], ["timer", "threads"]]
+
+
+@pytest.mark.browser
+@pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine")
+def test_the_lanes_of_the_page_execution_show_the_cycle_that_runs() -> None:
+    probe = SITE / "probe_lanes.html"
+    probe.write_text(LANES_OF_PAGE, encoding="utf-8")
+    try:
+        found = result_of(BROWSER, SITE, probe.name)
+    finally:
+        probe.unlink()
+    assert {"cycle-timer", "tick-timer", "main-thread", "wheel-threads"} <= set(found["active"])
+    # The clock pulse is the first activation of a cycle; nothing is left of the tick after it.
+    assert found["instants"][0].startswith("0.001 ms: cycle timer")
+    assert any("tick timer \u00d7" in lane for lane in found["lanes"])
+    assert max(found["sizes"]) <= 0

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -22,6 +23,9 @@ namespace {
 
 constexpr int kCyclesToMode = 12;  // until the mode PC reads
 constexpr int kCycles = 30;        // of a drive
+constexpr int kTicks = 100;        // in a cycle
+constexpr std::uint32_t kLongestCycle =
+    100'100'000;  // ns; an interrupt that runs delays the next pulse
 const std::string kFree = "at 50 connect\nat 600000 end\n";
 
 std::vector<std::uint32_t> functions() {
@@ -64,6 +68,29 @@ TEST(LiveRobotTest, RunsCycleByCycle) {
     EXPECT_LE(robot->cycle().awake, robot->cycle().cycles);
   }
   EXPECT_GT(std::ranges::max(robot->entries()), 4U);
+}
+
+/// @brief The begins and ends of interrupts and threads of a cycle are in the order of time, from the
+/// clock pulse to the next; the tick comes each millisecond.
+TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
+  const auto robot = robotIn(kFree);
+  run(*robot, kCyclesToMode);
+  const auto& switches = robot->cycle().switches;
+  ASSERT_FALSE(switches.empty());
+  EXPECT_EQ(switches.front().at, 0U);
+  EXPECT_TRUE(switches.front().entered) << "the clock pulse";
+  EXPECT_TRUE(std::ranges::is_sorted(switches, {}, &web::LiveRobot::Switch::at));
+  EXPECT_LT(switches.back().at, kLongestCycle);
+  std::map<std::uint32_t, int> active;
+  std::map<std::uint32_t, int> begins;
+  for (const auto& one : switches) {
+    active[one.exception] += one.entered ? 1 : -1;
+    EXPECT_TRUE(active[one.exception] == 0 || active[one.exception] == 1);
+    begins[one.exception] += one.entered ? 1 : 0;
+  }
+  EXPECT_EQ(begins[switches.front().exception], 1) << "one clock pulse";
+  EXPECT_TRUE(std::ranges::any_of(
+      begins, [](const auto& one) { return one.second >= kTicks - 1 && one.second <= kTicks; }));
 }
 
 /// @brief The order of the user is sent repeatedly, and the robot drives; without an order it

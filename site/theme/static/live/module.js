@@ -137,6 +137,18 @@
       return new Uint32Array(this.exports.memory.buffer, at, this.functions).slice();
     }
 
+    /* The begins and ends of interrupts and threads in the last cycle, in the order of time [ns]. */
+    switches() {
+      this.call("liveSwitches");
+      const bytes = this.kept();
+      const view = new DataView(bytes.buffer);
+      return Array.from({ length: bytes.length / 7 }, (_, i) => ({
+        exception: view.getUint16(7 * i, true),
+        entered: view.getUint8(7 * i + 2) === 1,
+        at: view.getUint32(7 * i + 3, true),
+      }));
+    }
+
     /* The bytes on the line since the last call. */
     line() {
       this.call("liveLine");

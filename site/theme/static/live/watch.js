@@ -42,7 +42,7 @@
   function look() {
     const folder = new URL(place.dataset.folder, location.href).href;
     if (id) worker.postMessage({ do: "find", folder, id });
-    else worker.postMessage({ do: "play", folder, modules, scenario: scenario && scenario.value });
+    else worker.postMessage({ do: "play", folder, modules, scenario: scenario && scenario.value, image: place.dataset.image });
   }
 
   function failed(text) {
@@ -179,6 +179,7 @@
         element("li", active.has(name) ? { class: "lv-active" } : {}, element("b", {}, name), `: ${callsOf(number)}`),
       ),
     );
+    if (window.LiveLanes) window.LiveLanes.show(data);
     if (!data.goesOn) {
       stop();
       button.textContent = "Again";

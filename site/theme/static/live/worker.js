@@ -281,9 +281,9 @@ const ownerOf = (method) => facts.methods[method].split("::")[0];
 let shown = { modules: new Set(), counts: {} };
 
 /* Prepares a drive for a page that shows modules; each order "beat" then runs one control cycle of it. */
-async function play({ folder, modules, scenario: wanted }) {
+async function play({ folder, modules, scenario: wanted, image }) {
   pause();
-  await choose(folder, imageWith(modules));
+  await choose(folder, image || imageWith(modules));
   const usual = product.functions.some(([, method]) => ownerOf(method) === "ProtectiveStop") ? "hall_dead" : "loss_of_the_pc";
   const named = (name) => facts.scenarios.find((one) => one.name === name);
   const scenario = named(wanted) || named(usual) || facts.scenarios[0];
@@ -357,6 +357,8 @@ function beat() {
     states: presentStates(),
     moves: robot.moves,
     frames: robot.frames,
+    lasted: robot.numbers.cycle_us * 1000, // ns
+    switches: simulator.switches(),
   });
 }
 
