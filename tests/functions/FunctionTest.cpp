@@ -235,6 +235,27 @@ TEST(Scaling, FR125_RoundsToNearest) {
   EXPECT_FALSE(quotient(1, -1));
   EXPECT_FALSE(quotient(std::int64_t{kMost} + 1, 1));
   EXPECT_EQ(quotient(std::int64_t{kLeast}, 1), kLeast);
+  EXPECT_EQ(quotient(1, 2), 1);
+  EXPECT_EQ(quotient(-1, 2), -1);
+}
+
+/// @brief A divisor of more than 31 bits is not cut.
+/// @verifies FR-120
+TEST(Scaling, FR120_LargeDivisor) {
+  constexpr std::int64_t kDivisor = (std::int64_t{1} << 32) - 2;
+  EXPECT_EQ(quotient(0, kDivisor), 0);
+  EXPECT_EQ(quotient(kDivisor / 2, kDivisor), 1);
+  EXPECT_EQ(quotient(-5 * kDivisor, kDivisor), -5);
+}
+
+/// @brief Without a middle range the least deflection of a lever counts.
+/// @verifies FR-52
+TEST(Scaling, FR52_LeastDeflection) {
+  for (const std::int32_t side : {-1, 0, 1}) {
+    ArgumentValues values;
+    Pulse(1500 + side).fill(values);
+    EXPECT_EQ(deflected(values, 0), side * 6);
+  }
 }
 
 }  // namespace

@@ -162,6 +162,47 @@ TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   EXPECT_EQ(report.reportCycles, 0U);
 }
 
+/// @brief A report shows the processor cycles from the clock pulse to the report of the previous
+/// cycle.
+/// @verifies FR-160
+TEST_F(MainControllerTest, FR160_ReportTellsWhatThePreviousReportCost) {
+  connect();
+  controller.start();
+  system.work = [this] { time.work(700); };
+  controller.clockPulse();
+  EXPECT_EQ(sentReport().reportCycles, 0U);
+  controller.clockPulse();
+  EXPECT_EQ(sentReport().reportCycles, 700U);
+}
+
+/// @brief The report shows that the control systems are held while faults are acknowledged, with and
+/// without a motion in the order; it shows this in no cycle in which they follow the set-points.
+/// @verifies FR-306
+TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
+  connect();
+  controller.start();
+  SetPoints neutral{.acknowledge = true};
+  SetPoints moving = neutral;
+  moving.wheels[3].value = 1;
+  for (const SetPoints& order : {neutral, moving}) {
+    data.saveSetPoints(order);
+    controller.clockPulse();
+    EXPECT_TRUE(sentReport().held());
+    data.saveSetPoints({});
+    controller.clockPulse();
+    EXPECT_FALSE(sentReport().held());
+  }
+}
+
+/// @brief The last step of a cycle determines whether the control systems count as held.
+/// @verifies FR-306
+TEST_F(MainControllerTest, FR306_ControlAfterAHoldIsNoHold) {
+  data.saveSetPoints({});
+  controller.holdSystems();
+  controller.applyControl();
+  EXPECT_FALSE(data.report(OperationStateId::Working, ModeId::PC, {}).held);
+}
+
 /// @brief Without a connection no report is sent.
 /// @verifies FR-60
 TEST_F(MainControllerTest, FR60_NoReportWithoutConnection) {

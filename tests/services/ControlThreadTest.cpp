@@ -113,6 +113,21 @@ TEST(ControlThread, FR4_PostBeforeTheBodyBeganIsCountedAndKept) {
   EXPECT_EQ(thread.overruns(), 1);
 }
 
+/// @brief A post that is not kept is an overrun, and is reported like any post.
+/// @verifies FR-4
+/// @verifies FR-172
+TEST(ControlThread, FR4_PostThatIsNotKeptIsCounted) {
+  TestThread thread;
+  Body body(thread);
+  thread.start(body);
+  thread.post();
+  thread.post();
+  EXPECT_TRUE(thread.post());
+  thread.dispatchAll();
+  EXPECT_EQ(body.runs, 2);
+  EXPECT_EQ(thread.overruns(), 2);
+}
+
 /// @brief The count of overruns stops at 65535.
 /// @verifies FR-4
 TEST(ControlThread, FR4_OverrunsSaturate) {

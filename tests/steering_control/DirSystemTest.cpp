@@ -46,8 +46,17 @@ TEST_F(DirSystemTest, FR115_TheOrderToHoldIsHandedOver) {
   pool.control({.steering = Angle(-1500)}, 1);
   clock.advance(milliseconds(100));
   pool.hold(2);
-  EXPECT_FALSE(target.read()->value.follow);
+  EXPECT_EQ(target.read()->value, DirTarget{});
   EXPECT_EQ(target.read()->at, clock.now());
+}
+
+/// @brief The order to release is passed once.
+/// @verifies FR-112
+TEST_F(DirSystemTest, FR112_AReleaseIsHandedOverOnce) {
+  pool.acknowledge(1);
+  EXPECT_TRUE(target.read()->value.release);
+  pool.hold(2);
+  EXPECT_FALSE(target.read()->value.release);
 }
 
 /// @brief Two targets are equal when both fields are equal.

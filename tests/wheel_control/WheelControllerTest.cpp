@@ -120,7 +120,7 @@ TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
   EXPECT_EQ(controller.applied(), Tension(7854));
 }
 
-/// @brief A wheel that was stopped without a current forgets what its load needed.
+/// @brief A wheel that was stopped without a current forgets the voltage that its load needed.
 /// @verifies FR-90
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR90_ControlStartsWithoutMemory) {
@@ -494,7 +494,7 @@ TEST_F(WheelControllerTest, FR89_DriverOffAppliesNothing) {
   EXPECT_EQ(controller.applied(), Tension(7854));
 }
 
-/// @brief After an overcurrent trip control forgets what the load of the wheel needed.
+/// @brief After an overcurrent trip control forgets the voltage that the load of the wheel needed.
 /// @verifies FR-89
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR89_DriverOffClearsTheMemory) {

@@ -304,6 +304,16 @@ TEST_F(PcConnectionTest, FR31_AConfirmAfterOneSecondConnects) {
   EXPECT_TRUE(connection.connected());
 }
 
+/// @brief The time for the Confirm begins with the Welcome, also long after the start.
+/// @verifies FR-31
+TEST_F(PcConnectionTest, FR31_TheTimeForTheConfirmBeginsWithTheWelcome) {
+  clock.advance(milliseconds(5000));
+  send(kHello);
+  wait(milliseconds(1000));
+  send(kConfirm, {1});
+  EXPECT_TRUE(connection.connected());
+}
+
 /// @brief A Confirm whose last byte comes later is unexpected, even when no cycle has ended the
 /// handshake yet.
 /// @verifies FR-31
@@ -617,6 +627,17 @@ TEST_F(PcConnectionTest, FR47_UnexpectedFramesAreCounted) {
   send(kHello);
   send(kConfirm, {2});
   expectCounted(&LinkCounts::unexpected, 1, [&] { send(kConfirm, {2}); });
+  EXPECT_TRUE(connection.connected());
+}
+
+/// @brief The sequence number of an unexpected frame is ignored.
+/// @verifies FR-47
+/// @verifies FR-49
+TEST_F(PcConnectionTest, FR47_TheSequenceOfAnUnexpectedFrameIsNotLookedAt) {
+  expectCounted(&LinkCounts::unexpected, 1, [&] { receive(test::lineBytes(kKeepAlive, 99, {})); });
+  send(kHello);
+  expectCounted(&LinkCounts::unexpected, 1, [&] { receive(test::lineBytes(kConfirm, 99, {2})); });
+  expectCounted(&LinkCounts::unexpected, 0, [&] { send(kConfirm, {1}); });
   EXPECT_TRUE(connection.connected());
 }
 

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <functional>
+
 #include "communication/serialization/OrderMessage.hpp"
 #include "support/FakeTimebase.hpp"
 
@@ -119,6 +122,35 @@ TEST_F(BufferReaderTest, FR51_AnOrderHoldsOneValueOfEachSignal) {
   EXPECT_EQ(reader.readI16({FieldName::Steering}), 1);
   EXPECT_TRUE(reader.finish());
   EXPECT_TRUE(reader.available());
+}
+
+/// @brief The first field of a read, whichever it is, determines the values of the order.
+/// @verifies FR-51
+TEST_F(BufferReaderTest, FR51_TheFirstFieldTakesTheSignals) {
+  const std::array<std::function<void()>, 4> reads{
+      [this] { reader.readU8({FieldName::Commands}); },
+      [this] { reader.readU16({FieldName::OrderId}); },
+      [this] { reader.readU32({FieldName::SentAt}); },
+      [this] { reader.readI16({FieldName::Steering}); }};
+  for (const auto& readFirst : reads) {
+    velocitySignal(1);
+    directionSignal(1);
+    readFirst();
+    velocitySignal(2);
+    directionSignal(2);
+    EXPECT_EQ(reader.readI16({FieldName::WheelValue}), 1);
+    EXPECT_EQ(reader.readI16({FieldName::Steering}), 1);
+    EXPECT_TRUE(reader.finish());
+  }
+}
+
+/// @brief A read that reads no field consumes the signals as well.
+/// @verifies FR-50
+TEST_F(BufferReaderTest, FR50_AReadWithoutFieldsConsumes) {
+  velocitySignal(1);
+  directionSignal(1);
+  EXPECT_TRUE(reader.finish());
+  EXPECT_FALSE(reader.available());
 }
 
 /// @brief A read without both signals fails.

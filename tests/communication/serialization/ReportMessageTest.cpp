@@ -203,7 +203,17 @@ TEST(ReportMessage, FR62_EachValueHasItsBitAndItsPlace) {
     EXPECT_EQ(u16(bytes, one.place), 0x1234U);
     EXPECT_EQ(u16(bytes, 62), one.measured);
     EXPECT_EQ(bytes[73], one.applied);
+    EXPECT_EQ(bytes[98], 0) << "a value is no overcurrent trip";
+    EXPECT_EQ(bytes[99], 0) << "and no missing motion feedback";
   }
+}
+
+/// @brief A turn direction that is missing is written as 0.
+/// @verifies FR-62
+TEST(ReportMessage, FR62_AMissingTurnDirectionIsZero) {
+  const Bytes bytes = written({});
+  EXPECT_EQ(bytes[72], 0);
+  EXPECT_EQ(bytes[73], 0);
 }
 
 /// @brief The turn direction is -1, 0 or 1, and its bit is set also when it is 0.
@@ -247,6 +257,7 @@ TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   data.stopSources = 0x02;
   const Bytes bytes = written(data);
   EXPECT_EQ(Bytes(bytes.begin() + 120, bytes.begin() + 124), (Bytes{4, 9, 3, 2}));
+  EXPECT_EQ(u16(bytes, 62), 0U) << "the cause of a stop is no measured value";
 }
 
 /// @brief The report has a field for the time of the sender's clock in the order in force.

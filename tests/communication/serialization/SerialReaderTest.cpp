@@ -53,6 +53,14 @@ TEST_F(SerialReaderTest, ReadsWhatWasSent) {
   EXPECT_FALSE(order.stop());
 }
 
+/// @brief A read that was not finished does not affect the next order.
+/// @verifies FR-170
+TEST_F(SerialReaderTest, FR170_AnUnfinishedReadChangesNothing) {
+  reader.readU16({FieldName::OrderId});
+  ASSERT_TRUE(offer(orderBytes(7, -3200, 0, 100)));
+  EXPECT_EQ(read().setPoints().steering, Angle(-3200));
+}
+
 /// @brief An order can be read once.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_AnOrderIsReadOnce) {

@@ -33,6 +33,17 @@ TEST(SerialWriter, BeginsAnew) {
   EXPECT_THAT(writer.bytes(), ElementsAre(0x34, 0x12));
 }
 
+/// @brief A field that ends with the last byte of the space is written.
+/// @verifies FR-64
+TEST(SerialWriter, FR64_WritesUpToTheLastByte) {
+  SerialWriter writer;
+  for (std::size_t i = 0; i < SerialWriter::kCapacity; ++i) {
+    writer.writeU8({FieldName::Commands}, 1);
+  }
+  EXPECT_TRUE(writer.finish());
+  EXPECT_EQ(writer.bytes().size(), SerialWriter::kCapacity);
+}
+
 /// @brief A field that does not fit is not written at all, and is reported by finish().
 /// @verifies FR-64
 TEST(SerialWriter, TellsThatAFieldDidNotFit) {

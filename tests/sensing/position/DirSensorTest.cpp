@@ -64,6 +64,31 @@ TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   }
 }
 
+/// @brief The function gets the sum of 8 samples and the time in which they came.
+/// @verifies FR-129
+TEST_F(DirSensorTest, FR129_ArgumentsOfTheFunction) {
+  // Records its arguments.
+  class RecordedFunction final : public Function {
+   public:
+    [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override {
+      arguments.fill(values);
+      return 0;
+    }
+    mutable ArgumentValues values;
+  };
+  RecordedFunction recorded;
+  DirSensor recording(input, recorded, time, pipe);
+  for (int i = 0; i < 8; ++i) {
+    input.result = 2050;
+    static_cast<void>(recording.measure());
+  }
+  EXPECT_EQ(recorded.values[ArgumentId::Raw], 8 * 2050);
+  EXPECT_EQ(recorded.values[ArgumentId::Elapsed], 8000);
+  EXPECT_EQ(recorded.values[ArgumentId::Scale], 8000);
+  EXPECT_EQ(recorded.values[ArgumentId::Divisor], 8 * 4096);
+  EXPECT_EQ(recorded.values[ArgumentId::Offset], 8 * 2048);
+}
+
 /// @brief The whole range is 80 degrees, its middle is straight on, and higher is to the left.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_ScaleOfTheSensor) {

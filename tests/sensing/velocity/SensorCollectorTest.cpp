@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <vector>
 
 #include "sensing/instants/BasicCollector.hpp"
 #include "sensing/instants/CountCollector.hpp"
@@ -59,6 +60,24 @@ TEST_F(SensorCollectorTest, FR121_TellsTheDirection) {
     }
   }
   EXPECT_EQ(unclear(), 0U);
+}
+
+/// @brief An edge rises when the level of its sensor becomes high, in both directions.
+/// @verifies FR-121
+TEST(HallEdges, FR121_EdgeRisesWithItsLevel) {
+  // Records whether each edge rises.
+  class Rises final : public InstantCollector {
+   public:
+    void collect(const Edge& edge) override { rising.push_back(edge.rising); }
+    void fill(Instants& /*instants*/) const override {}
+    std::vector<bool> rising;
+  };
+  Rises rises;
+  SensorCollector collector(rises);
+  for (const int phase : {0, 1, 3, 2, 0, 2, 3, 1, 0}) {
+    collector.collect(static_cast<std::uint8_t>(phase), Instant());
+  }
+  EXPECT_EQ(rises.rising, (std::vector{true, true, false, false, true, true, false, false}));
 }
 
 /// @brief The record has the time when the last edge came.

@@ -91,6 +91,20 @@ TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
   }
 }
 
+/// @brief Two edges after a standstill count as one and a half.
+/// @verifies FR-120
+TEST_F(VelSensorTest, FR120_TwoEdgesAfterStandstill) {
+  for (const int direction : {1, -1}) {
+    cycles(0, 6);
+    wheel.turn(0, milliseconds(50));
+    wheel.edge(direction);
+    wheel.turn(0, milliseconds(20));
+    wheel.edge(direction);
+    wheel.turn(0, milliseconds(30));
+    EXPECT_EQ(wheel.measure() * direction, 150);
+  }
+}
+
 /// @brief While no edges come, the velocity is at most one edge in the time since the last edge.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
@@ -272,6 +286,30 @@ TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   EXPECT_NEAR(measured, 1000, 20);
 }
 
+/// @brief From 30 rpm on, forwards and backwards, edges to and fro are implausible: two disturbances
+/// in a cycle make the velocity invalid.
+/// @verifies FR-220
+TEST_F(VelSensorTest, FR220_DisturbancesCountFrom30Rpm) {
+  for (const int direction : {1, -1}) {
+    for (const int tenths : {300, 299}) {
+      TurningWheel one;
+      for (int edges = 0; edges < 12; ++edges) {
+        one.turn(0, Microseconds(10'000'000 / tenths));
+        one.edge(direction);
+        one.velocity.measure();
+      }
+      ASSERT_EQ(one.pipe.read()->value.count(), direction * tenths);
+      for (int i = 0; i < 2; ++i) {
+        one.turn(0, milliseconds(1));
+        one.edge(-direction);
+        one.edge(direction);
+      }
+      one.velocity.measure();
+      EXPECT_EQ(one.pipe.read()->at != one.time.now(), tenths == 300) << direction;
+    }
+  }
+}
+
 /// @brief A wheel at rest on an edge may give many edges to and fro: its velocity stays valid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_JitterAtRestIsNoDisturbance) {
@@ -306,6 +344,18 @@ TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   EXPECT_NE(wheel.pipe.read()->at, wheel.time.now());
 }
 
+/// @brief Changes of both levels of earlier cycles do not make a velocity invalid.
+/// @verifies FR-220
+TEST_F(VelSensorTest, FR220_UnclearEdgesOfEarlierCyclesDoNotCount) {
+  cycles(0, 3);
+  for (int cycle = 0; cycle < 5; ++cycle) {
+    wheel.show(3);
+    wheel.show(0);
+    cycles(0, 1);
+    EXPECT_EQ(wheel.pipe.read()->at, wheel.time.now()) << cycle;
+  }
+}
+
 /// @brief The count of implausible edges stops at its greatest number.
 /// @verifies FR-123
 TEST_F(VelSensorTest, FR123_CountStops) {
@@ -327,6 +377,35 @@ TEST_F(VelSensorTest, FR121_PositionIsThatOfTheMeasurement) {
   EXPECT_EQ(wheel.velocity.position(), position);
   wheel.measure();
   EXPECT_EQ(wheel.velocity.position() - position, HallCount(5));
+}
+
+/// A function that records its arguments.
+class RecordedFunction final : public Function {
+ public:
+  [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override {
+    arguments.fill(values);
+    return 0;
+  }
+  mutable ArgumentValues values;
+};
+
+/// @brief The function gets the edges, their time, and the scale of one edge; 0 edges are 0 rpm.
+/// @verifies FR-120
+TEST_F(VelSensorTest, FR120_ArgumentsOfTheFunction) {
+  RecordedFunction function;
+  VelSensor sensor(wheel.collector, function, wheel.time, wheel.pipe);
+  wheel.turn(0, milliseconds(50));
+  wheel.edge(1);
+  sensor.measure();
+  wheel.turn(0, milliseconds(20));
+  wheel.edge(1);
+  wheel.edge(1);
+  sensor.measure();
+  EXPECT_EQ(function.values[ArgumentId::Raw], 2);
+  EXPECT_EQ(function.values[ArgumentId::Elapsed], 20000);
+  EXPECT_EQ(function.values[ArgumentId::Scale], 10'000'000);
+  EXPECT_EQ(function.values[ArgumentId::Divisor], 1);
+  EXPECT_EQ(function.values[ArgumentId::Offset], 0);
 }
 
 /// @brief A value carries the time of its measurement.
