@@ -80,7 +80,7 @@ def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[st
 
 
 def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
-    """The methods that a test called; all methods when its recording is incomplete.
+    """The functions that a test called; all functions when its recording is incomplete.
 
     A death test runs in a separate process, which is not recorded.
     """
@@ -89,7 +89,7 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
         traces.file(name).with_suffix(".truncated").exists() for name in known
     ):
         return methods
-    return {method for name in known for method in traces.methods(name)} & methods
+    return {method for name in known for method in traces.functions(name)} & methods
 
 
 def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:

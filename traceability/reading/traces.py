@@ -102,10 +102,13 @@ class Traces:
                 since.clear()
             yield from calls[event]
 
+    def functions(self, test: str) -> set[str]:
+        """The methods and the other functions that ran in a test."""
+        return {self.symbols[at] for at in set(self.events(test)) if at in self.symbols}
+
     def methods(self, test: str) -> set[str]:
         """The methods that ran in a test."""
-        methods = (self.symbols.get(address, "") for address in set(self.events(test)))
-        return {method for method in methods if "::" in method}
+        return {name for name in self.functions(test) if "::" in name}
 
     def addresses(self, methods: Set[str]) -> set[int]:
         return {address for address, name in self.symbols.items() if name in methods}
@@ -187,7 +190,9 @@ def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
     even = 0 if names == "nm" else 1
     for line in run.stdout.splitlines():
         match = re.match(r"([0-9a-f]+) [tTwWuV] (.*)", line)
-        name = match and (method_of(match[2]) or function_of(match[2]))
+        name = match and (
+            method_of(match[2]) or function_of(match[2]) or free_function_of(match[2])
+        )
         if match and name:
             symbols[int(match[1], 16) & ~even] = name
     write_whole(cache, json.dumps({"key": key, "symbols": symbols}))
@@ -216,6 +221,13 @@ def method_of(symbol: str) -> str:
 def function_of(symbol: str) -> str:
     """``cycleTimerInterrupt()`` -> ``cycleTimerInterrupt``; empty for other symbols."""
     match = re.fullmatch(r"(?:wr::)?(\w+)(?:\(\))?", symbol)
+    return match[1] if match else ""
+
+
+def free_function_of(symbol: str) -> str:
+    """``int wr::(anonymous namespace)::part<4>(int)`` -> ``part``; empty for other symbols."""
+    pattern = r"(?:[^()]* )?wr::(?:\(anonymous namespace\)::)?(\w+)(?:<.*>)?\("
+    match = None if "{lambda" in symbol else re.match(pattern, symbol)
     return match[1] if match else ""
 
 

@@ -15,6 +15,7 @@ from traceability.reading.traces import (
     Traces,
     embed,
     excerpt,
+    free_function_of,
     method_of,
 )
 from traceability.schema import Place, TreeNode
@@ -38,6 +39,20 @@ from traceability.schema import Place, TreeNode
 def test_symbols(symbol: str, method: str) -> None:
     found = method_of(symbol)
     assert found == method or (not method and "operator" in found)
+
+
+@pytest.mark.parametrize(
+    ("symbol", "function"),
+    [
+        ("wr::(anonymous namespace)::lasts(bool, unsigned char&, unsigned char)", "lasts"),
+        ("std::array<int, 4ul> wr::(anonymous namespace)::digits<4ul>(unsigned long)", "digits"),
+        ("wr::assertionFailed(wr::AssertId)", "assertionFailed"),
+        ("wr::RC::read(wr::MainController&)", ""),
+        ("wr::(anonymous namespace)::lasts(bool)::{lambda()#1}::operator()() const", ""),
+    ],
+)
+def test_symbols_of_functions_outside_classes(symbol: str, function: str) -> None:
+    assert free_function_of(symbol) == function
 
 
 def recorded(tmp_path: Path, calls: str, vectors: Set[str] = frozenset()) -> list[Row]:
