@@ -56,7 +56,7 @@ def hash_of(root: Path, paths: Iterable[Path]) -> str:
 def source_hash(root: Path) -> str:
     """Computes the hash of the files that test results depend on.
 
-    Tests of the Python tools and records of campaigns are not part of it.
+    Tests of the Python tools and records of campaigns are not included.
     """
     suffixes = (".cpp", ".hpp", ".h", ".cmake", ".txt", ".json", ".S", ".ld")
     paths = files_below(root, TESTED, suffixes)

@@ -105,7 +105,7 @@ def forbidden(model: Model) -> dict[str, Any]:
 
 
 def metrics(model: Model, report: Report) -> dict[str, Any]:
-    """All metrics: those of the model, and the verdicts of this run."""
+    """All metrics: the metrics of the model, and the verdicts of this run."""
     fresh = not model.results_stale
     states = Counter(verdict.state for verdict in report.requirements.values())
     return {

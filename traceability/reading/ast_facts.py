@@ -124,7 +124,8 @@ class NameFact:
 
 @dataclass
 class BlockFact:
-    """A namespace below that of the project, declared in ``file``, is opened or used at a place."""
+    """A namespace inside the namespace of the project, declared in ``file``, is opened or used at a
+    place."""
 
     block: str
     file: str
@@ -177,7 +178,8 @@ class BranchFact:
 
 @dataclass
 class OffsetFact:
-    """A register that is accessed from another one, with the largest number in the offset."""
+    """A register that is accessed with an offset from another register, and the largest number in
+    the offset."""
 
     base: int
     offset: int
