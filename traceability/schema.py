@@ -812,7 +812,7 @@ class Proofs:
 
     @property
     def proven(self) -> int | None:
-        """How many properties are proven; None when nothing was proven with these sources."""
+        """The number of proven properties; None when nothing was proven with these sources."""
         results = self.results
         return None if results is None else sum(r.verdict == "proven" for r in results.values())
 

@@ -33,7 +33,7 @@ def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()
 
 
 def include_options(root: Path) -> list[str]:
-    """Where a compiler finds the headers of the design."""
+    """The folders in which a compiler finds the headers of the design."""
     return [word for name in DESIGN for word in ("-I", str(root / name))]
 
 

@@ -160,7 +160,7 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
     same = entry.name in {_name_here(target, model) for target in entry.here}
     if same and entry.alias:
         text = (
-            f"{entry.name} has the paper's name here, but the entry gives a reason for another one"
+            f"{entry.name} has the paper's name here, but the entry gives a reason for another name"
         )
         return [Finding(entry.place, "paper-alias", text, "remove the alias")]
     if not same and not entry.alias:

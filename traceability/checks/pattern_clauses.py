@@ -89,7 +89,7 @@ class Shape:
         return False
 
     def named(self, by: str, targets: list[str]) -> Iterator[tuple[Place, str]]:
-        """Where the code of a class names one of the targets, or includes its header."""
+        """The places at which the code of a class names a target, or includes its header."""
         for name in self.facts.names_of.get(by, []):
             target = owner_of(name.target)
             if target in targets and target != by:

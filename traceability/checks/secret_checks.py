@@ -154,7 +154,7 @@ def _uses(name: str, facts: Facts) -> list[Place] | None:
 
 
 def _standard(name: str, root: Path) -> list[Place] | None:
-    """Where a header of the library is included."""
+    """The places at which a header of the library is included."""
     places = [
         Place(str(path.relative_to(root)), number)
         for path in files_below(root, DESIGN, (".cpp", ".hpp"))

@@ -163,7 +163,7 @@ def _serving(requirement: Requirement) -> list[str]:
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
-    """Whether a transition has the same state and event as another one."""
+    """Whether a transition has the same state and event as another transition."""
     others = [
         (other.guard, place)
         for place, other in enumerate(machine.transitions)

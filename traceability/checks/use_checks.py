@@ -176,7 +176,7 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
 
 
 def _apart(facts: Facts) -> list[Finding]:
-    """Finds two separated modules of which one names the other."""
+    """Finds pairs of separated modules in which a module names the other."""
     pairs = {
         (user, other): rule
         for rule in facts.declared.apart

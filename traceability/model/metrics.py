@@ -231,7 +231,8 @@ def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
 
 
 def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
-    """How each requirement is verified, and how many a person has reviewed."""
+    """The verification of each requirement, and the number of requirements that a person has
+    reviewed."""
     listed = list(requirements)
     counts = Counter(item.method for item in listed)
     return {

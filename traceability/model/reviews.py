@@ -418,7 +418,7 @@ def suspicions(
 
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
-    """Where a text was, and the reason why the requirement no longer depends on it."""
+    """The earlier place of a text, and the reason why the requirement no longer depends on it."""
     module = model.modules.get(name.split("::", maxsplit=1)[0])
     methods = [text for text in module.methods if text.id == name] if module else []
     if kind == "method" and methods:

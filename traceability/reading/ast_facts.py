@@ -28,7 +28,7 @@ class MethodFact:
     deleted: bool = False
     defaulted: bool = False
     overrides: str | None = None
-    comment: int = 0  # line where its comment begins; 0 without one
+    comment: int = 0  # line where its comment begins; 0 without a comment
 
 
 @dataclass
@@ -101,7 +101,7 @@ class BodyFact:
     calls: list[CallFact] = field(default_factory=list)
     assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
-    floats: int = 0  # the first line with a floating-point number; 0 without one
+    floats: int = 0  # the first line with a floating-point number; 0 without such a line
     branches: bool = False  # whether it has a condition or a loop
     loops: list[int] = field(default_factory=list)  # lines of loops that count no rounds
 

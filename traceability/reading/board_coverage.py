@@ -21,7 +21,7 @@ FOLDERS = tuple(f"{name}/" for name in DESIGN)
 FILE = re.compile(r"^(\S+):(?:\[\++\])?$")
 ROW = re.compile(r"^\S+\s+(\d+|-)\s+0x([0-9a-f]+)")
 
-Stretch = tuple[str, int, int, int]  # file, line, first address, address after the last one
+Stretch = tuple[str, int, int, int]  # file, line, first address, address after the last address
 
 
 def read_stretches(root: Path) -> list[Stretch]:

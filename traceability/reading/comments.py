@@ -94,7 +94,7 @@ class Comment:
 
     @cached_property
     def brief(self) -> str:
-        """The text of ``@brief``; without one the first paragraph."""
+        """The text of ``@brief``; without a brief the first paragraph."""
         return self.one("brief") or self.one("")
 
     @cached_property

@@ -98,7 +98,7 @@ class PipeText:
 
 @dataclass
 class Protection:
-    """How a member that contexts share is protected."""
+    """The protection of a member that several contexts share."""
 
     protection: str
     why: str

@@ -197,8 +197,7 @@ def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
             block.jump, present.call = present.jumps, ""
         elif (
             present.jumps is not None
-        ):  # a jump into another function, which returns to the caller of
-            # this one
+        ):  # a jump into another function, which returns to the caller of this function
             present.cycles += REFILL
     return blocks
 
