@@ -120,7 +120,7 @@ def commit_of(root: Path) -> tuple[str, int]:
 
 
 def with_date(pdf: bytes, when: int) -> bytes:
-    """Replaces the time of printing by another one of the same length."""
+    """Replaces the time of printing by another time of the same length."""
     text = time.strftime("(D:%Y%m%d%H%M%S", time.gmtime(when)).encode()
     return DATE.sub(lambda match: text + match[0][len(text) :], pdf)
 
@@ -215,7 +215,8 @@ def beside(page: str, address: str) -> str:
 
 
 def inside(page: str, address: str) -> str:
-    """Where a link of a page leads in the book; empty when the target is not in the book."""
+    """The place in the book to which a link of a page leads; empty when the target is not in the
+    book."""
     if address.startswith(("http:", "https:")):
         return address
     file, _, anchor = address.partition("#")

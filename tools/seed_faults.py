@@ -52,7 +52,7 @@ def seed(root: Path, checks: list[str]) -> list[Outcome]:
 
 
 def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
-    """Ordered by stage; the copies share the groups of a stage."""
+    """Returns the outcomes, ordered by stage. The copies share the groups of a stage."""
     tried.value = 0
     with (
         tempfile.TemporaryDirectory(prefix="drift-") as folder,

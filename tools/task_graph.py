@@ -55,7 +55,7 @@ class Task:
     must_exist: tuple[str, ...] = ()  # its other outputs
     after: tuple[str, ...] = ()
     inputs_from: tuple[str, ...] = ()  # tasks that determine inputs of this task
-    always: bool = False  # for a build, in which the build tool itself detects the changes
+    always: bool = False  # runs each time, because a build tool detects the changes itself
     state: Callable[[], str] | None = None  # inputs that are not files
     quiet: bool = False  # prints its own lines
 
@@ -98,7 +98,7 @@ class Step(BaseAction):  # type: ignore[misc]  # doit has no types
 
 
 class Database(JsonDB):  # type: ignore[misc]  # doit has no types
-    """The record is replaced as a whole, so that an interruption keeps the previous one."""
+    """The record is replaced as a whole, so that an interruption keeps the previous record."""
 
     def dump(self) -> None:
         write_whole(Path(self.name), self.codec.encode(self._db))

@@ -50,7 +50,7 @@ def problem(folder: Path) -> str:
     if not folder.is_dir():
         return f"{folder} is no folder"
     if file_of(folder, MARKS) is None:
-        return f"{folder} is not the drive of a board: it has neither {' nor '.join(MARKS)}"
+        return f"{folder} is not the drive of a board: it contains no file {' or '.join(MARKS)}"
     details = file_of(folder, ("DETAILS.TXT",))
     text = details.read_text(errors="replace") if details else ""
     if LABEL_OF_PROBE.match(folder.name) or re.search(r"Mode:\s*Bootloader", text, re.IGNORECASE):

@@ -692,7 +692,7 @@ class Mutation:
 
 @dataclass(frozen=True)
 class TestRun:
-    """When the tests ran on a target, and the seeds of those that are randomised."""
+    """When the tests ran on a target, and the seeds of the randomised tests."""
 
     date: str
     seeds: Sequence[str]
@@ -813,7 +813,7 @@ class Proofs:
 
     @property
     def proven(self) -> int | None:
-        """How many properties are proven; None when nothing was proven with these sources."""
+        """The number of proven properties; None when nothing was proven with these sources."""
         results = self.results
         return None if results is None else sum(r.verdict == "proven" for r in results.values())
 
@@ -1106,7 +1106,7 @@ class MadeChange:
 
     @property
     def new_lines(self) -> int:
-        """The lines added to existing files; a changed line is not one of them."""
+        """The lines added to existing files, without the changed lines."""
         return self.added_lines - self.composition_lines - self.outside_lines
 
 
@@ -1175,7 +1175,7 @@ class BeliefSource:
 
     id: str
     says: str
-    outside: bool  # neither driver nor model was written from memory of it
+    outside: bool  # nobody used it to write the driver or the model
     place: Place
 
 

@@ -33,7 +33,7 @@ def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()
 
 
 def include_options(root: Path) -> list[str]:
-    """Where a compiler finds the headers of the design."""
+    """The folders in which a compiler finds the headers of the design."""
     return [word for name in DESIGN for word in ("-I", str(root / name))]
 
 
@@ -56,7 +56,7 @@ def hash_of(root: Path, paths: Iterable[Path]) -> str:
 def source_hash(root: Path) -> str:
     """Computes the hash of the files that test results depend on.
 
-    Tests of the Python tools and records of campaigns are not part of it.
+    Tests of the Python tools and records of campaigns are not included.
     """
     suffixes = (".cpp", ".hpp", ".h", ".cmake", ".txt", ".json", ".S", ".ld")
     paths = files_below(root, TESTED, suffixes)

@@ -18,9 +18,9 @@ namespace wr {
 ///
 /// @function Extends a serial port. Each frame on the line has a counter and a tag between its coded
 /// bytes and the zero that ends it. Received frames with a wrong tag, or with a counter that is not
-/// greater than the previous one, are dropped; other frames are returned without counter and tag.
-/// Counter and tag are added to frames to send. A wrong frame is answered with a challenge, which
-/// contains the values that an authorised sender needs for its tags.
+/// greater than the previous counter, are dropped; other frames are returned without counter and
+/// tag. Counter and tag are added to frames to send. A wrong frame is answered with a challenge,
+/// which contains the values that an authorised sender needs for its tags.
 ///
 /// @secret How counter and tag are put on the line, and the content of the tag: a number that the
 /// robot draws at start, the direction, the counter and the coded frame.

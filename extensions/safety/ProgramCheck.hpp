@@ -24,7 +24,7 @@ class ProgramCheck final {
   /// @datatype
   struct Part {
     std::span<const Words> original;  ///< in flash
-    std::span<const Words> copy;      ///< in RAM, as long as the original
+    std::span<const Words> copy;      ///< in RAM, with the length of the original
   };
 
   /// @brief Binds the check to the parts of the program.

@@ -29,7 +29,7 @@ class WheelSupervision final {
   /// @brief Checks the measurements of a cycle.
   /// @param measured measurements of the cycle that ends
   /// @param applied voltage that the wheel has from now on [mV]; nothing while its driver is off
-  /// @param followed set-point that the wheel follows from now on; nullptr while it is halted
+  /// @param followed set-point that the wheel follows; nullptr while it is halted
   /// @return cause of a protective stop; StopCause::None if the measurements are plausible.
   /// @satisfies FR-273
   /// @satisfies FR-274

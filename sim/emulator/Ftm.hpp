@@ -32,7 +32,8 @@ class Ftm final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief Share of the period in which the pin of a channel is high; 0 without one.
+  /// @brief Share of the period in which the pin of a channel is high; 0 for a channel without a
+  /// pin.
   [[nodiscard]] double duty(unsigned channel) const;
 
   /// @brief Returns whether the counter runs.

@@ -40,7 +40,8 @@ class Nvic {
   /// @brief Number of entries of an interrupt since its line rose.
   [[nodiscard]] unsigned entriesOfHighLine(unsigned exception) const;
 
-  /// @brief The pending and enabled exception that comes first; 0 without one.
+  /// @brief The pending and enabled exception that comes first; 0 when no exception is pending and
+  /// enabled.
   [[nodiscard]] unsigned first() const { return (pending_ & enabled_).any() ? search() : 0; }
 
   /// @brief The priority of an exception, -3 to 255.

@@ -70,7 +70,7 @@ class Peripheral {
   /// @brief Writes a register.
   virtual void write(std::uint32_t offset, unsigned size, std::uint32_t value) = 0;
 
-  /// @brief The time of the next event without an access; kNever without one.
+  /// @brief The time of the next event without an access; kNever when there is no such event.
   [[nodiscard]] virtual Time nextEvent() const { return kNever; }
 
   /// @brief Updates the state to the present time.

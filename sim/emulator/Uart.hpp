@@ -29,7 +29,7 @@ class Uart final : public Peripheral {
     unsigned number;
     bool coreClock;     ///< counts the core clock, not the bus clock
     std::uint8_t fifo;  ///< PFIFO after a reset: 0x22 for FIFOs of 8 bytes, 0 for 1 byte
-    unsigned line;      ///< interrupt for bytes; the interrupt for errors is the next one
+    unsigned line;      ///< interrupt for bytes; the interrupt for errors has the next number
   };
 
   Uart(Microcontroller& board, const Kind& kind);

@@ -53,7 +53,7 @@ constexpr std::array<SensorFault, 10> kSensorFaults{{
 
 constexpr std::uint32_t kCoreRegisters = 16;
 constexpr int kForEver = 0;
-constexpr std::uint32_t kHeld = 0;  // the other interrupt fault: raised without cause
+constexpr std::uint32_t kHeld = 0;  // the other interrupt fault: an interrupt that nothing caused
 constexpr std::uint32_t kFirstException = 16;
 constexpr std::uint32_t kNominalBaud = 115'200;
 

@@ -17,7 +17,7 @@ struct Outputs {
   [[nodiscard]] bool wheelsOff() const { return drive == std::array<float, 4>{}; }
 };
 
-/// @brief The run with a fault, from the injection on.
+/// @brief The run with a fault, after the injection.
 struct Observation {
   static constexpr int kNever = -1;
 

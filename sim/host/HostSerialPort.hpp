@@ -20,8 +20,8 @@ class HostSerialPort final : public SerialPort {
   /// @brief Written bytes that can be stored.
   static constexpr std::size_t kSent = 512;
 
-  /// @brief Sets the clock that returns the time of received bytes. Without one the time is always
-  /// 0.
+  /// @brief Sets the clock that returns the time of received bytes. Without a clock the time is
+  /// always 0.
   /// @param clock the clock
   void setClock(const Timebase& clock) { clock_ = &clock; }
 

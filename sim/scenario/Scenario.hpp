@@ -38,15 +38,15 @@ namespace wr::scenario {
 /// again); bytes with pairs of hexadecimal digits. Orders are numbered from 1.
 ///
 /// Actions of the world are listed at readWorldAction(). mark: the fields 'way' and 'max_velocity'
-/// are measured from this time on.
+/// are measured from this time.
 ///
 /// 'seed N' chooses the noise. 'plant varied' lets the seed choose the robot too, 'plant PARAMETER
 /// VALUE' fixes a parameter. These lines have no time and precede all lines that have one.
 ///
 /// Expectations: expect FIELD VALUE and expect FIELD between LOW HIGH check the last Report or
 /// Welcome, or the robot itself (the fields of GroundTruth.hpp). With 'within N ms' or 'within N
-/// mm' after it, the expectation must become true at least once within this time or distance from
-/// its own time on. expect-silence MS (no report came for this time); expect-finding ID (the
+/// mm' after it, the expectation must become true at least once within this time or distance after
+/// the time of the line. expect-silence MS (no report came for this time); expect-finding ID (the
 /// simulated board stops before with this finding). The last line is 'end'.
 class Scenario {
  public:

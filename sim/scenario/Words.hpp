@@ -46,7 +46,7 @@ class Words {
   void skip(const std::string& word);
 
   /// @brief Reads the next word if it is the given word.
-  /// @return true if it was the next one
+  /// @return true if it was the next word
   bool takeIf(std::string_view word);
 
   /// @brief Reads a time in ms, at least 0.

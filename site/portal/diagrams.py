@@ -514,9 +514,8 @@ def plain_role(element: ET.Element) -> None:
 
 
 def diagram_files(diagrams: list[Diagram]) -> dict[str, str]:
-    """The source of each diagram in PlantUML's language, by the name of its file.
-
-    The links in it lead to the pages, from the folder of the diagrams.
+    """The source of each diagram in PlantUML's language, by the name of its file. The links in a
+    source are relative to the folder of the diagrams.
     """
     return {
         f"{DIAGRAMS}/{diagram.id}.puml": diagram.text.replace("[[@/", "[[../") + "\n"

@@ -1,4 +1,5 @@
-"""Where each element of the model is shown. An address starts with ``@/``, the root of the site."""
+"""Returns the address at which each element of the model is shown. An address starts with ``@/``,
+the root of the site."""
 
 from __future__ import annotations
 

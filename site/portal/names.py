@@ -131,7 +131,7 @@ class Names:
         )
 
     def logic(self, identifier: str) -> Markup:
-        """A logic module; below its parent when another one has the same name."""
+        """A logic module; below its parent when another logic module has the same name."""
         module = self.model.logic_modules.get(identifier)
         text = Markup(module.name if module else identifier)
         parent = self.model.logic_modules.get(module.parent or "") if module else None

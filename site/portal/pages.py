@@ -202,7 +202,7 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
 
 
 def execution(portal: Portal) -> dict[str, Any]:
-    """The contexts, the highest priority first; modules without one come last."""
+    """The contexts, the highest priority first; modules without a context come last."""
     contexts = portal.model.contexts.values()
     ordered = sorted(
         contexts, key=lambda context: (context.priority is None, context.priority or 0)

@@ -116,7 +116,7 @@ def axis(low: float, high: float, *, rounded: bool) -> Axis:
 
 
 def path(curve: Curve, x: Axis, y: Axis) -> str:
-    """A set-point applies until the next one; between other values the line is straight."""
+    """A set-point applies until the next set-point; between other values the line is straight."""
     steps = curve.kind == "set_point"
     parts: list[str] = []
     for at, value in curve.points:

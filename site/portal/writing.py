@@ -1,4 +1,4 @@
-"""Updates the files of a folder: keeps unchanged ones and removes old ones."""
+"""Updates the files of a folder: keeps unchanged files and removes old files."""
 
 from __future__ import annotations
 

@@ -95,8 +95,8 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   [[nodiscard]] Command& tickCommand() override;
 
   /// @brief Sets the algorithms of the controller, instead of the algorithms of the builder.
-  /// @param algorithms one for each WheelQuantity, in the order of the enumeration; they live as
-  /// long as the builder
+  /// @param algorithms an algorithm for each WheelQuantity, in the order of the enumeration; they
+  /// live as long as the builder
   /// @pre buildController() was not called.
   /// @errors With a controller the program ends with the assertion PartBuiltTwice.
   /// @isr{no}

@@ -17,8 +17,8 @@ class AnalogInput {
   AnalogInput& operator=(const AnalogInput&) = delete;
 
   /// @brief Reads the result of the conversion that the previous call requested, and requests the
-  /// next one. Never waits. A conversion that has not ended continues, and no other one is
-  /// requested.
+  /// next conversion. Never waits. A conversion that has not ended continues, and no other
+  /// conversion is requested.
   /// @return the voltage [1/4096 of the range, 0 to 4095]; nothing when no conversion has ended
   /// @isr{yes}
   [[nodiscard]] virtual std::optional<std::uint16_t> sample() = 0;

@@ -55,7 +55,7 @@ class K64Board {
   /// @satisfies FR-206
   static void enableGuards();
 
-  /// @brief Replaces the vector table in flash by another one.
+  /// @brief Replaces the vector table in flash by another vector table.
   /// @param table its first word, at a multiple of 512 bytes
   /// @isr{no}
   static void moveVectors(const std::uint32_t* table);

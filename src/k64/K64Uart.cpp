@@ -36,7 +36,7 @@ static_assert(isExact(K64Board::kCoreClock, kByCore) && isExact(K64Board::kBusCl
 constexpr auto kReceiving = uart::C2_TE | uart::C2_RE | uart::C2_RIE;
 constexpr auto kSending = kReceiving | uart::C2_TIE;
 
-// Only port 0 has FIFOs. With its FIFO off, or without one, a port stores 1 byte.
+// Only port 0 has FIFOs. With its FIFO off, or without a FIFO, a port stores 1 byte.
 constexpr std::size_t kFifo = 8;
 
 }  // namespace
@@ -79,7 +79,7 @@ void K64Uart::receive() {
     // Reading the byte after the status clears the errors. After an overrun no byte is received
     // until the errors are cleared, even when the byte was read before.
     if ((status & uart::S1_FE).any()) {
-      // The receiver waits after a wrong stop bit, so this byte is the last one in the FIFO.
+      // The receiver waits after a wrong stop bit, so this byte is the last byte in the FIFO.
       untilBroken = uart::RCFIFO.at(offset()).read().value;
     }
     // counts: received

@@ -20,7 +20,7 @@ class K64Watchdog final : public Watchdog {
   constexpr K64Watchdog() = default;
 
   /// @brief Configures the watchdog and locks it until the next reset. Touches no memory.
-  /// @pre The call is the only one, comes within 256 bus clocks after the reset, and is not
+  /// @pre There is only one call. It comes within 256 bus clocks after the reset, and is not
   /// interrupted.
   /// @isr{no}
   /// @satisfies FR-70

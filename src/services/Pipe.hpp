@@ -31,7 +31,7 @@ class Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  /// @brief Puts a value in the pipe, and replaces the previous one.
+  /// @brief Puts a value in the pipe, and replaces the previous value.
   /// @param value the value
   /// @param at time of the value
   /// @pre No other write is active.

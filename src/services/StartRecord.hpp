@@ -7,7 +7,7 @@ namespace wr {
 /// @brief Cause of the last reset.
 /// @datatype
 enum class ResetCause : std::uint8_t {
-  Unknown = 0,     ///< the hardware names no cause, or the platform has none
+  Unknown = 0,     ///< the hardware or the platform reports no cause
   PowerOn = 1,     ///< the supply was switched on
   LowVoltage = 2,  ///< the supply was too low
   Pin = 3,         ///< the reset pin, which is also the reset button of a board

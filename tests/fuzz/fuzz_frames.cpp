@@ -364,7 +364,7 @@ class Link {
     return session;
   }
 
-  // The second byte of the body of a frame: neither the version nor the type is 0.
+  // The second byte of the body of a frame: the version and the type are not 0.
   [[nodiscard]] static bool isWelcome(std::span<const std::uint8_t> line) {
     return line[2] == kWelcome;
   }

@@ -311,7 +311,7 @@ TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
 
 // ---- both side by side -------------------------------------------------------------------------
 
-// Two robots on one line, each of which gets the same bytes.
+// Two robots on one line: both get the same bytes.
 struct SideBySide {
   OneWheelLine<UsualDesign> usual;
   OneWheelLine<PatternDesign> patterns;

@@ -42,7 +42,7 @@ class Places:
             }
 
     def of(self, address: int) -> str:
-        """The module of an address; NOWHERE without one."""
+        """The module of an address; NOWHERE when the address belongs to no module."""
         for starts, items in ((self._starts, self._objects), (self._first, self._functions)):
             at = bisect.bisect_right(starts, address) - 1
             if at < 0 or address >= items[at][1]:

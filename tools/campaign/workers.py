@@ -18,7 +18,7 @@ from tools.steps import FailureError, stop_programs, stoppable
 
 Result = tuple[Chunk, list[dict[str, Any]]]
 NICE = "15"  # a campaign leaves the processor to other work
-HERE = "{folder}"  # of the copies, in the words of a command for a worker
+HERE = "{folder}"  # replaced by the folder of the copies in the command of a worker
 RETRIES = 3  # of a chunk whose worker ended
 
 

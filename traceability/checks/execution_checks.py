@@ -1,4 +1,4 @@
-"""exec-*: the contexts are those of the code, and their shared data is protected."""
+"""exec-*: the contexts agree with the code, and their shared data is protected."""
 
 from __future__ import annotations
 

@@ -125,7 +125,7 @@ def _preprocessor(root: Path) -> list[Finding]:
                 Finding(
                     Place(str(path.relative_to(root)), number),
                     "module-preprocessor",
-                    f"#{match[1]} is neither an include of a named file nor #pragma once",
+                    f"#{match[1]} is not an include of a named file and not #pragma once",
                     "use a constant, a template, or another module that the build chooses",
                 )
             )

@@ -43,7 +43,7 @@ def _change(
             parts = " or ".join(change.derives or change.altered)
             yield (
                 f"{name} has no role in {change.application}: "
-                f"it neither derives from {parts} nor uses it"
+                f"it does not derive from {parts} and does not use it"
             )
     if not made.classes and not _touches(model, change, made):
         yield f"the kit edits none of {', '.join(change.altered)}"

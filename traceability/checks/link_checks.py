@@ -279,7 +279,7 @@ def missing_parts(root: Path) -> list[Finding]:
 
 
 def _pins(root: Path) -> set[str]:
-    """The pins of the table of pins, and those that its comments name."""
+    """The pins of the table of pins, and the pins that its comments name."""
     path = root / "src" / "k64" / "pins.hpp"
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     rows = {f"PT{port}{number}" for port, number in re.findall(r"Port::([A-E]), (\d+)", text)}

@@ -252,7 +252,7 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
 
 
 def _units(model: Model, facts: Facts) -> list[Finding]:
-    """Finds a unit in a text that differs from that of the type."""
+    """Finds a unit in a text that differs from the unit of the type."""
     texts: list[tuple[Place, str, str, str]] = []  # place, name, type, text
     for module in model.modules.values():
         for method in module.methods:

@@ -11,7 +11,12 @@ from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, PaperElement
 
-EXACT = ("module", "method", "state", "application")  # kinds whose names are those of the code
+EXACT = (
+    "module",
+    "method",
+    "state",
+    "application",
+)  # kinds whose names equal the names in the code
 COUNT, CONSTANT = "figure-of-design", "constant"
 PAGES = ("view", "docs")  # only in the built site
 
@@ -43,7 +48,7 @@ def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _unstated(model: Model) -> Iterator[Finding]:
-    """Each requirement whose source is a place of the paper answers a statement of it."""
+    """Each requirement whose source is a place of the paper answers a statement of the paper."""
     answered = {
         (statement.where, target) for statement in model.statements for target in statement.here
     }
@@ -155,7 +160,7 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
     same = entry.name in {_name_here(target, model) for target in entry.here}
     if same and entry.alias:
         text = (
-            f"{entry.name} has the paper's name here, but the entry gives a reason for another one"
+            f"{entry.name} has the paper's name here, but the entry gives a reason for another name"
         )
         return [Finding(entry.place, "paper-alias", text, "remove the alias")]
     if not same and not entry.alias:

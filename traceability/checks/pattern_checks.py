@@ -17,7 +17,7 @@ ABSTRACTIONS = (
 # applications.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
-# The roles of subclasses; of these, those of a Decorator; and abstractions with alternatives.
+# The roles of subclasses; the subclasses of a Decorator among them; abstractions with alternatives.
 HEIRS = (
     *("Concrete State", "Concrete Strategy", "Concrete Component", "Decorator"),
     *("Concrete Decorator", "Concrete Command", "Concrete Class", "Concrete Builder"),
@@ -196,7 +196,7 @@ def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, s
 
 
 def _counts(facts: Facts) -> list[Finding]:
-    """The number of applications of each pattern is that of the paper."""
+    """The number of applications of each pattern equals the number in the paper."""
     findings: list[Finding] = []
     for pattern in facts.declared.patterns:
         applications = [

@@ -89,7 +89,7 @@ class Shape:
         return False
 
     def named(self, by: str, targets: list[str]) -> Iterator[tuple[Place, str]]:
-        """Where the code of a class names one of the targets, or includes its header."""
+        """The places at which the code of a class names a target, or includes its header."""
         for name in self.facts.names_of.get(by, []):
             target = owner_of(name.target)
             if target in targets and target != by:
@@ -263,7 +263,8 @@ def state_change(shape: Shape) -> Broken:
 def change_operation(
     shape: Shape, states: set[str], context: str, changers: dict[str, Place]
 ) -> str:
-    """The operation of the Context that the states call; the first one of several."""
+    """The operation of the Context that the states call; if there are several, the first
+    operation."""
     by_states = {target for state in states for target, _ in shape.calls(state)}
     own = [method for method in changers if owner_of(method) == context]
     return next((m for m in own if m in by_states), next(iter(own), ""))
@@ -601,7 +602,8 @@ def singleton_copy(shape: Shape) -> Broken:
 
 
 def serializer_used(shape: Shape) -> Broken:
-    """Finds operations of an element that neither read from a Reader nor write to a Writer."""
+    """Finds operations of an element that do not read from a Reader and do not write to a
+    Writer."""
     abstractions = shape.playing("Reader") + shape.playing("Writer")
     for element in shape.playing("Concrete Element"):
         operations = [body for body in shape.bodies(element) if body.overrides]

@@ -1,4 +1,4 @@
-"""proof-*: the properties are proven, and their model is that of the design."""
+"""proof-*: the properties are proven, and their model agrees with the design."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
 
 
 def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
-    """The numbers of the composition are those of the code."""
+    """The numbers of the composition agree with the code."""
     for line in lines:
         match = NUMBER.match(line.text)
         if not match:

@@ -40,8 +40,8 @@ WHY = {
     "pattern": "A pattern absorbs the changes for which it was chosen only as long as the code "
     "keeps its shape; each clause is a part of that shape.",
     "change": "A change of a value must show the other values that depend on it.",
-    "uses": "The allowed uses of a module decide which modules come with it when it is reused, and "
-    "which changes can break it.",
+    "uses": "The allowed uses of a module decide which modules must be reused together with it, "
+    "and which changes can break it.",
     "board": "The virtual K64 replaces the hardware: a mistake that it does not detect reaches the "
     "robot.",
     "tree": "A tree shows how the code fulfils a requirement: it must be possible "
@@ -108,7 +108,7 @@ _FIXED = [
     Check(
         "module-logic",
         "Each design module is in a logic module",
-        "Every class with its own header is in a folder below src or extensions that has a "
+        "Every class with a separate header is in a folder below src or extensions that has a "
         "module.dox.",
         "whether it is the right folder; this is a decision of the design.",
         "move the header into the folder of its logic module, or describe the folder.",
@@ -130,7 +130,7 @@ _FIXED = [
     ),
     Check(
         "module-secret",
-        "Each design module has one secret of its own",
+        "Each design module has exactly one secret",
         "The comment above every design module has exactly one @secret, which is not its function, "
         "and no two modules state the same.",
         "whether the code hides the subject of the secret.",
@@ -139,12 +139,13 @@ _FIXED = [
     Check(
         "module-spec",
         "Each public method has a specification",
-        "Every public method of a design module has a brief, a text for each parameter and one for "
-        "its result, and @isr for calls from interrupts; its own or inherited "
-        "from the method that it overrides. The text of a plain number has its unit or the counted "
-        "items, the text of a parameter with a unit has the unit, and each unit is that of the "
-        "type. Every other public part of a header has a brief: classes, types, functions, "
-        "members, constants, friends, and the values of an enumeration when one of them has.",
+        "Every public method of a design module has a brief, a text for each parameter and a text "
+        "for its result, and @isr for calls from interrupts. The texts are in its comment, or "
+        "inherited from the method that it overrides. The text of a plain number has its unit or "
+        "the counted items, the text of a parameter with a unit has the unit, and each unit "
+        "equals the unit of the type. Every other public part of a header has a brief: classes, "
+        "types, functions, members, constants, friends, and the values of an enumeration when one "
+        "of them has.",
         _TEXT_BLIND,
         "complete the comment above the declaration.",
     ),
@@ -159,9 +160,8 @@ _FIXED = [
         "module-count",
         "The modules of the design, and no others",
         "Every design module below src is listed for its folder in design/modules.toml, every "
-        "listed module exists and is not a data type, and their number is that of the paper. Those "
-        "of "
-        "modules of extensions are not counted.",
+        "listed module exists and is not a data type, and their number equals the number in the "
+        "paper. Modules of extensions are not counted.",
         "whether the list is correct.",
         "remove the module, mark a value type with @datatype, or change the design.",
     ),
@@ -196,7 +196,7 @@ _FIXED = [
         "A constant whose name or comment mentions control cycles or ticks is computed from "
         "SystemConstants, or design/tuned.toml declares that it depends on it. The page of the "
         "change lists both.",
-        "a value that depends on another constant, when neither name nor comment shows it.",
+        "a value that depends on another constant, when its name and comment do not show this.",
         "compute the value from the constant, or add it to design/tuned.toml.",
     ),
     Check(
@@ -206,7 +206,7 @@ _FIXED = [
         "subclasses that it adds or alters, and their base classes. An entry for one application "
         "names an existing one, and existing modules: those with a role in it, and "
         "examples of an extension. Each name in backticks in a step exists.",
-        "whether the steps are sufficient; the extensions show this for some of them.",
+        "whether the steps are sufficient; the extensions show this for some steps.",
         "correct the name.",
     ),
     Check(
@@ -224,7 +224,8 @@ _FIXED = [
         "Known roles",
         "Every @role names an application that is declared and a role of it, and is once above "
         "a module that the design binds to that role, or above one of an extension.",
-        "a class that has a role without a mark; the clauses of the pattern find some of them.",
+        "a class that has a role without a mark; the clauses of the pattern find some of these "
+        "classes.",
         "correct the application or the role, or change the design.",
     ),
     Check(
@@ -384,7 +385,7 @@ _FIXED = [
     Check(
         "exec-loop",
         "Each loop is bounded",
-        "A loop is a `for` with a condition; a function with another one is named in "
+        "A loop is a `for` with a condition; a function with another kind of loop is named in "
         "design/justified.toml with the reason why the loop ends, or why it is endless.",
         "whether the condition of a `for` becomes false.",
         "count the rounds in the head of the loop, or justify it.",
@@ -456,17 +457,16 @@ _FIXED = [
         "State machines name existing parts",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application; each event refers to an operation of the State, and "
-        "each "
-        "transition states, an event and at least one requirement that exist; a method of one of "
-        "its two states serves the requirement. Each event is used, and a guard distinguishes the "
-        "transitions of a state at one event apart. A number with a unit is that of one of the "
-        "requirements.",
+        "each transition states, an event and at least one requirement that exist; a method of "
+        "one of its two states serves the requirement. Each event is used, and a guard "
+        "distinguishes the transitions of a state at one event apart. A number with a unit equals "
+        "a number of a requirement.",
         "the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
     ),
     Check(
         "fsm-code",
-        "Declared transitions are those of the code",
+        "Declared transitions agree with the code",
         "The bodies of the states change to each successor as often as the machine declares, "
         "in the same operation: the operation that assigns the Context's state is followed to the "
         "states that call it, and each successor to the object that the builder passed. The "
@@ -485,7 +485,8 @@ _FIXED = [
         "Each transition is made in a test",
         "In the recorded calls of a test that passed on the host the Context calls the operation "
         "of the state, and only the successor fits the next call of a state. Each requirement "
-        "that a transition names has such a test. No test makes a change that is not declared.",
+        "that a transition names has a test that makes the transition. No test makes a change "
+        "that is not declared.",
         "which guard kept a state; the last state of a test that calls no state afterwards; "
         "nothing is compared while results are stale.",
         "test the transition through its Context, in a test of its requirement, or correct the "
@@ -586,7 +587,7 @@ _FIXED = [
     ),
     Check(
         "tree-order",
-        "Calls are made in the order of the tree, and as often",
+        "The order and the number of calls match the tree",
         "The body of each parent makes the calls in the order of the tree. A node without a mark "
         "is "
         "called by one statement that no condition guards; ? marks a call under a condition or "
@@ -599,14 +600,14 @@ _FIXED = [
         "Each tree was executed",
         "The tree is contained in the recorded calls of a test that passed and that verifies the "
         "requirement: each child within the call of its parent, in order.",
-        "operations that the platform implements, such as those of a port, are not recorded; "
+        "operations that the platform implements, such as operations of a port, are not recorded; "
         "nothing is compared while results are stale.",
         "correct the tree, or test the requirement so that the calls are made.",
     ),
     Check(
         "req-text",
         "Requirements are complete",
-        "Every requirement has an id of its own, a sentence with a shall, @rationale, @source, and "
+        "Every requirement has a unique id, a sentence with a shall, @rationale, @source, and "
         "a @priority: high, medium or low.",
         "whether the sentence is clear and can be verified.",
         "write the missing part.",
@@ -624,7 +625,7 @@ _FIXED = [
     ),
     Check(
         "req-number",
-        "Numbers of requirements are those of the code",
+        "Numbers of requirements agree with the code",
         "Each number with a unit in a requirement, in digits or as a word, is linked with a "
         "constant in design/requirement_numbers.toml, and the constant has this value. The file "
         "lists the other numbers with the reason why there is no constant.",
@@ -659,10 +660,9 @@ _FIXED = [
     Check(
         "req-method",
         "Each public method serves a requirement",
-        "Every public method of a design module is tagged with @satisfies, has a node in a tree, "
-        "or overrides, or is overridden by, such a method; a constructor serves the requirements "
-        "of its module. "
-        " Other methods are justified in design/justified.toml.",
+        "Every public method of a design module is tagged with @satisfies, or has a node in a "
+        "tree, or overrides such a method, or such a method overrides it. A constructor serves "
+        "the requirements of its module.  Other methods are justified in design/justified.toml.",
         "whether the method is needed for the requirement.",
         "tag the method, use it in a tree, remove it, or justify it.",
     ),
@@ -726,7 +726,7 @@ _FIXED = [
     Check(
         "req-stale",
         "Results belong to the present sources",
-        "The last test run was made with exactly the present sources, and so was the image whose "
+        "The last test run used exactly the present sources. So did the build of the image whose "
         "size and stack are compared.",
         "nothing: it compares contents, not dates.",
         "run ./wr test.",
@@ -802,9 +802,8 @@ _FIXED = [
     Check(
         "hazard-priority",
         "Safety has priority",
-        "The priority of a requirement is at least the one that design/safety_case.toml derives "
-        "from the "
-        "level of its safety goals.",
+        "The priority of a requirement is at least the priority that design/safety_case.toml "
+        "derives from the level of its safety goals.",
         "requirements without a goal.",
         "raise the priority.",
     ),
@@ -864,8 +863,8 @@ _FIXED = [
     Check(
         "paper-statement",
         "Each statement of the paper has an answer",
-        "Each entry of design/statements.toml names a place of the paper, and its answer "
-        "exists. Each requirement whose source is a place of the paper answers a statement of it.",
+        "Each entry of design/statements.toml names a place of the paper, and its answer exists. "
+        "Each requirement whose source is a place of the paper answers a statement of the paper.",
         "whether the list contains every statement of the paper, and whether an answer is good: a "
         "person compares them with the paper.",
         "correct the entry, or add the statement.",
@@ -874,9 +873,9 @@ _FIXED = [
         "paper-stale",
         "The concordance names existing parts",
         "Every module, method, application, state machine, requirement, check and page that an "
-        "entry of design/concordance.toml names exists, and so does each name in backticks in "
-        "its texts. A count of modules or applications, and the value of a constant, are those of "
-        "the code.",
+        "entry of design/concordance.toml names exists, and so does each name in backticks in its "
+        "texts. A count of modules or applications, and the value of a constant, equal the values "
+        "in the code.",
         "whether the paper means this part; only a reader can judge that.",
         "name the part that replaced it.",
     ),
@@ -898,7 +897,7 @@ _FIXED = [
     ),
     Check(
         "doc-frame",
-        "Numbers of the protocol are those of the code",
+        "Numbers of the protocol agree with the code",
         "Each value of an enumeration in design/frames.toml has the number of the enumerator of "
         "the same name in the firmware.",
         "fields, their types and their limits; the tests compare them.",
@@ -908,7 +907,7 @@ _FIXED = [
         "doc-example",
         "Worked examples of the protocol are whole",
         "The check sum of each example in docs/protocol_examples.txt and its bytes on the line "
-        "are those of its body.",
+        "follow from its body.",
         "whether the body has the described content; tests of the firmware and of the client "
         "decode it.",
         "run tests/python/client/examples.py.",

@@ -237,7 +237,7 @@ def _unneeded(model: Model) -> list[Finding]:
 
 
 def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Entries of design/mutants.toml whose line or whose mutant does not exist."""
+    """Entries of design/mutants.toml that name a line or a mutant that does not exist."""
     bodies: dict[tuple[str, str], list[BodyFact]] = {}
     for body in facts.syntax.bodies:
         bodies.setdefault((body.place.file, body.id), []).append(body)
@@ -434,7 +434,7 @@ def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _twice(facts: Facts) -> Iterator[Finding]:
-    """Each requirement has an id of its own."""
+    """Each requirement has a unique id."""
     seen: set[str] = set()
     for comment in facts.comments.below(("requirements",)):
         for tag in comment.of("requirement"):

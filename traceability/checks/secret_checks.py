@@ -1,4 +1,4 @@
-"""secret-open and secret-hidden: no module uses the hidden names of another one."""
+"""secret-open and secret-hidden: no module uses the hidden names of another module."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def _declared_again(facts: Facts) -> list[Finding]:
             place,
             "secret-open",
             f"{name} is declared here, and no header of its module declares it",
-            "include the header of the module, and call an operation of it",
+            "include the header of the module, and call an operation of the module",
         )
         for name, place in facts.syntax.declared_again.items()
         if not re.search(rf"\b{re.escape(name)}\b", linked)
@@ -88,7 +88,7 @@ def _declared_again(facts: Facts) -> list[Finding]:
 
 @dataclass
 class Hidden:
-    """A hidden name, and the files that may use it: those of a module or of a folder."""
+    """A hidden name, and the files of a module or of a folder that may use it."""
 
     name: str
     owner: str
@@ -105,7 +105,7 @@ def _hidden(model: Model, facts: Facts) -> list[Finding]:
         uses = _uses(hidden.name, facts)
         if uses is None or not any(hidden.allows(place.file) for place in uses):
             text = f"{hidden.owner} hides {hidden.name}, and does not use it"
-            fix = "name a header, a constant, a function or a type of its own"
+            fix = "name a header, a constant, a function or a type of the module"
             findings.append(Finding(hidden.place, "secret-hidden", text, fix))
             continue
         first = {(p.file, p.line): p for p in uses if not hidden.allows(p.file)}
@@ -154,7 +154,7 @@ def _uses(name: str, facts: Facts) -> list[Place] | None:
 
 
 def _standard(name: str, root: Path) -> list[Place] | None:
-    """Where a header of the library is included."""
+    """The places at which a header of the library is included."""
     places = [
         Place(str(path.relative_to(root)), number)
         for path in files_below(root, DESIGN, (".cpp", ".hpp"))

@@ -152,7 +152,7 @@ def _asked_for(
 
 
 def _serving(requirement: Requirement) -> list[str]:
-    """The methods that satisfy a requirement, and those of its tree."""
+    """The methods that satisfy a requirement, and the methods of its tree."""
     methods = list(requirement.satisfied_by)
     work = [requirement.tree] if requirement.tree else []
     while work:
@@ -163,7 +163,7 @@ def _serving(requirement: Requirement) -> list[str]:
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
-    """Whether a transition has the same state and event as another one."""
+    """Whether a transition has the same state and event as another transition."""
     others = [
         (other.guard, place)
         for place, other in enumerate(machine.transitions)
@@ -273,7 +273,7 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
 
 
 def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
-    """Compares the conditions of the code before a change with those of the declared guards."""
+    """Compares the conditions of the code before a change with the declared guards."""
     findings: list[Finding] = []
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):

@@ -94,7 +94,7 @@ def _order(
         texts.append((f"{node.label} calls {child.label} {code}, not {says} ({tree})", fix))
     if child.too_early:
         text = f"{node.label} calls {child.label} before {child.too_early} ({tree})"
-        texts.append((text, "restore the order of the calls, or change that of the tree"))
+        texts.append((text, "restore the order of the calls, or change the order in the tree"))
     place = _body_place(node, facts)
     return [Finding(place, "tree-order", text, fix) for text, fix in texts]
 

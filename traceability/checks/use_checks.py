@@ -77,7 +77,7 @@ def _forbidden(model: Model) -> list[Finding]:
 
 
 def _extensions(model: Model) -> list[Finding]:
-    """The robot names no extension in any case; an extension may name those that it needs."""
+    """The robot never names an extension; an extension may name the extensions that it needs."""
     # An extension may use another one if the design has the reason; the robot never does.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     return [
@@ -145,7 +145,8 @@ def _allowed_twice(model: Model) -> list[Finding]:
         Finding(
             allowed.place,
             "uses-unused",
-            f"every module may use {allowed.target}, and {allowed.source} has its own entry",
+            f"every module may use {allowed.target}, so the entry of {allowed.source} has no "
+            "effect",
             "remove one of the two",
         )
         for allowed in model.allowed_uses
@@ -175,7 +176,7 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
 
 
 def _apart(facts: Facts) -> list[Finding]:
-    """Finds two separated modules of which one names the other."""
+    """Finds pairs of separated modules in which a module names the other."""
     pairs = {
         (user, other): rule
         for rule in facts.declared.apart

@@ -30,7 +30,7 @@ PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: 
 
 
 def model_text(model: Model, report: Report) -> str:
-    """The model with the verdicts as JSON. Places, names and texts are those of the pages."""
+    """The model with the verdicts as JSON. Places, names and texts equal those on the pages."""
 
     def fields(record: object) -> dict[str, Any]:
         return _fields(record) | _verdict(record, report)
@@ -70,7 +70,7 @@ def model_schema() -> dict[str, Any]:
 
 
 def schema_of(kind: type, title: str) -> dict[str, Any]:
-    """The schema of a file, made from the class of its content and the classes of its parts."""
+    """The schema of a file, derived from the class of its content and the classes of its parts."""
     definitions: dict[str, Any] = {}
     top = _class(kind, definitions)
     return {"$schema": DIALECT, "title": title} | top | {"$defs": dict(sorted(definitions.items()))}

@@ -63,7 +63,7 @@ FILES = (
     *(
         ToolFile(
             f"ros/{name}",
-            "Message definition of ROS 2, made from the table of the frames.",
+            "Message definition of ROS 2, generated from the table of the frames.",
             partial(_ready, text),
         )
         for name, text in messages().items()

@@ -30,7 +30,7 @@ class TraceItem:
         return f"{self.file}:{self.line}" if self.file else ""
 
 
-# The attributes of a requirement besides its text; a method or a test has none of them.
+# The attributes of a requirement besides its text; empty for a method or a test.
 VALUES = ("section", "rationale", "source", "priority", "level", "method", "products", "goals")
 
 

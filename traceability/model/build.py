@@ -330,7 +330,7 @@ def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
 
 
 def _specified(method: Method, modules: dict[str, Module]) -> Method:
-    """The method, with the specification that it inherits when it has none of its own."""
+    """Returns the method. If it has no specification, it gets the inherited specification."""
     upper = None if method.documented else method.overrides
     while upper is not None:
         owner = modules.get(upper.rsplit("::", 1)[0])
@@ -369,7 +369,7 @@ def _with_calls(model: Model, facts: Facts) -> Model:
         ]
         folder = model.logic_modules.get(logic_of(body.place.file))
         if not body.owner and folder is not None and not folder.modules:
-            # Each product has its own composition; the first one is that of the robot itself.
+            # Each product has a composition; the first composition builds the robot itself.
             functions.setdefault(body.id, Function(body.id, body.place, calls))
         made[body.id, body.place.file, body.place.line] = calls
         for target in {target for call in calls for target in call.targets} - {body.id}:
@@ -412,7 +412,7 @@ Named = dict[str, dict[str, None]]  # module -> others, in order
 
 
 def _users(model: Model, facts: Facts) -> tuple[Named, Named]:
-    """Returns the modules that each module names, and those that name it."""
+    """Returns the modules that each module names, and the modules that name it."""
     uses: Named = {}
     used_by: Named = {}
     for named in facts.syntax.names:

@@ -183,7 +183,7 @@ def contexts_of(method: str, code: Code) -> list[str]:
 
 
 def place_of(name: str, facts: Facts) -> tuple[Place, str]:
-    """Where an object is declared, and its type."""
+    """The place at which an object is declared, and its type."""
     fact = facts.syntax.variables.get(name)
     if fact is None:
         owner, _, member = name.rpartition("::")

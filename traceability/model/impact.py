@@ -1,8 +1,8 @@
 """The possible effects of a change: modules by their distance, and the items to review again.
 
-A change of a module may affect the modules that name it, those that call it, and those that derive
-from it; and the modules that these affect in turn. A reference to an abstraction hides the object
-behind it: a change of a subclass does not affect modules that name only the abstraction.
+A change of a module may affect the modules that name it, call it or derive from it, and the modules
+that these affect in turn. A reference to an abstraction hides the object behind it: a change of a
+subclass does not affect modules that name only the abstraction.
 """
 
 from __future__ import annotations
@@ -208,7 +208,7 @@ class Impacts:
         return list(patterns.values())
 
     def _tests(self, impact: Impact) -> list[Reached]:
-        """The tests of the requirements, and those that execute a changed module."""
+        """The tests of the requirements, and the tests that execute a changed module."""
         tests = {test.id: test for test in impact.tests}
         for requirement in impact.requirements:
             found_requirement = self.model.requirements.get(requirement.id)

@@ -105,7 +105,7 @@ def forbidden(model: Model) -> dict[str, Any]:
 
 
 def metrics(model: Model, report: Report) -> dict[str, Any]:
-    """All metrics: those of the model, and the verdicts of this run."""
+    """All metrics: the metrics of the model, and the verdicts of this run."""
     fresh = not model.results_stale
     states = Counter(verdict.state for verdict in report.requirements.values())
     return {
@@ -231,7 +231,8 @@ def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
 
 
 def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
-    """How each requirement is verified, and how many a person has reviewed."""
+    """The verification of each requirement, and the number of requirements that a person has
+    reviewed."""
     listed = list(requirements)
     counts = Counter(item.method for item in listed)
     return {

@@ -45,7 +45,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
 
 
 def by_method(model: Model, report: Report) -> str:
-    """The methods by which requirements are verified, in words."""
+    """The methods of verification, in words."""
     words = {"test": "by tests", "analysis": "by analysis", "measurement": "by measurement"}
     states = report.requirements
     counts = {

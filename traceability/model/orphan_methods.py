@@ -16,7 +16,7 @@ def serving_methods(model: Model) -> set[str]:
     """Returns the methods that are tagged with a requirement or are in a tree, and related ones.
 
     An operation of an abstraction serves the requirements of the methods that override it; a
-    constructor serves those of its module.
+    constructor serves the requirements of its module.
     """
     methods = {item.id: item for module in model.modules.values() for item in module.methods}
     served = {item.id for item in methods.values() if item.satisfies}

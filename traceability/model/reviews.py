@@ -293,7 +293,7 @@ def read_baseline(root: Path, entries: Entries | None = None) -> Baseline:
 
 
 def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterable[str]) -> None:
-    """Replaces the texts of some requirements, and keeps those of the other ids."""
+    """Replaces the texts of some requirements, and keeps the texts of the other ids."""
     before = read_baseline(root)
     links = {name: before.links[name] for name in (*ids, DESIGN) if name in before.links}
     links |= {name: [text.key for text in listed] for name, listed in texts.items()}
@@ -418,7 +418,7 @@ def suspicions(
 
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
-    """Where a text was, and the reason why the requirement no longer depends on it."""
+    """The earlier place of a text, and the reason why the requirement no longer depends on it."""
     module = model.modules.get(name.split("::", maxsplit=1)[0])
     methods = [text for text in module.methods if text.id == name] if module else []
     if kind == "method" and methods:

@@ -1,4 +1,4 @@
-"""State machines: the changes that the code can make, and those that the tests make.
+"""State machines: the changes that the code can make, and the changes that the tests make.
 
 A machine is declared in ``design/fsm``. Its states are the Concrete States of an application of the
 State pattern. This module finds the changes again in the bodies of the states, and in the recorded

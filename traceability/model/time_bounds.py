@@ -225,8 +225,8 @@ class Times:
         return False
 
     def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
-        """Whether a function has the code of another one, inlined at a call: at its place, and at
-        those of the functions around it that are inlined too."""
+        """Whether a function contains the code of another function, inlined at a call: at the place
+        of the call, and at the places of the enclosing functions that are inlined too."""
         other = self.codes.get(self._home(target))
         if other is None or other is code:
             return False

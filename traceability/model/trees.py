@@ -164,7 +164,7 @@ def _calls_of(body: BodyFact, callees: set[str], facts: Facts) -> list[CallFact]
 
 
 def _often(calls: list[list[CallFact]]) -> str:
-    """How often each body makes its calls: see ``TreeNode.often``."""
+    """The number of times that each body makes its calls: see ``TreeNode.often``."""
     sure = [sum(not call.sometimes for call in own) for own in calls]
     if max(sure) > 1 or any(call.repeated for own in calls for call in own):
         return "*"

@@ -28,7 +28,7 @@ class MethodFact:
     deleted: bool = False
     defaulted: bool = False
     overrides: str | None = None
-    comment: int = 0  # line where its comment begins; 0 without one
+    comment: int = 0  # line where its comment begins; 0 without a comment
 
 
 @dataclass
@@ -101,7 +101,7 @@ class BodyFact:
     calls: list[CallFact] = field(default_factory=list)
     assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
-    floats: int = 0  # the first line with a floating-point number; 0 without one
+    floats: int = 0  # the first line with a floating-point number; 0 without such a line
     branches: bool = False  # whether it has a condition or a loop
     loops: list[int] = field(default_factory=list)  # lines of loops that count no rounds
 
@@ -124,7 +124,8 @@ class NameFact:
 
 @dataclass
 class BlockFact:
-    """A namespace below that of the project, declared in ``file``, is opened or used at a place."""
+    """A namespace inside the namespace of the project, declared in ``file``, is opened or used at a
+    place."""
 
     block: str
     file: str
@@ -177,7 +178,8 @@ class BranchFact:
 
 @dataclass
 class OffsetFact:
-    """A register that is accessed from another one, with the largest number in the offset."""
+    """A register that is accessed with an offset from another register, and the largest number in
+    the offset."""
 
     base: int
     offset: int

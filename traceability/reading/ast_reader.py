@@ -426,7 +426,8 @@ class Reader:
             body.loops.append(place.line)
 
     def block(self, cursor: Cursor | None, place: Place, *, declares: bool) -> None:
-        """Records a namespace inside that of the project, and the contents of its header."""
+        """Records a namespace inside the namespace of the project, and the contents of its
+        header."""
         while cursor is not None and cursor.kind != CursorKind.NAMESPACE:
             cursor = cursor.semantic_parent
         name = namespace_of(cursor)
@@ -646,7 +647,7 @@ def expressions_in(cursors: Iterable[Cursor]) -> Iterator[Cursor]:
 
 
 def register_of(call: Cursor) -> int | None:
-    """The address of the register from which a call reaches another one."""
+    """The address of the register from which a call reaches another register."""
     if call.kind != CursorKind.CALL_EXPR or call.spelling != "at":
         return None
     base = next(call.get_children(), None)

@@ -1,4 +1,5 @@
-"""The baseline design next to that of the robot: their costs, and the extent of likely changes."""
+"""The baseline design and the design of the robot: their costs, and the extent of likely
+changes."""
 
 from __future__ import annotations
 
@@ -61,7 +62,7 @@ class Touched:
     files_added: list[str] = field(default_factory=list)
     lines_touched: int = 0  # removed or changed lines of existing files
     lines_added: int = 0
-    code_added: int = 0  # number of these that are neither empty nor a comment
+    code_added: int = 0  # number of these lines that contain code
 
     def as_json(self) -> dict[str, Any]:
         return dict(vars(self))

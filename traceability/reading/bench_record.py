@@ -1,4 +1,4 @@
-"""The four scenarios of the paper: its measurements, and those of this project."""
+"""The four scenarios of the paper: measurements of the paper and of this project."""
 
 from __future__ import annotations
 

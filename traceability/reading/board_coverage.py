@@ -23,7 +23,7 @@ FILE = re.compile(r"^(\S+):(?:\[\++\])?$")
 ROW = re.compile(r"^\S+\s+(\d+|-)\s+0x([0-9a-f]+)")
 
 LOWER_RAM, RAM_SIZE = 0x1FFF0000, 0x10000  # K64 manual, table 4-1: SRAM_L; bytes
-Stretch = tuple[str, int, int, int]  # file, line, first address, address after the last one
+Stretch = tuple[str, int, int, int]  # file, line, first address, address after the last address
 
 
 def read_stretches(root: Path) -> list[Stretch]:

@@ -112,7 +112,8 @@ def _symbol(title: str) -> str:
 
 
 def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
-    """Functions of several units that share a name count as one, with the greater frame."""
+    """Functions of several units that share a name count as one function, with the greater
+    frame."""
     function = reported.setdefault(symbol, Function(symbol, "", 0))
     function.frame = max(function.frame, int(frame["bytes"]))
     function.dynamic |= "dynamic" in frame["kind"] and "bounded" not in frame["kind"]
@@ -157,8 +158,8 @@ def table_bytes(elf: Path) -> dict[str, int]:
 
 
 def _pushed(line: str) -> int:
-    """The bytes by which an instruction lowers the stack pointer. The instructions of a function
-    are added."""
+    """The number of bytes that an instruction subtracts from the stack pointer. The instructions of
+    a function are added."""
     if push := PUSH.search(line):
         names = [part.strip() for part in push["names"].split(",")]
         return 4 * sum(_width(name) for name in names)

@@ -201,7 +201,7 @@ class _Reader:
 
 
 def recording_of(lines: Iterable[str], symbols: Mapping[int, str]) -> Recording:
-    """The recording in the lines that the board program wrote; the first one is the head."""
+    """The recording in the lines that the board program wrote; the first line is the head."""
     reader, at = _Reader(symbols), 0
     for line in lines:
         time, event, number, value = line.strip().split(",")

@@ -167,7 +167,7 @@ def _field_places(
 
 
 def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:
-    """The unit of a set-point: that of the quantity in the same frame."""
+    """The unit of a set-point: the unit of the quantity in the same frame."""
     quantity = LAYOUTS[kind].of(f"{BY_QUANTITY}{field_.wheel}")
     shown = frame.values[quantity.name]
     entries = quantity.values.entries if quantity.values else ()

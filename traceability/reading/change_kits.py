@@ -151,5 +151,5 @@ def read_record(root: Path) -> KitRecord | None:
 
 
 def images_of(kits: Iterable[Kit]) -> list[str]:
-    """The images of the kits, and those that they are compared with."""
+    """The images of the kits, and the images that they are compared with."""
     return sorted({image for kit in kits for image in (kit.image, kit.base)})

@@ -47,7 +47,7 @@ Points = list[tuple[float, float]]
 
 
 def csv_of(scenario: str, binding: str) -> Path:
-    """Where the reports of a run are written."""
+    """The file to which the reports of a run are written."""
     return FOLDER / f"{scenario}-{SHORT[binding]}.csv"
 
 

@@ -1,8 +1,8 @@
 """Reads comments: each tag with its arguments, its text and its line.
 
 A comment is a block of ``///`` lines or a ``/** */``. It belongs to the declaration to which the
-syntax tree assigns it, or to the test macro below it; in a ``.dox`` file its own tags name its
-subject. Texts are plain, with the light markup of the comment: `names` and lists.
+syntax tree assigns it, or to the test macro below it; in a ``.dox`` file its tags name its subject.
+Texts are plain, with the light markup of the comment: `names` and lists.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ class Comment:
 
     @cached_property
     def brief(self) -> str:
-        """The text of ``@brief``; without one the first paragraph."""
+        """The text of ``@brief``; without a brief the first paragraph."""
         return self.one("brief") or self.one("")
 
     @cached_property
@@ -227,6 +227,6 @@ def _paragraphs(text: str) -> list[str]:
 
 
 def plain(text: str) -> str:
-    """A text on one line, except that each item of a list has its own line."""
+    """A text on one line, except that each item of a list starts a line."""
     parts = re.split(r"\n(?=\s*- )", text.replace("\\,", ","))
     return "\n".join(" ".join(part.split()) for part in parts).strip()

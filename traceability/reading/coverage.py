@@ -21,14 +21,14 @@ from traceability.schema import HOST, VIRTUAL_K64
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-# Folders of programs that may be next to that of the tests: code that only these programs contain
-# is ignored.
+# Folders of programs that may be next to the test program: code that only these programs contain is
+# ignored.
 OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 
 @dataclass
 class Coverage:
-    """The executable code of a target, and the part of it that each recording executed."""
+    """The executable code of a target, and the part that each recording executed."""
 
     whole: Covered = field(default_factory=Covered)
     recordings: dict[str, Covered] = field(default_factory=dict)

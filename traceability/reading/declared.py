@@ -98,7 +98,7 @@ class PipeText:
 
 @dataclass
 class Protection:
-    """How a member that contexts share is protected."""
+    """The protection of a member that several contexts share."""
 
     protection: str
     why: str
@@ -416,7 +416,7 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
             fix = "write 'FR-n', or 'Class::method' with its indentation, and ? or * behind it"
-            declared.tree_errors.append((place, "this line is neither an id nor a node", fix))
+            declared.tree_errors.append((place, "this line is not an id and not a node", fix))
             continue
         depth = len(match[1]) // 2
         label = f"{match[3]}::{match[4]}"

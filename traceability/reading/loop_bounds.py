@@ -52,7 +52,7 @@ class Bounds:
         try:
             rounds = self.value(match[1] if match else head[2] if head else "")
         except (KeyError, SyntaxError, ValueError):
-            return None  # an unknown name: the loop counts as one without a bound
+            return None  # an unknown name: the loop counts as a loop without a bound
         return Bound(rounds, match is not None and match[2] is not None)
 
     def passes(self, place: Place) -> int | None:

@@ -1,7 +1,7 @@
 """The instructions of an image with their cycles: blocks, jumps, calls and loops.
 
-The cycles are those of the virtual board (``sim/emulator/Timing.hpp``): the Cortex-M4 manual,
-tables 3-1 and 7-1, with the upper end of a range, and with a slow flash without a cache.
+The cycles are counted like on the virtual board (``sim/emulator/Timing.hpp``): the Cortex-M4
+manual, tables 3-1 and 7-1, with the upper end of a range, and with a slow flash without a cache.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def read_code(elf: Path) -> dict[str, Code]:
 
 
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
-    """File and line of each instruction: its own, then those of the functions that inlined it."""
+    """File and line of each instruction: first where it was written, then where it was inlined."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
     request = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=request, capture_output=True, text=True, check=True).stdout
@@ -197,8 +197,7 @@ def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
             block.jump, present.call = present.jumps, ""
         elif (
             present.jumps is not None
-        ):  # a jump into another function, which returns to the caller of
-            # this one
+        ):  # a jump into another function, which returns to the caller of this function
             present.cycles += REFILL
     return blocks
 

@@ -30,7 +30,7 @@ def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
     return ports
 
 
-# The headers next to the folders of the ports are shared by all of them.
+# All ports share the headers next to their folders.
 def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[str, Any]) -> Port:
     changed = Kit(folder.name, item["title"], Place("", 0))
     if (folder / PATCH).exists():

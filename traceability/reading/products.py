@@ -21,7 +21,7 @@ LIST = Path("design/products.toml")
 
 @dataclass(frozen=True)
 class Product:
-    """A product: its composition, and those of its modules that not all products have."""
+    """A product: its composition, and its modules that some products do not have."""
 
     name: str
     commands: str

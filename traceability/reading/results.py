@@ -120,7 +120,7 @@ def read_results_hash(root: Path, binding: str) -> str | None:
 
 
 def read_results(root: Path, binding: str) -> dict[str, Result]:
-    """``Suite.Name`` -> result. The instances of a parameterised test count as one."""
+    """``Suite.Name`` -> result. The instances of a parameterised test count as one test."""
     return results_in(read_json(root / RESULTS / f"{RUNS[binding]}.json") or {})
 
 

@@ -83,7 +83,7 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """The entry with the longest path that is the file itself or a folder of it."""
+    """The entry with the longest path that is the file itself or a folder that contains it."""
     matching = [
         (len(path), correction)
         for correction in corrections

@@ -246,7 +246,7 @@ class References:
         return {item for item in reachable if not kind or item.kind in family}
 
     def targets(self, call: CallFact) -> list[str]:
-        """The methods that a call may reach: those of the objects on which it is called."""
+        """The methods that a call may reach: the methods of the objects on which it is called."""
         owner, _, name = call.target.rpartition("::")
         if not call.virtual:
             return [call.target]

@@ -1,7 +1,7 @@
-"""Reads the facts of the code from libclang's syntax tree, so they are those of the compiler.
+"""Reads the facts of the code from libclang's syntax tree: they agree with the compiler.
 
-The facts of a translation unit are kept in a cache, whose key is the content of its own files, and
-the code, without comments, of all files that it includes.
+The facts of a translation unit are kept in a cache, whose key is the content of the unit's files,
+and the code, without comments, of all files that they include.
 """
 
 from __future__ import annotations

@@ -42,9 +42,9 @@ SHOWN = 60
 
 @dataclass(slots=True)
 class Row:
-    """A call: it contains the rows before ``end``, without those of an interrupt.
+    """A call: it contains the rows before ``end``, without the rows of an interrupt.
 
-    Each entry of an interrupt has its own ``activation``; 0 is the code outside of interrupts.
+    Each entry of an interrupt has a different ``activation``; 0 is the code outside of interrupts.
     """
 
     depth: int

@@ -1,9 +1,8 @@
 """The translation units of the design, and how the compiler of this machine or the K64 reads them.
 
-A header and the source file of the same name are one unit; a header without a source file is a unit
-of its own. Files
-below ``src/k64``, and those in the folder ``k64`` of an extension, are read for the K64, with the
-library of its compiler.
+A header and the source file of the same name are one unit; a header without a source file is a
+separate unit. Files below ``src/k64``, and those in the folder ``k64`` of an extension, are read
+for the K64, with the library of its compiler.
 """
 
 from __future__ import annotations

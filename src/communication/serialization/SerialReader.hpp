@@ -40,7 +40,7 @@ class SerialReader final : public Reader {
   /// @satisfies FR-21
   void latchStop();
 
-  /// @brief Stores an order and replaces the previous one. An order with a field out of range is
+  /// @brief Stores an order and replaces the previous order. An order with a field out of range is
   /// rejected and changes nothing. An order without stop whose wheel values are all 0 releases the
   /// stop.
   /// @param payload the bytes of the order

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-// Where the parts of the program are: the linker script defines it.
+// Addresses of the parts of the program, which the linker script defines.
 extern "C" {
 /// @brief Words that are copied together: the core loads and stores four with two instructions.
 using Words = std::array<std::uint32_t, 4>;

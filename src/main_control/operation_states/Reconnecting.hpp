@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief No source sends orders: the system is at rest and tries to read from each source in turn.
+/// @brief No source sends orders: the robot is at rest and tries to read the sources alternately.
 ///
 /// @function Holds the control systems. Each failed read changes the reading mode; a message ends the
 /// search.

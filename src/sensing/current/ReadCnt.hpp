@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief Command of a tick: samples the current of a wheel.
 /// @function Reads the sample that the previous tick requested, passes it to the collector, and
-/// requests the next one.
+/// requests the next sample.
 /// @secret How sampling is spread over two ticks, so that no interrupt waits for a conversion.
 /// @role{wheel-timer-interrupt, Concrete Command}
 ///
@@ -25,7 +25,7 @@ class ReadCnt final : public Command {
   /// @param collector receives the samples
   ReadCnt(AnalogInput& input, ValueCollector& collector);
 
-  /// @brief Passes a sample to the collector, if one is ready, and requests the next one.
+  /// @brief Passes a sample to the collector, if a sample is ready, and requests the next sample.
   /// @isr{yes}
   /// @satisfies FR-100
   /// @satisfies FR-125

@@ -38,7 +38,7 @@ class ValueCollector final {
 
   /// @brief Binds the command that ends an overcurrent.
   /// @param overcurrent is executed in the interrupt, at the fifth successive sample that is too
-  /// high and at each one that follows
+  /// high and at each further sample that is too high
   /// @param timebase returns the time of a sample
   ValueCollector(Command& overcurrent, const Timebase& timebase);
 

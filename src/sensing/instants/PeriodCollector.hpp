@@ -16,7 +16,7 @@ class PeriodCollector final : public CollectorDecorator {
   /// @param wrapped the extended collector
   explicit PeriodCollector(InstantCollector& wrapped);
 
-  /// @brief Forwards the edge; a rising edge ends a period and begins the next one.
+  /// @brief Forwards the edge; a rising edge ends a period and begins the next period.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-55

@@ -29,7 +29,7 @@ class DirSensor final {
   DirSensor(const DirSensor&) = delete;
   DirSensor& operator=(const DirSensor&) = delete;
 
-  /// @brief Reads the sample that the last call requested, and requests the next one. Each 8th
+  /// @brief Reads the sample that the last call requested, and requests the next sample. Each 8th
   /// call ends a measurement: the mean of its samples is written to the pipe.
   /// @return true when this call ended a measurement, also when nothing was written
   /// @errors A measurement with an invalid or a missing sample is not written: the value in the

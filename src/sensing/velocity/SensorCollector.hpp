@@ -47,7 +47,7 @@ class SensorCollector final {
   /// @satisfies FR-220
   void collect(std::uint8_t phase, Instant at);
 
-  /// @brief Returns the record of the edges, up to the last one.
+  /// @brief Returns the record of the edges, up to the last edge.
   /// @return the record, unchanged until the next call; empty before the first edge
   /// @pre No other call of record() is active: only the thread of the wheel calls it.
   /// @isr{no}

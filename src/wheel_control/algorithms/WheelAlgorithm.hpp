@@ -24,7 +24,7 @@ struct WheelFeedback {
 /// @patternapp{wheel-control-algorithms, Strategy, Control algorithms for wheels}
 /// @why An order sets a voltage, a current or a velocity of a wheel. Each kind needs a different
 /// algorithm to calculate the voltage.
-/// @changes An algorithm may change, or a new one may be needed.
+/// @changes An algorithm may change, or a new algorithm may be needed.
 class WheelAlgorithm {
  public:
   WheelAlgorithm(const WheelAlgorithm&) = delete;

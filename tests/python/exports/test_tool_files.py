@@ -69,7 +69,7 @@ def test_reqif_fits_the_schema_and_is_read_back(model: Model, tmp_path: Path) ->
 
 
 def test_reqif_has_no_empty_value(model: Model) -> None:
-    """StrictDoc does not import a file with one."""
+    """StrictDoc does not import a file with an empty value."""
     assert 'THE-VALUE=""' not in reqif_text(model, REPORT)
     assert any(not value for one in trace_items(model, REPORT) for value in one.values.values())
 

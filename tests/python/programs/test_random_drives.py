@@ -1,4 +1,4 @@
-"""Random drives of robots whose parts vary: no stop without a fault, and a stop with one.
+"""Random drives of robots whose parts vary: without a fault no stop, with a fault a stop.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
 how many drives ended with a stop, the distance until the stop, and the greatest velocity. A series

@@ -98,7 +98,8 @@ def words(text: str) -> str:
 
 
 def section(address: str) -> str:
-    """The text of the element that an address names; of the whole page without one."""
+    """The text of the element that an address names; without an element, the text of the whole
+    page."""
     page, _, part = address.partition("#")
     found = content(page)
     start, end = found.ids[part] if part else (0, len(found.text))

@@ -8,7 +8,8 @@ from traceability.reading.seeded_faults import Edit, Fault
 
 
 class Hiding(Copy):
-    """Finds nothing next to the fault ``hides``, and never the fault ``lost``."""
+    """Finds no other fault of a copy with the fault ``hides``, and never finds the fault
+    ``lost``."""
 
     def __init__(self) -> None:
         self.runs: list[list[str]] = []
