@@ -194,6 +194,18 @@ TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {
   }
 }
 
+/// @brief A cycle with correct leads directly after a cycle with swapped leads is not learned.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_InDoubtNothingIsLearned) {
+  motor.resistance = 1.8;
+  EXPECT_FALSE(cycle(100, pulling(100, 1)));
+  motor.swapped = true;
+  EXPECT_FALSE(cycle(100, pulling(100, 1)));
+  motor.swapped = false;
+  EXPECT_FALSE(cycle(100, pulling(100, 6)));
+  EXPECT_EQ(found(10, pulling(10, 0.5)), 7);
+}
+
 /// @brief At a low velocity with a great load, a cycle is weak evidence: more cycles are needed. A
 /// motor that was learned for 4 s gives more evidence than one that is unknown.
 /// @verifies FR-307

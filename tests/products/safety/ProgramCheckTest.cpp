@@ -54,7 +54,7 @@ using CheckedProgramDeathTest = CheckedProgram;
 TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   ticks(200);
   for (const std::size_t place : {std::size_t{0}, kSizeOfRam / 3, kSizeOfRam - 1}) {
-    for (const unsigned bit : {0U, 17U, 31U}) {
+    for (const unsigned bit : {0U, 17U, 30U, 31U}) {
       std::uint32_t& word = copy_[place].at(bit % 4);
       word ^= 1U << bit;
       EXPECT_DEATH(ticks(300), "assertion 8 failed") << place << " " << bit;

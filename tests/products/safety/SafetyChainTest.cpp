@@ -698,7 +698,8 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   EXPECT_EQ(at(2701), 940);
 }
 
-/// @brief Any single wheel that is too fast lowers the set-points, also while it loses velocity.
+/// @brief Any single wheel that is too fast lowers the set-points, also while it loses velocity. A
+/// wheel that will be at the limit in two cycles does not.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -708,6 +709,12 @@ TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
       order(ramp, alike(1000, WheelQuantity::Current));
     }
     EXPECT_EQ(first(), 880) << wheel;
+    acknowledge(ramp);
+    for (const int velocity : {1000, 1700}) {
+      spy.measured.wheels[wheel].velocity = Velocity(velocity);
+      order(ramp, alike(1000, WheelQuantity::Current));
+    }
+    EXPECT_EQ(first(), 1000) << wheel;
     spy.measured.wheels[wheel].velocity = Velocity(1);
   }
 }
