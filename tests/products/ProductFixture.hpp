@@ -21,15 +21,18 @@
 namespace wr::test {
 
 /// Builds a control system that records its orders, and does nothing at a tick of the second timer.
+/// It records whether it was built, and started afterwards.
 class SpyBuilder final : public ControlSystemBuilder, public Command {
  public:
   SpySystem spy;
+  bool built = false;
+  bool started = false;
 
   void buildActuator() override {}
   void buildSensors() override {}
   void buildController() override {}
-  void buildSystem() override {}
-  void start() override {}
+  void buildSystem() override { built = true; }
+  void start() override { started = built; }
   [[nodiscard]] ControlSystem& system() override { return spy; }
   [[nodiscard]] Command& tickCommand() override { return *this; }
   void execute() override {}

@@ -71,6 +71,12 @@ class BluetoothRobot : public ProductFixture {
   scenario::PcSender frames;
 };
 
+/// @brief The director builds the control systems and starts them.
+/// @verifies FR-78
+TEST_F(BluetoothRobot, FR78_ControlSystemsAreBuiltAndStarted) {
+  EXPECT_TRUE(spyBuilder.started);
+}
+
 /// @brief The mode at start is PC; without orders the two modes follow each other.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_ModesFollowEachOtherWithoutOrders) {
@@ -229,9 +235,11 @@ TEST_F(BluetoothRobot, FR262_ReplayedOrderIsNotRead) {
   }
 }
 
+using BluetoothRobotDeathTest = BluetoothRobot;
+
 /// @brief The robot is built without a remote control, and runs its cycles.
 /// @verifies NFR-1
-TEST_F(BluetoothRobot, NFR1_HasNoRemoteControl) {
+TEST_F(BluetoothRobotDeathTest, NFR1_HasNoRemoteControl) {
   EXPECT_DEATH(static_cast<void>(builder.velocityPin()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.directionPin()), "assertion 1 failed");
   EXPECT_EQ(watchdog.refreshes(), 4U);
@@ -239,7 +247,7 @@ TEST_F(BluetoothRobot, NFR1_HasNoRemoteControl) {
 
 /// @brief A robot is built only once.
 /// @verifies FR-78
-TEST_F(BluetoothRobot, FR78_ConstructionTwiceEndsTheProgram) {
+TEST_F(BluetoothRobotDeathTest, FR78_ConstructionTwiceEndsTheProgram) {
   EXPECT_DEATH(director.construct(), "assertion 5 failed");
 }
 

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "sim/host/HostSerialPort.hpp"
 #include "sim/scenario/PcFrames.hpp"
+#include "support/FakeSerialPort.hpp"
 #include "support/FakeTimebase.hpp"
 #include "support/SignedLine.hpp"
 
@@ -167,6 +170,109 @@ TEST_F(SignedPortTest, FR263_PassesTimeRoomAndLossOfTheLineOn) {
   static_cast<void>(line.takeSent());
   ASSERT_TRUE(signedPort.write(hello));
   EXPECT_TRUE(device.verifies(sent + 1, line.takeSent()));
+}
+
+/// @brief A frame can be read in parts of any length.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_AFrameIsReadInParts) {
+  const scenario::Bytes hello = frames.hello();
+  line.arrive(device.sign(hello));
+  scenario::Bytes frame;
+  std::array<std::uint8_t, 3> part{};
+  for (std::size_t count = signedPort.read(part); count > 0; count = signedPort.read(part)) {
+    frame.insert(frame.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  EXPECT_EQ(frame, hello);
+}
+
+/// @brief A frame with the greatest length is returned; a frame that is one byte longer is dropped, even when
+/// its first bytes have a correct tag.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_TheLongestFrameIsGiven) {
+  scenario::Bytes longest(FrameEncoder::kMaxBytes + 1, 7);
+  longest.back() = 0;
+  line.arrive(device.sign(longest));
+  EXPECT_EQ(given(), std::vector<scenario::Bytes>{longest});
+  scenario::Bytes tooLong = device.sign(longest);
+  tooLong.insert(tooLong.end() - 1, '0');
+  line.arrive(tooLong);
+  EXPECT_TRUE(given().empty());
+}
+
+/// @brief A frame with the greatest length of the protocol is sent; a longer one and an empty one are not.
+/// @verifies FR-263
+TEST_F(SignedPortTest, FR263_TheLongestFrameIsSent) {
+  EXPECT_TRUE(signedPort.write(scenario::Bytes(FrameEncoder::kMaxBytes, 7)));
+  EXPECT_TRUE(device.verifies(1, line.takeSent()));
+  EXPECT_FALSE(signedPort.write(scenario::Bytes(FrameEncoder::kMaxBytes + 1, 7)));
+  EXPECT_FALSE(signedPort.write(scenario::Bytes{}));
+  EXPECT_TRUE(line.takeSent().empty());
+}
+
+/// @brief Each dropped frame is answered with a challenge, whatever is wrong with it. A zero byte
+/// alone is no frame and gets no answer.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
+  line.arrive(device.signWith(9, frames.hello()));
+  EXPECT_EQ(given().size(), 1U);
+  scenario::Bytes wrongTag = device.signWith(10, frames.hello());
+  wrongTag[wrongTag.size() - 2] ^= 1U;
+  for (const scenario::Bytes& wrong :
+       {device.signWith(9, frames.hello()), wrongTag, device.signWith(10, scenario::Bytes{0}),
+        scenario::Bytes{3, 0}, scenario::Bytes(1000, 1)}) {
+    line.arrive(wrong);
+    line.arrive(scenario::Bytes{0, 0});
+    EXPECT_TRUE(given().empty()) << wrong.size();
+    EXPECT_EQ(scenario::bodies(line.takeSent()).size(), 1U) << wrong.size();
+  }
+}
+
+/// @brief A challenge leaves room for a frame: it is sent only when two frames have room.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
+  FakeSerialPort port;
+  SignedPort narrow(port, kSharedKey, random);
+  for (const std::size_t missing : {std::size_t{1}, std::size_t{0}}) {
+    port.room = 2 * FrameEncoder::kMaxBytes - missing;
+    port.received = frames.hello();
+    EXPECT_TRUE(given(narrow).empty());
+    EXPECT_EQ(port.sent.empty(), missing > 0);
+  }
+}
+
+/// A line on which bytes arrive faster than they can be read.
+class FloodedPort final : public SerialPort {
+ public:
+  explicit FloodedPort(std::size_t atOnce) : atOnce_(atOnce) {}
+
+  std::size_t read(std::span<std::uint8_t> bytes) override {
+    ++reads;
+    const auto filled = bytes.first(std::min(bytes.size(), atOnce_));
+    std::ranges::fill(filled, std::uint8_t{1});
+    return filled.size();
+  }
+  [[nodiscard]] Instant receivedAt() const override { return {}; }
+  [[nodiscard]] std::size_t free() const override { return 0; }
+  bool write(std::span<const std::uint8_t> /*bytes*/) override { return false; }
+  [[nodiscard]] std::uint16_t lostBytes() const override { return 0; }
+
+  int reads = 0;
+
+ private:
+  std::size_t atOnce_;
+};
+
+/// @brief A read ends on a line that never becomes empty: it takes at most 64 parts of 64 bytes. An
+/// empty line is read once.
+/// @verifies FR-262
+TEST_F(SignedPortTest, FR262_AReadEndsInAFlood) {
+  for (const auto& [atOnce, reads] : {std::pair<std::size_t, int>{64, 64}, {1, 64}, {0, 1}}) {
+    FloodedPort port(atOnce);
+    SignedPort flooded(port, kSharedKey, random);
+    std::array<std::uint8_t, 64> bytes{};
+    EXPECT_EQ(flooded.read(bytes), 0U);
+    EXPECT_EQ(port.reads, reads) << atOnce;
+  }
 }
 
 /// @brief Without a key, or without a random number, nothing is received or sent, not even a challenge.

@@ -137,6 +137,9 @@ TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
   EXPECT_TRUE(mode.newMessage());
   signals(1650);
   EXPECT_FALSE(mode.newMessage());
+  signals(kDrivePulse);
+  signals(1350);
+  EXPECT_FALSE(mode.newMessage());
 }
 
 /// @brief A stop lasts until the switch has left "stop" and the velocity stick is centred.
@@ -199,6 +202,19 @@ TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   EXPECT_FALSE(acknowledges());
 }
 
+/// @brief A stop ends the acknowledgement: the orders after it acknowledge nothing.
+/// @verifies FR-288
+TEST_F(EnableSwitchTest, FR288_AStopEndsTheAcknowledgement) {
+  signals(kStopPulse);
+  signals(kPcPulse);
+  signals(kDrivePulse);
+  EXPECT_TRUE(acknowledges());
+  signals(kStopPulse);
+  signals(kDrivePulse);
+  EXPECT_FALSE(mode.stopOrdered());
+  EXPECT_FALSE(acknowledges());
+}
+
 /// @brief With a deflected stick nothing is acknowledged until it is centred.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
@@ -248,6 +264,18 @@ TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   }
   signals(kDrivePulse, 0);
   EXPECT_FALSE(mode.stopOrdered());
+}
+
+/// @brief A steering stick that trembles by 8 us does not restart the 2 s.
+/// @verifies FR-289
+TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
+  signals(kDrivePulse, 0);
+  for (int cycles = 0; cycles <= 20; ++cycles) {
+    signals(kDrivePulse, 1500, cycles % 2 == 0 ? 0 : 52);  // 8 us
+    EXPECT_FALSE(mode.stopOrdered()) << cycles;
+  }
+  signals(kDrivePulse, 1500);
+  EXPECT_TRUE(mode.stopOrdered());
 }
 
 /// @brief A change of more than 8 us of any channel restarts the 2 s.

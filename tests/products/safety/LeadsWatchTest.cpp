@@ -31,7 +31,7 @@ class WatchedLeads : public testing::Test {
     const double amperes = (real - turning) / motor.resistance + motor.offset;
     measured.current = Current(static_cast<std::int32_t>(std::lround(amperes * 1000)));
     measured.position = HallCount(static_cast<std::int32_t>(std::floor(motor.position)));
-    return watch.swapped(measured, Tension(static_cast<std::int32_t>(ordered * 1000)));
+    return watch->swapped(measured, Tension(static_cast<std::int32_t>(ordered * 1000)));
   }
 
   /// Voltage at which the wheel pulls with a current.
@@ -65,7 +65,7 @@ class WatchedLeads : public testing::Test {
   }
 
   Motor motor;
-  LeadsWatch watch;
+  std::optional<LeadsWatch> watch{std::in_place};
 };
 
 /// @brief Leads that are swapped at 10 to 300 rpm, in either direction, are detected in the second
@@ -73,7 +73,7 @@ class WatchedLeads : public testing::Test {
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   for (const double rpm : {10.0, 20.0, 50.0, 150.0, 300.0, -10.0, -20.0, -300.0}) {
-    watch.reset();
+    watch->reset();
     motor = {};
     EXPECT_FALSE(drive(rpm, rpm > 0 ? 1 : -1, 40)) << rpm;
     EXPECT_EQ(found(rpm, pulling(rpm, rpm > 0 ? 1 : -1)), 2) << rpm;
@@ -91,7 +91,7 @@ TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
         for (const double offset : {-0.3, 0.3}) {
           motor = {
               .supply = supply, .resistance = resistance, .constant = constant, .offset = offset};
-          watch.reset();
+          watch.emplace();
           for (const double rpm : {20.0, 150.0, -60.0, 300.0, -10.0, 50.0}) {
             for (const double amperes : {1.0, 8.0, -5.0}) {
               EXPECT_FALSE(drive(rpm, amperes, 10))
@@ -130,14 +130,14 @@ TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   motor.swapped = true;
   EXPECT_FALSE(cycle(100, pulling(100, 1)));
   WheelMeasurements measured;
-  EXPECT_FALSE(watch.swapped(measured, Tension(6000)));
+  EXPECT_FALSE(watch->swapped(measured, Tension(6000)));
   measured.velocity = Velocity(1000);
-  EXPECT_FALSE(watch.swapped(measured, Tension(6000)));
+  EXPECT_FALSE(watch->swapped(measured, Tension(6000)));
   measured.current = Current(8000);
-  EXPECT_FALSE(watch.swapped(measured, std::nullopt));
+  EXPECT_FALSE(watch->swapped(measured, std::nullopt));
   measured.position = HallCount(static_cast<std::int32_t>(std::floor(motor.position)));
   for (int number = 0; number < 5; ++number) {
-    EXPECT_FALSE(watch.swapped(measured, Tension(6000))) << "without an edge";
+    EXPECT_FALSE(watch->swapped(measured, Tension(6000))) << "without an edge";
   }
   EXPECT_TRUE(cycle(100, pulling(100, 1)));
 }
@@ -148,6 +148,11 @@ TEST_F(WatchedLeads, FR307_UpToOneVoltNothingCounts) {
   EXPECT_FALSE(drive(10, 1, 40));
   EXPECT_EQ(found(10, 1.0), 0);
   EXPECT_GT(found(10, 1.1), 0);
+  watch->reset();
+  motor = {};
+  EXPECT_FALSE(drive(-10, -1, 40));
+  EXPECT_EQ(found(-10, -1.0), 0);
+  EXPECT_GT(found(-10, -1.1), 0);
 }
 
 /// @brief After a restart the watch has no evidence.
@@ -156,10 +161,72 @@ TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
   EXPECT_FALSE(drive(100, 1, 40));
   EXPECT_EQ(found(100, pulling(100, 1)), 2);
   EXPECT_TRUE(cycle(100, pulling(100, 1)));
-  watch.reset();
+  watch->reset();
   motor.swapped = false;
   EXPECT_FALSE(drive(100, 1, 40));
   EXPECT_EQ(found(100, pulling(100, 1)), 2);
+}
+
+/// @brief After a reset, the watch behaves as at the start: it detects swapped leads in the same
+/// cycle, for each velocity and load, whatever motor it learned before.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {
+  const auto detected = [this](double resistance, double rpm, double amperes) {
+    motor = {.resistance = resistance};
+    if (resistance > 1.5) {
+      cycle(0, pulling(0, amperes));
+    }
+    return found(rpm, pulling(rpm, amperes));
+  };
+  for (const double resistance : {1.5, 1.8}) {
+    for (double rpm = 10; rpm <= 60; rpm += 2) {
+      for (double amperes = 0; amperes <= 14; amperes += 0.5) {
+        watch.emplace();
+        const int first = detected(resistance, rpm, amperes);
+        motor = {.supply = 29, .resistance = 1.2, .constant = 0.0576};
+        drive(-200, -8, 40);
+        motor.swapped = true;
+        cycle(-200, pulling(-200, -1));
+        watch->reset();
+        EXPECT_EQ(detected(resistance, rpm, amperes), first) << rpm << " rpm, " << amperes << " A";
+      }
+    }
+  }
+}
+
+/// @brief A cycle with correct leads directly after a cycle with swapped leads is not learned.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_InDoubtNothingIsLearned) {
+  motor.resistance = 1.8;
+  EXPECT_FALSE(cycle(100, pulling(100, 1)));
+  motor.swapped = true;
+  EXPECT_FALSE(cycle(100, pulling(100, 1)));
+  motor.swapped = false;
+  EXPECT_FALSE(cycle(100, pulling(100, 6)));
+  EXPECT_EQ(found(10, pulling(10, 0.5)), 7);
+}
+
+/// @brief At a low velocity with a great load, a cycle is weak evidence: more cycles are needed. A
+/// motor that was learned for 4 s gives more evidence than one that is unknown.
+/// @verifies FR-307
+TEST_F(WatchedLeads, FR307_WeakEvidenceNeedsMoreCycles) {
+  struct Case {
+    bool learned;
+    double rpm;
+    double amperes;
+    int cycles;
+  };
+  for (const auto& [learned, rpm, amperes, cycles] :
+       {Case{false, 10, 0.5, 4}, Case{false, 12, 1, 5}, Case{false, 28, 2, 4},
+        Case{true, 12, 2.5, 6}, Case{true, 14, 2.5, 6}, Case{true, 20, 4, 4},
+        Case{true, 26, 5, 4}}) {
+    watch.emplace();
+    motor = {};
+    if (learned) {
+      EXPECT_FALSE(drive(rpm, 1, 40));
+    }
+    EXPECT_EQ(found(rpm, pulling(rpm, amperes)), cycles) << rpm << " rpm, " << amperes << " A";
+  }
 }
 
 }  // namespace

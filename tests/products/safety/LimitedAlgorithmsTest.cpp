@@ -77,6 +77,20 @@ TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   }
 }
 
+/// @brief The wrapped algorithm gets the applied voltage. After a reset the voltage and the previous
+/// velocity are unknown, as at the start.
+/// @verifies FR-283
+TEST(SpeedLimitedTest, FR283_AResetForgetsVoltageAndVelocity) {
+  DirectAlgorithm direct;
+  SpeedLimited limited(direct);
+  const Tension first = limited.calculate(24000, measured(290, 0));
+  limited.applied(Tension(4000));
+  EXPECT_EQ(direct.voltage, Tension(4000));
+  limited.calculate(24000, measured(200, 0));
+  limited.reset();
+  EXPECT_EQ(limited.calculate(24000, measured(290, 0)), first);
+}
+
 /// @brief A wheel whose voltage is unknown gets less than the voltage that its velocity induces:
 /// 15.2 V at 290 rpm. Even with a supply of 29 V instead of 24 V, this voltage does not drive the
 /// wheel.

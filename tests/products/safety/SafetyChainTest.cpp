@@ -216,6 +216,23 @@ TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   }
 }
 
+/// @brief The memory returns each cause with each wheel, or without a wheel. A number that is no
+/// wheel counts as a protective stop for a doubtful memory.
+/// @verifies FR-291
+TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
+  RetainedProtection::Cells cells{};
+  RetainedProtection memory(cells);
+  for (const std::uint8_t wheel : {std::uint8_t{0}, std::uint8_t{3}, Protection::kNoWheel}) {
+    for (const StopCause cause : {StopCause::Overspeed, StopCause::ClockLost}) {
+      const RetainedProtection::Stop stop{.cause = cause, .wheel = wheel};
+      memory.save(stop);
+      EXPECT_EQ(memory.stored(), stop);
+    }
+  }
+  memory.save({.cause = StopCause::Overspeed, .wheel = 4});
+  EXPECT_EQ(memory.stored(), RetainedProtection::Stop{.cause = StopCause::MissingMeasurement});
+}
+
 /// @brief A loss of the clock, and a start without a clock, latch a protective stop; an earlier
 /// cause does not change.
 /// @verifies FR-291
@@ -251,6 +268,27 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
     order(stop, alike(1000));
   }
   EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop);
+}
+
+/// @brief An opening is reported in each cycle in which the contact is open, also when it closes
+/// before the end of the cycle.
+/// @verifies FR-271
+TEST(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
+  FakeEdgeInput contact;
+  ContactWatch watch(contact);
+  const auto ticks = [&](bool open, int count) {
+    contact.set(open);
+    for (int tick = 0; tick < count; ++tick) {
+      watch.sample();
+    }
+  };
+  ticks(true, 100);
+  EXPECT_TRUE(watch.opened());
+  ticks(true, 50);
+  ticks(false, 50);
+  EXPECT_TRUE(watch.opened());
+  ticks(false, 100);
+  EXPECT_FALSE(watch.opened());
 }
 
 /// @brief An opening of the contact before an acknowledgement is cleared by it.
@@ -315,6 +353,34 @@ TEST_F(ProtectiveStopTest, FR297_FR298_TheWheelsAreCompared) {
     order(stop, alike(100));
   }
   expectLatched(StopCause::Overcurrent, 1);
+}
+
+/// @brief A hold is forwarded.
+/// @verifies FR-270
+TEST_F(ProtectiveStopTest, FR270_AHoldPasses) {
+  hold(stop);
+  EXPECT_EQ(spy.calls, kHeld);
+}
+
+/// @brief An acknowledgement restarts the supervision of each wheel: the counts of another fault
+/// begin at 0.
+/// @verifies FR-291
+TEST_F(ProtectiveStopTest, FR291_AnAcknowledgementRestartsTheSupervision) {
+  const auto missing = [&] {
+    for (WheelMeasurements& wheel : spy.measured.wheels) {
+      wheel.velocity.reset();
+    }
+    order(stop, alike(0));
+  };
+  order(stop, alike(0));
+  missing();
+  spy.measured.wheels[0].cutOff = true;
+  missing();
+  EXPECT_EQ(protection(stop).cause, StopCause::Overcurrent);
+  spy.measured.wheels[0].cutOff = false;
+  acknowledge(stop);
+  missing();
+  EXPECT_EQ(protection(stop).cause, StopCause::None);
 }
 
 /// @brief A fault of the steering causes a protective stop.
@@ -429,6 +495,20 @@ TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementDisarm) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
+/// @brief After a hold and after an acknowledgement the count of neutral orders begins at 0.
+/// @verifies FR-280
+TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementRestartTheCount) {
+  neutral(4);
+  hold(arming);
+  neutral(4);
+  EXPECT_FALSE(protection(arming).armed);
+  acknowledge(arming);
+  neutral(4);
+  EXPECT_FALSE(protection(arming).armed);
+  neutral(1);
+  EXPECT_TRUE(protection(arming).armed);
+}
+
 /// @brief While a protective stop is latched the robot is not armed, and the report keeps the cause.
 /// @verifies FR-281
 TEST_F(ArmingTest, FR281_AProtectiveStopIsReportedFirst) {
@@ -479,6 +559,18 @@ TEST_F(SetPointRampTest, FR282_SmallChangesPass) {
   EXPECT_EQ(first(), 176);
   order(ramp, alike(353));
   EXPECT_EQ(first(), 352);
+}
+
+/// @brief The change of any single wheel is limited.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    acknowledge(ramp);
+    SetPoints one = alike(0);
+    one.wheels[wheel].value = 177;
+    order(ramp, one);
+    EXPECT_EQ(spy.applied.wheels[wheel].value, 176) << wheel;
+  }
 }
 
 /// @brief The wheels keep the ratio of their changes.
@@ -604,6 +696,39 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   EXPECT_EQ(at(2700), 1000);
   EXPECT_EQ(at(2700), 1000);
   EXPECT_EQ(at(2701), 940);
+}
+
+/// @brief Any single wheel that is too fast lowers the set-points, also while it loses velocity. A
+/// wheel that will be at the limit in two cycles does not.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    acknowledge(ramp);
+    for (const int velocity : {3200, 3101}) {
+      spy.measured.wheels[wheel].velocity = Velocity(velocity);
+      order(ramp, alike(1000, WheelQuantity::Current));
+    }
+    EXPECT_EQ(first(), 880) << wheel;
+    acknowledge(ramp);
+    for (const int velocity : {1000, 1700}) {
+      spy.measured.wheels[wheel].velocity = Velocity(velocity);
+      order(ramp, alike(1000, WheelQuantity::Current));
+    }
+    EXPECT_EQ(first(), 1000) << wheel;
+    spy.measured.wheels[wheel].velocity = Velocity(1);
+  }
+}
+
+/// @brief An acknowledgement ends the reduction of the set-points.
+/// @verifies FR-282
+TEST_F(SetPointRampTest, FR282_AnAcknowledgementEndsTheReduction) {
+  spy.measured.wheels[1].velocity = Velocity(3200);
+  order(ramp, alike(1000, WheelQuantity::Current));
+  EXPECT_EQ(first(), 940);
+  spy.measured.wheels[1].velocity = Velocity(1000);
+  acknowledge(ramp);
+  order(ramp, alike(1000, WheelQuantity::Current));
+  EXPECT_EQ(first(), 1000);
 }
 
 /// @brief After a hold and after an acknowledgement the ramp begins at 0.

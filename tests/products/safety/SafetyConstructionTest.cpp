@@ -2,9 +2,11 @@
 
 #include <array>
 
+#include "main_control/SpySystem.hpp"
 #include "products/ProductFixture.hpp"
 #include "safety/RetainedProtection.hpp"
 #include "safety/RetainedStop.hpp"
+#include "safety/RobotStage.hpp"
 #include "safety/SafetyBuilder.hpp"
 #include "safety/SafetyDirector.hpp"
 #include "safety/SafetyPcDirector.hpp"
@@ -29,23 +31,25 @@ class SafetyDirectors : public ProductFixture {
   SafetyPcDirector pcDirector{poolBuilder, builder, memory};
 };
 
+using SafetyDirectorsDeathTest = SafetyDirectors;
+
 /// @brief A robot with safety functions is built once.
 /// @verifies FR-78
-TEST_F(SafetyDirectors, FR78_ConstructionTwiceEndsTheProgram) {
+TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionTwiceEndsTheProgram) {
   director.construct();
   EXPECT_DEATH(director.construct(), "assertion 5 failed");
 }
 
 /// @brief A robot that only the PC commands is built once.
 /// @verifies FR-78
-TEST_F(SafetyDirectors, FR78_ConstructionForThePcTwiceEndsTheProgram) {
+TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionForThePcTwiceEndsTheProgram) {
   pcDirector.construct();
   EXPECT_DEATH(pcDirector.construct(), "assertion 5 failed");
 }
 
 /// @brief A robot that is not built cannot start, and has no pin of the enable switch.
 /// @verifies FR-78
-TEST_F(SafetyDirectors, FR78_StartBeforeConstructionEndsTheProgram) {
+TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(director.start(), "assertion 1 failed");
   EXPECT_DEATH(pcDirector.start(), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(director.enablePin()), "assertion 1 failed");
@@ -55,6 +59,7 @@ TEST_F(SafetyDirectors, FR78_StartBeforeConstructionEndsTheProgram) {
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   begin(director);
+  EXPECT_TRUE(spyBuilder.started);
   connect();
   EXPECT_EQ(cycleWithPc().mode, 0);
   EXPECT_EQ(spy.calls, kHeld);
@@ -64,6 +69,7 @@ TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotForThePcReports) {
   begin(pcDirector);
+  EXPECT_TRUE(spyBuilder.started);
   connect();
   EXPECT_EQ(cycleWithPc().mode, 1);
   EXPECT_EQ(spy.calls, kHeld);
@@ -82,12 +88,25 @@ class SafetyBuilderTest : public testing::Test {
       {.wheels = {}, .systems = systems, .emergencyStop = emergencyStop, .memory = memory}};
 };
 
+using SafetyBuilderDeathTest = SafetyBuilderTest;
+
 /// @brief Before the control systems are built, they cannot be started, ordered or ticked.
 /// @verifies FR-78
-TEST_F(SafetyBuilderTest, FR78_UseBeforeConstructionEndsTheProgram) {
+TEST_F(SafetyBuilderDeathTest, FR78_UseBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(builder.start(), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.system()), "assertion 1 failed");
   EXPECT_DEATH(static_cast<void>(builder.tickCommand()), "assertion 1 failed");
+}
+
+/// @brief The robot as one control system contains eight control systems, and not nine.
+/// @verifies FR-78
+TEST_F(SafetyBuilderDeathTest, FR78_ControlSystemTooManyEndsTheProgram) {
+  SpySystem spy;
+  RobotStage stage;
+  for (int count = 0; count < 8; ++count) {
+    stage.add(spy);
+  }
+  EXPECT_DEATH(stage.add(spy), "assertion 2 failed");
 }
 
 /// @brief The control systems are built, started and ticked as one.
@@ -107,7 +126,7 @@ TEST_F(SafetyBuilderTest, FR293_ControlSystemsAreBuiltAsOne) {
 
 /// @brief The control systems are wrapped once.
 /// @verifies FR-78
-TEST_F(SafetyBuilderTest, FR78_ConstructionTwiceEndsTheProgram) {
+TEST_F(SafetyBuilderDeathTest, FR78_ConstructionTwiceEndsTheProgram) {
   builder.buildSystem();
   EXPECT_DEATH(builder.buildSystem(), "assertion 5 failed");
 }

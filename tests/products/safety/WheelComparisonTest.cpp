@@ -99,6 +99,22 @@ TEST_F(ComparedWheels, FR298_AGreatCurrentMayNotLast) {
   }
 }
 
+/// @brief The current of each wheel counts, and a reset restarts the counts.
+/// @verifies FR-298
+TEST_F(ComparedWheels, FR298_EachWheelIsCounted) {
+  for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
+    for (int cycle = 0; cycle < 9; ++cycle) {
+      EXPECT_EQ(push(12000, wheel), std::nullopt);
+    }
+    comparison.reset();
+    for (int cycle = 0; cycle < 9; ++cycle) {
+      EXPECT_EQ(push(12000, wheel), std::nullopt);
+    }
+    EXPECT_EQ(push(12000, wheel), static_cast<std::uint8_t>(wheel));
+    push(0, wheel);
+  }
+}
+
 /// @brief In a curve of more than 11 degrees the set-points may make the wheels work against each
 /// other for 5 s, but no longer.
 /// @verifies FR-298

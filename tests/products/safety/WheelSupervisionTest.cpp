@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -260,6 +261,29 @@ TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
   EXPECT_GT(points, 1000);
 }
 
+/// @brief A deviation that is equal to the permitted one is no cause; one that is 1 mV greater is. At
+/// 60 rpm and 2 A, 3.740 V are permitted: 0.7 V, 20 % of the voltage, 25 % of 3 V and 10 % of 3.141
+/// V.
+/// @verifies FR-277
+TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
+  const WheelSetPoint followed = velocity(60);
+  for (int number = 0; number < 4; ++number) {
+    EXPECT_EQ(wheel.examine(measured(60, 2), Tension(9881), &followed), StopCause::None);
+  }
+  EXPECT_EQ(wheel.examine(measured(60, 2), Tension(9882), &followed), StopCause::None);
+  EXPECT_EQ(wheel.examine(measured(60, 2), Tension(9882), &followed), StopCause::None);
+  EXPECT_EQ(wheel.examine(measured(60, 2), Tension(9882), &followed), StopCause::Tracking);
+}
+
+/// @brief At 1.0 V, the voltage of the bring-up, a wheel at rest may differ by 1.5 V; at 1.1 V it may not.
+/// @verifies FR-277
+TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
+  EXPECT_EQ(firstCause(20, measured(0, -0.25), 1.0, 0), 0);
+  wheel.reset();
+  EXPECT_EQ(firstCause(20, measured(0, -0.25), 1.1, 0), 3);
+  EXPECT_EQ(cause, StopCause::Tracking);
+}
+
 /// @brief A wheel that the others pull forwards against its swapped leads is a cause in the second cycle.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
@@ -379,6 +403,17 @@ TEST_F(RejectedEdges, FR279_AWheelAtRestMayGiveSome) {
   EXPECT_EQ(rejected(1, 5, 9, 2), StopCause::HallSignals);
 }
 
+/// @brief A cycle whose edges do not count subtracts half an edge. The edges of a wheel count from
+/// 10.0 rpm on.
+/// @verifies FR-279
+TEST_F(RejectedEdges, FR279_ACycleWithoutEdgesSubtractsHalfAnEdge) {
+  EXPECT_EQ(rejected(1, 200, 9, 2), StopCause::None);
+  EXPECT_EQ(rejected(1, 5, 9, 2), StopCause::None);  // 4.5 edges
+  EXPECT_EQ(rejected(1, 0, 9, 2), StopCause::None);  // 4 edges
+  EXPECT_EQ(rejected(1, 5, 9, 2), StopCause::None);  // 8.5 edges
+  EXPECT_EQ(rejected(1, 1, 10, 2), StopCause::HallSignals);
+}
+
 /// @brief Without voltage no implausible edge is a cause.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_WithoutVoltageNoneIsACause) {
@@ -386,6 +421,86 @@ TEST_F(RejectedEdges, FR279_WithoutVoltageNoneIsACause) {
   for (int number = 0; number < 5; ++number) {
     values.rejectedEdges = static_cast<std::uint16_t>(values.rejectedEdges + 50);
     EXPECT_EQ(halted(values), StopCause::None);
+  }
+}
+
+/// Faults of a wheel, each in every second cycle or in every cycle.
+class FaultyWheel : public SupervisedWheel {
+ protected:
+  enum class Fault { Opposing, TooFast, Deviating, Missing, Edges, EqualCurrent, Swapped };
+
+  static constexpr std::array kFaults{Fault::Opposing, Fault::TooFast, Fault::Deviating,
+                                      Fault::Missing,  Fault::Edges,   Fault::EqualCurrent,
+                                      Fault::Swapped};
+
+  /// Runs a cycle of a wheel; the fault is present in every cycle whose number is a multiple.
+  static StopCause faulty(WheelSupervision& supervised, Fault fault, int number, int multiple) {
+    const bool present = number % multiple == 0;
+    const double noise = fault == Fault::EqualCurrent ? 0 : 0.001 * (number % 2);
+    WheelMeasurements values = measured(150, 1 + noise);
+    std::int32_t millivolts = 9354;
+    double setPoint = 150;
+    switch (fault) {
+      case Fault::Opposing:
+        values = present ? measured(-30, 0.95 + noise) : measured(0, 2 + noise);
+        millivolts = 3000;
+        setPoint = 30;
+        break;
+      case Fault::TooFast:
+        setPoint = number < 12 ? 20 : 10;
+        break;
+      case Fault::Deviating:
+        values = measured(150, (present ? 12 : 1) + noise);
+        break;
+      case Fault::Missing:
+        if (present) {
+          values.velocity.reset();
+        }
+        break;
+      case Fault::Edges:
+        values.rejectedEdges = static_cast<std::uint16_t>(3 * (number / multiple));
+        break;
+      case Fault::EqualCurrent:
+        break;
+      case Fault::Swapped:
+        values = measured(40, (3.2 + 40 * 0.05236) / 1.5 + noise);
+        values.position = HallCount(4 * number);
+        millivolts = 3200;
+        setPoint = 40;
+        break;
+    }
+    const WheelSetPoint followed = velocity(setPoint);
+    return supervised.examine(values, Tension(millivolts), &followed);
+  }
+};
+
+/// @brief After a reset, the supervision behaves as at the start: any faults before the reset, in any
+/// number of cycles, do not change the cycle in which a later fault is detected.
+/// @verifies FR-275
+/// @verifies FR-276
+/// @verifies FR-277
+/// @verifies FR-278
+/// @verifies FR-279
+TEST_F(FaultyWheel, FR275_FR279_AResetForgetsEarlierFaults) {
+  for (const Fault earlier : kFaults) {
+    for (const Fault later : kFaults) {
+      for (int cycles = 1; cycles < 16; ++cycles) {
+        for (const int multiple : {1, 2}) {
+          WheelSupervision used;
+          for (int number = 0; number < cycles; ++number) {
+            faulty(used, earlier, number, 1);
+          }
+          used.reset();
+          WheelSupervision unused;
+          for (int number = 0; number < 25; ++number) {
+            ASSERT_EQ(faulty(used, later, number, multiple),
+                      faulty(unused, later, number, multiple))
+                << static_cast<int>(earlier) << ' ' << static_cast<int>(later) << ' ' << cycles
+                << ' ' << number;
+          }
+        }
+      }
+    }
   }
 }
 

@@ -32,6 +32,12 @@ class WarningRobot : public ProductFixture {
   WarningDirector director{poolBuilder, builder, warning};
 };
 
+/// @brief The director builds the control systems and starts them.
+/// @verifies FR-78
+TEST_F(WarningRobot, FR78_ControlSystemsAreBuiltAndStarted) {
+  EXPECT_TRUE(spyBuilder.started);
+}
+
 /// @brief The warning is on only at the failed read before the last waiting state; the robot
 /// follows its set-points until the last waiting state ends.
 /// @verifies FR-152

@@ -80,6 +80,14 @@ def recorded(tmp_path: Path, calls: str, vectors: Set[str] = frozenset()) -> lis
     return traces.rows("S.T", traces.addresses(methods))
 
 
+def test_functions_outside_classes_ran_but_are_no_methods(tmp_path: Path) -> None:
+    traces = Traces(tmp_path, symbols={8: "M::examine", 9: "lasts"})
+    events = [8, 9, 9 | EXIT, 8 | EXIT, 10, 10 | EXIT]
+    traces.file("S.T").write_bytes(struct.pack(f"<{len(events)}Q", *events))
+    assert traces.functions("S.T") == {"M::examine", "lasts"}
+    assert traces.methods("S.T") == {"M::examine"}
+
+
 def test_calls_that_are_written_as_a_repetition_are_told_again(tmp_path: Path) -> None:
     traces = Traces(tmp_path)
     events = [8, 9, 9 | EXIT, 8 | EXIT, 10, 10 | EXIT, REPEAT | 0, REPEAT | 4]
