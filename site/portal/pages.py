@@ -213,12 +213,11 @@ def execution(portal: Portal) -> dict[str, Any]:
         if one.priority is not None
     ]
     times = portal.model.times
+    bounds = times.contexts if times else []
     machines = portal.model.machines.values()
     return {
         "contexts": ordered,
-        "responses": {bound.context: bound.response_ms for bound in times.contexts}
-        if times
-        else {},
+        "responses": {bound.context: bound.response_ms for bound in bounds},
         "lane_data": Markup(json.dumps(lanes)),
         "state_modules": sorted({name for one in machines for name in one.states.values()}),
         "image": DEFAULT,
