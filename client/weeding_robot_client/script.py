@@ -98,7 +98,8 @@ class Script:
     end_s: float
 
     def at(self, seconds: float) -> Wish | None:
-        """Returns the wish at a time: None before the first."""
+        """Returns the orders that are in force at a time; None before the first line of the
+        script."""
         earlier = [(start, wish) for start, wish in self.wishes if start <= seconds]
         if not earlier:
             return None

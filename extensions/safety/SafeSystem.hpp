@@ -24,7 +24,7 @@ class SafeSystem final : public ControlSystem {
 
   /// @brief Checks whether every control system of the robot has carried out the orders of a cycle.
   /// @param cycle number of the cycle
-  /// @return true if all control systems have carried them out.
+  /// @return true if all control systems have executed the orders.
   /// @satisfies FR-293
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;

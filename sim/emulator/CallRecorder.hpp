@@ -11,7 +11,7 @@
 namespace wr::emulator {
 
 /// @brief Records the entries and exits of the functions of an image. An interrupt with the same
-/// calls as an earlier one is not recorded again.
+/// calls as an earlier interrupt is not recorded again.
 ///
 /// The file has one little-endian number of 64 bits for each event: the address of the function,
 /// with bit 63 set when it is left, like the traces of the tests on the host.

@@ -72,6 +72,9 @@ class CallGraph:
                 self._add(method.id, method.calls, links.method(method.id))
         for function in model.functions.values():
             self._add(function.id, function.calls, links.source(function.place))
+        for module in model.modules.values():
+            for method in module.methods:
+                self._add_nested(method, model)
 
     def _add(self, caller: str, calls: Iterable[Call], link: str | None) -> None:
         for call in calls:
@@ -79,6 +82,16 @@ class CallGraph:
                 ends = self.callers.setdefault(target, [])
                 if all(end.method != caller for end in ends):
                     ends.append(End(caller, call.virtual, link))
+
+    def _add_nested(self, method: Method, model: Model) -> None:
+        """Adds the callers that are no methods: nested classes, and first values of constants."""
+        ends = self.callers.setdefault(method.id, [])
+        known = {end.method for end in ends}
+        ends += [
+            End(without_constructor(caller), False, self.links.method(caller))
+            for caller in method.called_by
+            if caller not in known and caller.partition("::")[0] in model.modules
+        ]
 
     def rows(self, module: Module) -> list[Row]:
         rows: dict[str, Row] = {}
@@ -103,6 +116,12 @@ class CallGraph:
             if not inside and call.target not in methods and self.links.find_method(call.target):
                 methods.add(call.target)
                 row.callees.append(End(call.target, call.virtual, self.links.method(call.target)))
+
+
+def without_constructor(caller: str) -> str:
+    """Returns the name of a nested class for its constructor, other names unchanged."""
+    owner, _, name = caller.rpartition("::")
+    return owner if owner.endswith(f"::{name}") else caller
 
 
 def is_base_constructor(module: Module, method: str) -> bool:

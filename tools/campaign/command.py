@@ -26,7 +26,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "campaign",
         description="Runs many random cases, in chunks on all cores. Each finished chunk is kept "
         "in build/campaign: a campaign that was ended continues with --resume, and has the same "
-        "result as one that was not ended.",
+        "result as a campaign that was not ended.",
     )
     parser.add_argument("kind", choices=sorted(KINDS), help="kind of the cases")
     parser.add_argument("--count", type=positive, help="number of cases; each kind has a default")

@@ -467,14 +467,13 @@ _FIXED = [
     Check(
         "fsm-code",
         "Declared transitions agree with the code",
-        "The bodies of the states change to each successor as often as the machine declares, "
-        "in the same operation: the operation that assigns the Context's state is followed to the "
-        "states that call it, and each successor to the object that the builder passed. The "
-        "builder "
-        "begins with the initial state, and an operation that always changes the state has no "
-        "transition that stays. The only transition of an operation has a guard exactly when the "
-        "code makes it conditional. Before each change the code evaluates the conditions that "
-        "[guards] states for its guard, and the operations of a state call the methods that "
+        "The bodies of the states change to each successor as often as the machine declares, in "
+        "the same operation. The check follows the operation that assigns the Context's state to "
+        "the states that call it, and each successor to the object that the builder passed. The "
+        "builder begins with the initial state, and an operation that always changes the state "
+        "has no transition that stays. The only transition of an operation has a guard exactly "
+        "when the code makes it conditional. Before each change the code evaluates the conditions "
+        "that [guards] states for its guard, and the operations of a state call the methods that "
         "[actions] states for their actions, before the change, and no others of this list.",
         "whether the name of a guard or an action fits the code; whether a "
         "condition must be true or false; states that extensions add.",

@@ -1,4 +1,5 @@
-"""The files for other tools: their names, their descriptions, and how each is made."""
+"""The files for other tools: their names, their descriptions, and the function that makes each
+file."""
 
 from __future__ import annotations
 

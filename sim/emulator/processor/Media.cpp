@@ -45,7 +45,7 @@ void movt(Core& core, const Instruction& in) {
   d = (d & 0xFFFFU) | in.value << 16;
 }
 
-// For a field value is the lowest bit and m the width.
+// In an instruction for a bit field, `value` is the lowest bit and `m` is the width.
 
 template <bool kSigned>
 void extractField(Core& core, const Instruction& in) {

@@ -66,7 +66,7 @@ class ValueCollector final {
   [[nodiscard]] const CurrentRecord& record();
 
  private:
-  /// @brief Adds a sample to the zero, during its calibration.
+  /// @brief Adds a sample to the mean that calibrates the zero of the sensor.
   void learnZero(std::int32_t raw);
 
   /// @brief Executes the command when the samples are too high.

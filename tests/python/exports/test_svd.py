@@ -1,4 +1,5 @@
-"""The CMSIS-SVD file fits the schema of Arm, and its addresses are those of the firmware."""
+"""The CMSIS-SVD file fits the schema of Arm, and its addresses equal the addresses in the
+firmware."""
 
 import re
 from pathlib import Path

@@ -20,7 +20,7 @@ CALLED = Place("src/robot.cpp", 7)
 
 
 class Targets:
-    """The references: each call reaches the methods that its argument names."""
+    """The expected result: each call reaches the methods that its argument names."""
 
     def targets(self, call: CallFact) -> list[str]:
         return call.on

@@ -1,4 +1,4 @@
-"""Only the code that its own tests executed verifies a requirement."""
+"""A requirement is verified only by code that was executed by tests of this requirement."""
 
 from __future__ import annotations
 

@@ -73,7 +73,8 @@ class ControlChannelTest : public testing::Test {
   const bool made = std::filesystem::create_directory(folder);
 };
 
-/// @brief An action of the world acts, and another one replaces it. A slope is complete after 2 s.
+/// @brief An action of the world has its effect, and a second action replaces it. A slope is
+/// complete after 2 s.
 TEST_F(ControlChannelTest, ActionsActOnTheRobotThatRuns) {
   scenario::ControlChannel channel("", robot);
   EXPECT_EQ(channel.perform("slope 10"), "ok");

@@ -1,0 +1,25 @@
+"""The callers of a method on the page of its module."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from portal.calls import CallGraph
+from portal.links import Links
+from tests.python.portal.fixture import make_model
+
+
+def test_callers_include_nested_classes_and_values_of_constants() -> None:
+    """A function that is not a method, a nested class or a constant of a module is left out."""
+    model = make_model()
+    callers = ["MainController::read", "MainController::States::States", "Mode::kLimit", "helper"]
+    rc = model.modules["RC"]
+    rc = replace(rc, methods=[replace(rc.methods[0], called_by=callers)])
+    model = replace(model, modules={**model.modules, "RC": rc})
+    (row,) = CallGraph(model, Links(model, set())).rows(rc)
+    assert [end.method for end in row.callers] == [
+        "MainController::read",
+        "MainController::States",
+        "Mode::kLimit",
+    ]
+    assert row.callers[1].link == Links(model, set()).module("MainController")
