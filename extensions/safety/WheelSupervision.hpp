@@ -51,17 +51,17 @@ class WheelSupervision final {
  private:
   static constexpr std::size_t kReferences = 10;  // number of stored set-points
 
-  // The voltage of a wheel, and the parts of it that its velocity and its current explain.
+  // The voltage of a wheel, and the parts of it that its velocity and its current explain. All
+  // values are 0 while the voltage or a measurement is missing: they then show no fault.
   struct Balance {
-    Velocity velocity;
-    Tension tension;
-    Tension induced;
-    Tension winding;
-    Tension residual;  // that neither explains
+    Velocity velocity{};
+    Tension tension{};
+    Tension induced{};
+    Tension winding{};
+    Tension residual{};  // that neither explains
   };
 
-  // Nothing while the voltage or a measurement is missing.
-  [[nodiscard]] std::optional<Balance> balanceOf(const WheelMeasurements& measured) const;
+  [[nodiscard]] Balance balanceOf(Velocity velocity, Current current) const;
   [[nodiscard]] static bool opposes(const Balance& balance);
   [[nodiscard]] bool exceedsReference(Velocity velocity) const;
   [[nodiscard]] static bool deviates(const Balance& balance);
