@@ -58,8 +58,8 @@ float square(float value) {
 
 template <class T>
 float product(const T& left, const T& right) {
-  float sum = 0;
-  for (std::size_t index = 0; index < left.size(); ++index) {
+  float sum = left[0] * right[0];
+  for (std::size_t index = 1; index < left.size(); ++index) {
     sum += left[index] * right[index];
   }
   return sum;
@@ -109,10 +109,10 @@ LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension
   for (std::size_t row = 0; row < kParameters; ++row) {
     cycle.spread[row] = product(doubts_[row], cycle.inputs);
   }
-  cycle.variance = square(kNoise) + square(kVelocityNoise * induced(velocity - velocity_)) +
-                   square(kTensionNoise * volts(tension - tension_)) +
-                   square(kCurrentNoise * cycle.inputs[0]) +
-                   std::max(product(cycle.inputs, cycle.spread), 0.0F);
+  cycle.weight = 1 / (square(kNoise) + square(kVelocityNoise * induced(velocity - velocity_)) +
+                      square(kTensionNoise * volts(tension - tension_)) +
+                      square(kCurrentNoise * cycle.inputs[0]) +
+                      std::max(product(cycle.inputs, cycle.spread), 0.0F));
   cycle.moved =
       velocity > Velocity() ? way > HallCount() : velocity < Velocity() && way < HallCount();
   tension_ = tension;
@@ -125,7 +125,7 @@ LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension
 // voltage.
 void LeadsWatch::weigh(const Cycle& cycle) {
   const float turning = (1 + deviations_[kInduced]) * cycle.inputs[kInduced];
-  const float shown = -2 * turning * (cycle.unexplained + turning) / cycle.variance;
+  const float shown = -2 * turning * (cycle.unexplained + turning) * cycle.weight;
   evidence_ = std::clamp(evidence_ + std::clamp(shown, -kMaxFallPerCycle, kMaxRisePerCycle), 0.0F,
                          kSwappedThreshold);
 }
@@ -133,7 +133,7 @@ void LeadsWatch::weigh(const Cycle& cycle) {
 // A step of the recursive least squares.
 void LeadsWatch::learn(const Cycle& cycle) {
   for (std::size_t row = 0; row < kParameters; ++row) {
-    const float gain = cycle.spread[row] / cycle.variance;
+    const float gain = cycle.spread[row] * cycle.weight;
     deviations_[row] =
         std::clamp(deviations_[row] + gain * cycle.unexplained, -kMaxVariance, kMaxVariance);
     for (std::size_t column = 0; column < kParameters; ++column) {

@@ -45,7 +45,7 @@ class LeadsWatch final {
     Vector inputs{};        // voltages of the nominal motor, and 1 V [V]
     Vector spread{};        // covariance of the parameters times the inputs
     float unexplained = 0;  // voltage that the model does not explain [V]
-    float variance = 0;     // of this voltage [V^2]
+    float weight = 0;       // 1 divided by the variance of this voltage [1/V^2]
     bool moved = false;     // the Hall edges show the direction of the velocity
   };
 

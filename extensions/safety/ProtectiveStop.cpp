@@ -56,8 +56,6 @@ void ProtectiveStop::examine(const SetPoints* followed) {
   if (emergencyStop_.opened()) {
     latch(StopCause::EmergencyStop, Protection::kNoWheel);
   }
-  measurements_.clear();
-  outputs_.clear();
   OrderStageDecorator::collect(measurements_, outputs_);
   if (measurements_.steeringState == SteeringState::Fault) {
     latch(StopCause::SteeringFault, Protection::kNoWheel);

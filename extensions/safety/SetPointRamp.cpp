@@ -71,8 +71,6 @@ Tension ramped(Tension order, Tension applied) {
 SetPointRamp::SetPointRamp(OrderStage& wrapped) : OrderStageDecorator(wrapped) {}
 
 void SetPointRamp::follow(const SetPoints& setPoints, std::uint32_t cycle) {
-  measurements_.clear();
-  outputs_.clear();
   collect(measurements_, outputs_);
   const std::int32_t most =
       greatestAt(std::max(std::abs(measurements_.steering.value_or(Angle()).count()),

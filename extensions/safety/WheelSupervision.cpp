@@ -87,10 +87,10 @@ StopCause WheelSupervision::examine(const WheelMeasurements& measured,
   const bool both = measured.velocity && measured.current;
   const Velocity velocity = measured.velocity.value_or(Velocity());
   const bool missing = lasts(following_ && !both, missing_, kMissingCycles);
-  const std::optional<Balance> balance = balanceOf(measured);
-  const bool opposing = lasts(balance && opposes(*balance), opposing_, kOpposingCycles);
+  const Balance balance = both && tension_ ? balanceOf(velocity, *measured.current) : Balance();
+  const bool opposing = lasts(opposes(balance), opposing_, kOpposingCycles);
   const bool tooFast = lasts(exceedsReference(velocity), tooFast_, kTooFastCycles);
-  const bool deviating = lasts(balance && deviates(*balance), deviating_, kDeviatingCycles);
+  const bool deviating = lasts(deviates(balance), deviating_, kDeviatingCycles);
   const bool rejecting = rejectsEdges(measured);
   const bool swapped = leads_.swapped(measured, tension_);
   velocity_ = velocity;
@@ -136,18 +136,14 @@ void WheelSupervision::reset() {
   leads_.reset();
 }
 
-std::optional<WheelSupervision::Balance> WheelSupervision::balanceOf(
-    const WheelMeasurements& measured) const {
-  if (!tension_ || !measured.velocity || !measured.current) {
-    return std::nullopt;
-  }
-  const Tension ofVelocity = induced(*measured.velocity);
-  const Tension ofCurrent = across(*measured.current);
-  return Balance{.velocity = *measured.velocity,
-                 .tension = *tension_,
-                 .induced = ofVelocity,
-                 .winding = ofCurrent,
-                 .residual = *tension_ - ofVelocity - ofCurrent};
+WheelSupervision::Balance WheelSupervision::balanceOf(Velocity velocity, Current current) const {
+  const Tension ofVelocity = induced(velocity);
+  const Tension ofCurrent = across(current);
+  return {.velocity = velocity,
+          .tension = *tension_,
+          .induced = ofVelocity,
+          .winding = ofCurrent,
+          .residual = *tension_ - ofVelocity - ofCurrent};
 }
 
 // A slope or the other wheels can drag a wheel against its voltage: its current is then consistent

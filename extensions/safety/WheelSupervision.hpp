@@ -52,17 +52,17 @@ class WheelSupervision final {
   static constexpr std::size_t kReferences = 10;  // number of stored set-points
 
   // The voltage of a wheel: the part that the velocity causes, the part that the current causes,
-  // and the rest.
+  // and the rest. All values are 0 while the voltage or a measurement is missing: they then show no
+  // fault.
   struct Balance {
-    Velocity velocity;
-    Tension tension;
-    Tension induced;
-    Tension winding;
-    Tension residual;  // the rest
+    Velocity velocity{};
+    Tension tension{};
+    Tension induced{};
+    Tension winding{};
+    Tension residual{};  // the rest
   };
 
-  // Nothing while the voltage or a measurement is missing.
-  [[nodiscard]] std::optional<Balance> balanceOf(const WheelMeasurements& measured) const;
+  [[nodiscard]] Balance balanceOf(Velocity velocity, Current current) const;
   [[nodiscard]] static bool opposes(const Balance& balance);
   [[nodiscard]] bool exceedsReference(Velocity velocity) const;
   [[nodiscard]] static bool deviates(const Balance& balance);

@@ -39,8 +39,7 @@ std::optional<std::int32_t> quotient(std::int64_t dividend, std::int64_t divisor
 }
 
 bool accepted(const ArgumentValues& values, std::int32_t value) {
-  return (!values.has(ArgumentId::Lowest) || value >= values[ArgumentId::Lowest]) &&
-         (!values.has(ArgumentId::Highest) || value <= values[ArgumentId::Highest]);
+  return value >= values[ArgumentId::Lowest] && value <= values[ArgumentId::Highest];
 }
 
 std::optional<std::int32_t> scaled(const ArgumentValues& values) {

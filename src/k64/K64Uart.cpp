@@ -132,18 +132,23 @@ void K64Uart::send() {
 
 std::size_t K64Uart::read(std::span<std::uint8_t> bytes) {
   const std::size_t most = std::min(bytes.size(), received_.count());
+  const std::size_t from = received_.next();
   std::size_t count = 0;
+  std::uint8_t last = lastRead_;
   bool ended = false;
   while (count != most && !ended) {
-    const std::uint8_t byte = received_.take();
+    const std::uint8_t byte = received_.at(from + count);
     bytes[count] = byte;
     ++count;
-    ended = byte == 0 && lastRead_ != 0;
-    if (ended) {
-      // passes: 1
-      receivedAt_ = endings_.take();
+    if (byte == 0) [[unlikely]] {
+      ended = last != 0;
     }
-    lastRead_ = byte;
+    last = byte;
+  }
+  received_.drop(count);
+  lastRead_ = last;
+  if (ended) {
+    receivedAt_ = endings_.take();
   }
   return count;
 }

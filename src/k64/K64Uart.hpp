@@ -75,10 +75,15 @@ class K64Uart final : public SerialPort {
       store(written_, at + 1);
     }
     Element take() {  // only with elements
-      const std::size_t at = load(read_);
-      const Element element = elements_[at % kSize];
-      store(read_, at + 1);
+      const Element element = at(next());
+      drop(1);
       return element;
+    }
+    // Returns the place of the next element that is read.
+    [[nodiscard]] std::size_t next() const { return load(read_); }
+    [[nodiscard]] Element at(std::size_t place) const { return elements_[place % kSize]; }
+    void drop(std::size_t number) {  // only with so many elements
+      store(read_, load(read_) + number);
     }
 
    private:

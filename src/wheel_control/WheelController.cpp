@@ -24,10 +24,9 @@ constexpr Microseconds kSameCycle = milliseconds(50);
 
 // Returns the value of a measurement, unless it is too old.
 template <class T>
-std::optional<T> fresh(Pipe<T>& pipe, const Timebase& timebase) {
+std::optional<T> fresh(Pipe<T>& pipe, Instant at) {
   const Stamped<T>* const newest = pipe.newest();
-  if (newest == nullptr ||
-      timebase.now() - newest->at > SystemConstants::instance().measurementLifetime()) {
+  if (newest == nullptr || at - newest->at > SystemConstants::instance().measurementLifetime()) {
     return std::nullopt;
   }
   return newest->value;
@@ -77,12 +76,12 @@ void WheelController::release() {
   waitingCycles_ = 0;
 }
 
-std::optional<Velocity> WheelController::velocity() const {
-  return fresh(velocity_, timebase_);
+std::optional<Velocity> WheelController::velocity(Instant at) const {
+  return fresh(velocity_, at);
 }
 
-std::optional<Current> WheelController::current() const {
-  return fresh(current_, timebase_);
+std::optional<Current> WheelController::current(Instant at) const {
+  return fresh(current_, at);
 }
 
 std::optional<Tension> WheelController::applied() const {
@@ -155,7 +154,8 @@ void WheelController::follow(const WheelSetPoint& setPoint, const WheelFeedback&
 }
 
 void WheelController::lower() {
-  const Tension left = stop_.apply(applied_.value_or(Tension()), velocity().value_or(Velocity()));
+  const Velocity present = velocity(timebase_.now()).value_or(Velocity());
+  const Tension left = stop_.apply(applied_.value_or(Tension()), present);
   applied_ = left;
   advance_.resume(left);
   resetAlgorithms();

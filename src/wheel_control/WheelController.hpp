@@ -85,18 +85,20 @@ class WheelController final {
   void release();
 
   /// @brief Returns the measured velocity.
+  /// @param at the present time
   /// @return velocity [0.1 rpm]; nothing when it is older than the lifetime of a measurement
   /// @satisfies FR-90
   /// @satisfies FR-127
   /// @isr{no}
-  [[nodiscard]] std::optional<Velocity> velocity() const;
+  [[nodiscard]] std::optional<Velocity> velocity(Instant at) const;
 
   /// @brief Returns the measured current.
+  /// @param at the present time
   /// @return current [mA]; nothing when it is older than the lifetime of a measurement
   /// @satisfies FR-90
   /// @satisfies FR-127
   /// @isr{no}
-  [[nodiscard]] std::optional<Current> current() const;
+  [[nodiscard]] std::optional<Current> current(Instant at) const;
 
   /// @brief Returns the voltage of the wheel.
   /// @return voltage [mV], positive forwards; nothing while none is applied

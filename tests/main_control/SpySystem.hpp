@@ -17,6 +17,7 @@ class SpySystem final : public ControlSystem {
   SetPoints applied;
   std::uint32_t cycle = 0;
   bool completes = true;
+  bool whole = false;  // it is the whole robot: its missing values replace others, too
   Measurements measured;
   Outputs outputs;
   std::function<void()> work = [] {};
@@ -43,10 +44,10 @@ class SpySystem final : public ControlSystem {
   }
 
  private:
-  // Adds a value if it exists; a missing value does not change the target.
+  // Adds a value if it exists; a missing value does not change the target of a part of the robot.
   template <class T>
-  static void give(const T& value, T& target) {
-    if (value != T{}) {
+  void give(const T& value, T& target) const {
+    if (whole || value != T{}) {
       target = value;
     }
   }

@@ -16,9 +16,9 @@ TEST(MeasurementLifetime, FR127_Velocity) {
   wheel.readVelocity.execute(work);
   EXPECT_EQ(work.measured.velocity, Velocity(0));
   wheel.time.advance(kLifetime);
-  EXPECT_EQ(wheel.controller.velocity(), Velocity(0));
+  EXPECT_EQ(wheel.controller.velocity(wheel.time.now()), Velocity(0));
   wheel.time.advance(Microseconds(1));
-  EXPECT_FALSE(wheel.controller.velocity());
+  EXPECT_FALSE(wheel.controller.velocity(wheel.time.now()));
 }
 
 /// @brief The current of a converter without new samples is missing after 150 ms.
@@ -30,9 +30,11 @@ TEST(MeasurementLifetime, FR127_Current) {
   wheel.pass(false, SensedWheel::kMiddle);
   wheel.pass(false, SensedWheel::kMiddle);  // 200 samples: 25 groups of 8
   wheel.time.advance(kLifetime);
+  work.at = wheel.time.now();
   wheel.readCurrent.execute(work);
   EXPECT_EQ(work.measured.current, Current(0));
   wheel.time.advance(Microseconds(1));
+  work.at = wheel.time.now();
   wheel.readCurrent.execute(work);
   EXPECT_FALSE(work.measured.current);
 }

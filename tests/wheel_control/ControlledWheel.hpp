@@ -83,8 +83,9 @@ class ControlledWheel {
 
   /// The values that the controller measures, and the position.
   [[nodiscard]] WheelMeasurements measured() const {
-    return {
-        .velocity = controller.velocity(), .current = controller.current(), .position = position};
+    return {.velocity = controller.velocity(time.now()),
+            .current = controller.current(time.now()),
+            .position = position};
   }
 
   /// Output of the driver to the motor.

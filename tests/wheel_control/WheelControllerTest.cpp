@@ -83,15 +83,15 @@ TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
 /// @verifies FR-90
 /// @verifies FR-127
 TEST_F(WheelControllerTest, FR90_MeasuredValuesGrowOld) {
-  EXPECT_EQ(controller.velocity(), std::nullopt);
-  EXPECT_EQ(controller.current(), std::nullopt);
+  EXPECT_EQ(controller.velocity(time.now()), std::nullopt);
+  EXPECT_EQ(controller.current(time.now()), std::nullopt);
   measure(Velocity(123), Current(456));
   time.advance(milliseconds(150));
-  EXPECT_EQ(controller.velocity(), Velocity(123));
-  EXPECT_EQ(controller.current(), Current(456));
+  EXPECT_EQ(controller.velocity(time.now()), Velocity(123));
+  EXPECT_EQ(controller.current(time.now()), Current(456));
   time.advance(Microseconds(1));
-  EXPECT_EQ(controller.velocity(), std::nullopt);
-  EXPECT_EQ(controller.current(), std::nullopt);
+  EXPECT_EQ(controller.velocity(time.now()), std::nullopt);
+  EXPECT_EQ(controller.current(time.now()), std::nullopt);
 }
 
 /// @brief Without a velocity the wheel is stopped step by step.

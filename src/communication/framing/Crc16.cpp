@@ -10,13 +10,14 @@ namespace wr {
 namespace {
 
 constexpr std::size_t kBytes = 256;
+using Table = std::array<std::uint16_t, kBytes>;
 
 // Remainder of each byte that leaves the check sum at its upper end. The polynomial is x^16 + x^12
 // + x^5 + 1: each bit is added at the positions 12, 5 and 0, and the bits at the upper 4 positions
 // are shifted out once more. The bytes of the check sum are swapped here, so that no byte has to
 // move when another one is shifted out.
-consteval std::array<std::uint16_t, kBytes> remainders() {
-  std::array<std::uint16_t, kBytes> table{};
+consteval Table remainders() {
+  Table table{};
   for (std::uint32_t byte = 0; byte < kBytes; ++byte) {
     const std::uint32_t out = byte ^ (byte >> 4U);
     table[byte] = std::rotl(static_cast<std::uint16_t>((out << 12U) ^ (out << 5U) ^ out), 8);
@@ -24,28 +25,39 @@ consteval std::array<std::uint16_t, kBytes> remainders() {
   return table;
 }
 
-constexpr std::array<std::uint16_t, kBytes> kRemainders = remainders();
+constexpr Table kRemainders = remainders();
 
-// Remainder of each byte that is followed by another byte.
-consteval std::array<std::uint16_t, kBytes> remaindersBeforeByte() {
-  std::array<std::uint16_t, kBytes> table{};
+// Remainder of each byte that is followed by one byte more than in another table.
+consteval Table beforeByte(const Table& other) {
+  Table table{};
   for (std::size_t byte = 0; byte < kBytes; ++byte) {
-    const std::uint32_t value = kRemainders[byte];
+    const std::uint32_t value = other[byte];
     table[byte] = static_cast<std::uint16_t>((value >> 8U) ^ kRemainders[value & 0xFFU]);
   }
   return table;
 }
 
-constexpr std::array<std::uint16_t, kBytes> kRemaindersBeforeByte = remaindersBeforeByte();
+constexpr Table kBeforeOne = beforeByte(kRemainders);
+constexpr Table kBeforeTwo = beforeByte(kBeforeOne);
+constexpr Table kBeforeThree = beforeByte(kBeforeTwo);
 
-static_assert(std::endian::native == std::endian::little, "the first byte is the lower one");
+static_assert(std::endian::native == std::endian::little, "the first byte is the lowest one");
 
 // Adds two bytes to a check sum.
 std::uint32_t afterTwo(std::uint32_t value, const std::uint8_t* bytes) {
   std::uint16_t both = 0;
   std::memcpy(&both, bytes, sizeof(both));
   value ^= both;
-  return std::uint32_t{kRemaindersBeforeByte[value & 0xFFU]} ^ kRemainders[value >> 8U];
+  return std::uint32_t{kBeforeOne[value & 0xFFU]} ^ kRemainders[value >> 8U];
+}
+
+// Adds four bytes to a check sum.
+std::uint32_t afterFour(std::uint32_t value, const std::uint8_t* bytes) {
+  std::uint32_t four = 0;
+  std::memcpy(&four, bytes, sizeof(four));
+  value ^= four;
+  return std::uint32_t{kBeforeThree[value & 0xFFU]} ^ kBeforeTwo[(value >> 8U) & 0xFFU] ^
+         kBeforeOne[(value >> 16U) & 0xFFU] ^ kRemainders[value >> 24U];
 }
 
 }  // namespace
@@ -56,8 +68,7 @@ void Crc16::add(std::span<const std::uint8_t> bytes) {
   // bound: kMaxBody / 4
   for (std::size_t rounds = bytes.size() / 4; rounds != 0; --rounds) {
     // counts: quads
-    value = afterTwo(value, next);
-    value = afterTwo(value, next + 2);
+    value = afterFour(value, next);
     next += 4;
   }
   if (bytes.size() % 4 >= 2) {

@@ -3,12 +3,13 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "communication/framing/Frame.hpp"
 
 namespace wr {
 
-/// @brief The result of a byte from the line.
+/// @brief The result of bytes from the line.
 /// @datatype
 enum class Decoded : std::uint8_t {
   Nothing,        ///< no frame has ended
@@ -29,15 +30,15 @@ class FrameDecoder final {
   /// @brief Constructs a decoder that waits for the first byte of a frame.
   FrameDecoder() = default;
 
-  /// @brief Processes one byte from the line.
-  /// @param byte the byte
-  /// @return the frame that the byte ended, if any
+  /// @brief Processes bytes from the line until a frame ends.
+  /// @param bytes the bytes in their order; receives those that are not yet processed
+  /// @return the frame that ended, if any
   /// @isr{no}
   /// @satisfies FR-40
   /// @satisfies FR-41
   /// @satisfies FR-42
   /// @satisfies FR-43
-  Decoded push(std::uint8_t byte);
+  Decoded push(std::span<const std::uint8_t>& bytes);
 
   /// @brief Returns the frame that was received.
   /// @return the frame, valid until the next push
@@ -46,8 +47,14 @@ class FrameDecoder final {
   [[nodiscard]] Frame frame() const;
 
  private:
+  /// @brief Collects the bytes up to a zero byte.
+  /// @param bytes bytes from the line
+  /// @return number of bytes before the zero byte; of all bytes if there is no zero byte
+  /// @satisfies FR-42
+  std::size_t collect(std::span<const std::uint8_t> bytes);
+
   /// @brief Checks the collected bytes at the end of a frame.
-  /// @return the result of the last byte
+  /// @return the result of the zero byte
   /// @satisfies FR-41
   /// @satisfies FR-42
   /// @satisfies FR-43

@@ -61,9 +61,9 @@ void PcConnection::service() {
     const std::size_t received = port_.read(std::span(chunk_).first(asked));
     left -= received;
     // bound: kMaxBytesPerService in all
-    for (const std::uint8_t byte : std::span(chunk_).first(received)) {
-      // counts: bytes
-      receive(byte);
+    for (std::span<const std::uint8_t> rest = std::span(chunk_).first(received); !rest.empty();) {
+      // counts: pushes
+      receive(rest);
     }
     // A shorter read that ends no frame has emptied the port.
     more = left != 0 && (received == asked || (received != 0 && chunk_[received - 1] == 0));
@@ -137,8 +137,8 @@ Microseconds PcConnection::sinceWelcome() const {
   return welcomeDue_ ? Microseconds() : at_ - welcomed_;
 }
 
-void PcConnection::receive(std::uint8_t byte) {
-  switch (decoder_.push(byte)) {
+void PcConnection::receive(std::span<const std::uint8_t>& bytes) {
+  switch (decoder_.push(bytes)) {
     case Decoded::Nothing:
       break;
     case Decoded::Whole:

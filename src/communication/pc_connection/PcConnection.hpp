@@ -128,10 +128,11 @@ class PcConnection final {
   [[nodiscard]] Microseconds sinceWelcome() const;
 
  private:
-  /// @brief Decodes one byte, and handles the frame that it ends.
+  /// @brief Decodes bytes until a frame ends, and handles this frame.
+  /// @param bytes received bytes; receives those that are not yet decoded
   /// @satisfies FR-246
   /// @satisfies FR-251
-  void receive(std::uint8_t byte);
+  void receive(std::span<const std::uint8_t>& bytes);
 
   /// @brief Handles a frame of another version: a Hello is answered, any other frame is counted.
   /// @satisfies FR-43

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace wr {
 
@@ -40,9 +41,9 @@ class ArgumentValues {
     return (present_ & wanted) == wanted;
   }
 
-  /// @brief Returns the value of an argument.
+  /// @brief Returns the value of an argument; of a missing one, a value that changes no result:
+  /// the scale 1/1, the offset 0, and the range of all values.
   /// @param id name of the argument
-  /// @pre has(id)
   /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t operator[](ArgumentId id) const {
     return values_[static_cast<std::size_t>(id)];
@@ -53,7 +54,17 @@ class ArgumentValues {
 
   static constexpr std::uint32_t bit(ArgumentId id) { return 1U << static_cast<std::uint32_t>(id); }
 
-  std::array<std::int32_t, kCount> values_{};
+  // In the order of the names.
+  static constexpr std::array<std::int32_t, kCount> kNeutral{
+      0,
+      0,
+      1,
+      1,
+      0,
+      std::numeric_limits<std::int32_t>::min(),
+      std::numeric_limits<std::int32_t>::max()};
+
+  std::array<std::int32_t, kCount> values_ = kNeutral;
   std::uint32_t present_ = 0;  // a bit for each argument that has a value
 };
 

@@ -46,7 +46,7 @@ VelSensor::VelSensor(SensorCollector& collector, const Function& function, const
                      Pipe<Velocity>& velocity)
     : collector_(collector), function_(function), timebase_(timebase), pipe_(velocity) {}
 
-void VelSensor::measure() {
+Instant VelSensor::measure() {
   const HallRecord& record = collector_.record();
   const Instants& instants = record.instants;
   const Instant now = timebase_.now();
@@ -61,6 +61,7 @@ void VelSensor::measure() {
     velocity_ = *measured;
     pipe_.write(*measured, now);
   }
+  return now;
 }
 
 HallCount VelSensor::position() const {

@@ -40,12 +40,13 @@ class VelSensor final {
   /// @errors The velocity is not written, and the value in the pipe becomes old, when the function
   /// rejects it, when more than 3 edges of the cycle were unclear, and when a wheel that turned
   /// with 30 rpm or more had more than 3 edges that were unclear or reversed its direction.
+  /// @return time of the measurement
   /// @isr{no}
   /// @satisfies FR-120
   /// @satisfies FR-122
   /// @satisfies FR-124
   /// @satisfies FR-220
-  void measure();
+  Instant measure();
 
   /// @brief Returns the position of the wheel at the last measurement.
   /// @return Hall edges since start, rising forwards

@@ -11,7 +11,7 @@ HaltWheel::HaltWheel(WheelController& controller, Wheel& wheel)
 
 void HaltWheel::execute(WheelWork& work) {
   if (work.release) {
-    release();
+    release(work.at);
   }
   if (wheel_.isCutOff()) {
     controller_.driverOff();
@@ -24,9 +24,9 @@ void HaltWheel::execute(WheelWork& work) {
   work.applied = controller_.applied();
 }
 
-void HaltWheel::release() {
+void HaltWheel::release(Instant at) {
   constexpr Velocity kSlowVelocity = SystemConstants::instance().slow();
-  const std::optional<Velocity> velocity = controller_.velocity();
+  const std::optional<Velocity> velocity = controller_.velocity(at);
   controller_.release();
   if (velocity && *velocity < kSlowVelocity && *velocity > -kSlowVelocity) {
     wheel_.release();

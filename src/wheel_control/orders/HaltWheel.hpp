@@ -33,7 +33,7 @@ class HaltWheel final : public WheelOrder {
   void execute(WheelWork& work) override;
 
  private:
-  void release();
+  void release(Instant at);
 
   WheelController& controller_;
   Wheel& wheel_;

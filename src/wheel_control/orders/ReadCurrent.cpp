@@ -7,7 +7,7 @@ ReadCurrent::ReadCurrent(CntSensor& sensor, WheelController& controller)
 
 void ReadCurrent::execute(WheelWork& work) {
   sensor_.measure();
-  work.measured.current = controller_.current();
+  work.measured.current = controller_.current(work.at);
 }
 
 }  // namespace wr

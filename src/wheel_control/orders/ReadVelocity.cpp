@@ -6,8 +6,8 @@ ReadVelocity::ReadVelocity(VelSensor& sensor, WheelController& controller)
     : sensor_(sensor), controller_(controller) {}
 
 void ReadVelocity::execute(WheelWork& work) {
-  sensor_.measure();
-  work.measured.velocity = controller_.velocity();
+  work.at = sensor_.measure();
+  work.measured.velocity = controller_.velocity(work.at);
 }
 
 }  // namespace wr

@@ -12,6 +12,7 @@ namespace wr {
 /// @datatype
 struct WheelWork {
   WheelSetPoint setPoint{};        ///< target of the wheel
+  Instant at{};                    ///< time at which the wheel was measured
   WheelMeasurements measured{};    ///< measured values of the wheel
   std::optional<Tension> applied;  ///< voltage of the wheel; nothing while none is applied
   bool release = false;            ///< the order releases latched faults of the wheel
@@ -19,6 +20,7 @@ struct WheelWork {
   /// @brief Clears each value in its place.
   constexpr void clear() {
     setPoint = {};
+    at = {};
     measured.clear();
     applied.reset();
     release = false;

@@ -19,8 +19,8 @@ using testing::IsEmpty;
 /// @brief Returns the results of the decoder for bytes from the line, except Nothing.
 std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   std::vector<Decoded> said;
-  for (const std::uint8_t byte : line) {
-    const Decoded decoded = decoder.push(byte);
+  for (std::span<const std::uint8_t> rest = line; !rest.empty();) {
+    const Decoded decoded = decoder.push(rest);
     if (decoded != Decoded::Nothing) {
       said.push_back(decoded);
     }

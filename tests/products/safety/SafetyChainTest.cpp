@@ -18,6 +18,7 @@ class SafetyChain : public testing::Test {
  protected:
   SafetyChain() {
     robot.add(spy);
+    spy.whole = true;
     for (WheelMeasurements& wheel : spy.measured.wheels) {
       wheel.velocity = Velocity();
       wheel.current = Current();

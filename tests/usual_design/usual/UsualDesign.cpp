@@ -389,8 +389,8 @@ void UsualDesign::servePc() {
   while (left != 0 && received != 0) {
     received = devices_.pcPort.read(std::span(chunk).first(std::min(left, chunk.size())));
     left -= received;
-    for (const std::uint8_t byte : std::span(chunk).first(received)) {
-      switch (decoder_.push(byte)) {
+    for (std::span<const std::uint8_t> rest = std::span(chunk).first(received); !rest.empty();) {
+      switch (decoder_.push(rest)) {
         case Decoded::Nothing:
           break;
         case Decoded::Whole:

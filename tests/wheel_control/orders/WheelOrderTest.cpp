@@ -52,6 +52,7 @@ TEST_F(WheelOrderTest, FR93_OldCurrentIsMissing) {
   pass(false, kTwoAmperes);
   readCurrent.execute(work);
   time.advance(milliseconds(200));
+  work.at = time.now();
   readCurrent.execute(work);
   EXPECT_EQ(work.measured.current, std::nullopt);
 }
