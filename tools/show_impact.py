@@ -58,7 +58,8 @@ def impact_of(root: Path, subject: str) -> Impact:
     elif "/" in subject and RANGE not in subject:
         need_file(root / subject, "name a file of the project")
     files = changed_files(root, subject) if RANGE in subject else [subject]
-    print("Reads the sources and the results ...", file=sys.stderr, flush=True)
+    if sys.stderr.isatty():
+        print("Reads the sources and the results ...", file=sys.stderr, flush=True)
     try:
         impacts = Impacts(build(root).model)
         if RANGE in subject or (root / subject).is_file():

@@ -5,12 +5,28 @@
 
 namespace wr::plant {
 
+namespace {
+
+// The tangent of at most 40 degrees, by the continued fraction of Lambert. std::tan differs in its
+// last digit from library to library; the native simulator and the WebAssembly module need equal
+// results.
+double tangent(double radians) {
+  constexpr int kDepth = 21;  // the next term changes no digit of a double
+  double rest = 0;
+  for (int term = kDepth; term > 1; term -= 2) {
+    rest = radians * radians / (term - rest);
+  }
+  return radians / (1 - rest);
+}
+
+}  // namespace
+
 void SteeringLinkage::turn(double degrees) {
   if (degrees == degrees_) {
     return;
   }
   degrees_ = degrees;
-  const double slope = std::tan(degrees * std::numbers::pi / 180.0);
+  const double slope = tangent(degrees * std::numbers::pi / 180.0);
   for (std::size_t wheel = 0; wheel < kWheels; ++wheel) {
     const bool front = wheel < 2;
     const double y = wheel % 2 == 0 ? kTrack / 2 : -kTrack / 2;

@@ -241,7 +241,7 @@ def test_other_drives_are_not_written(desk: Desk) -> None:
     (desk.root / "mounts").write_text(f"/dev/sdc {stick} vfat rw 0 0\n")
     assert desk.run() == 3
     assert desk.run("--drive", str(stick)) == 3
-    assert "neither DETAILS.TXT nor MBED.HTM" in desk.said()
+    assert "contains no file DETAILS.TXT or MBED.HTM" in desk.said()
     assert list(stick.iterdir()) == []
 
 
