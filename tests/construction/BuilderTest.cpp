@@ -269,6 +269,17 @@ TEST_F(BuilderDeathTest, FR78_ControllerNeedsItsModes) {
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
 }
 
+/// @brief The controller needs the link to the PC, also when it gets its mode from outside.
+/// @verifies FR-78
+TEST_F(BuilderDeathTest, FR78_ControllerNeedsTheLink) {
+  poolBuilder.buildSystems();
+  poolBuilder.buildPool();
+  FakeMode mode(ModeId::PC);
+  builder.useModes(mode, {});
+  builder.buildStates();
+  EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
+}
+
 /// @brief Wheel and steering need their sensors, also when everything else is built.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_SystemNeedsItsSensors) {

@@ -102,6 +102,31 @@ TEST_F(DirControllerTest, FR227_PositionFollowsTheStepsWithin3Degrees) {
   }
 }
 
+/// @brief The difference is first reduced one second after the motor was switched on, also when it
+/// was on before.
+/// @verifies FR-227
+TEST_F(DirControllerTest, FR227_EachStartBeginsItsOwnSecond) {
+  switchOn();
+  for (int i = 0; i < 105; ++i) {
+    tick();
+  }
+  control.clock.advance(milliseconds(310));
+  measure(measured);
+  control.controller.tick(feedback);
+  ASSERT_EQ(state(), SteeringState::Off);
+  feedback.ready = false;
+  switchOn();
+  measured += 300;
+  ordered = measured;
+  for (int i = 0; i < 90; ++i) {
+    tick();
+    ASSERT_EQ(state(), SteeringState::Holding);
+  }
+  measured += 1;
+  tick();
+  EXPECT_EQ(state(), SteeringState::Fault);
+}
+
 /// @brief A single end stop is no fault; both end stops together are a fault, while turning and
 /// while holding.
 /// @verifies FR-226
@@ -113,6 +138,39 @@ TEST_F(DirControllerTest, FR226_BothEndStopsAreAFault) {
   feedback.leftEnd = true;
   tick();
   EXPECT_EQ(state(), SteeringState::Fault);
+}
+
+/// An algorithm that always turns to the left at the lowest speed.
+class SlowTurn final : public SteeringAlgorithm {
+ public:
+  [[nodiscard]] StepRate turn(Angle /*target*/, Angle /*position*/, StepRate /*now*/) override {
+    return StepRate(1);
+  }
+};
+
+/// @brief Also at the lowest speed the steering makes no turn towards an end stop that is reached.
+/// @verifies FR-105
+TEST_F(DirControllerTest, FR105_NoSlowTurnTowardsAnEnd) {
+  SlowTurn algorithm;
+  DirController slow({.target = control.target,
+                      .position = control.position,
+                      .status = control.status,
+                      .timebase = control.clock,
+                      .algorithm = algorithm,
+                      .enable = control.enable,
+                      .disable = control.disable,
+                      .setTurn = control.setTurn,
+                      .initial = control.states.off});
+  follow(0);
+  measure(0);
+  slow.tick(feedback);
+  feedback = {.ready = true, .leftEnd = true};
+  slow.tick(feedback);
+  slow.tick(feedback);
+  EXPECT_EQ(state(), SteeringState::Holding);
+  feedback.leftEnd = false;
+  slow.tick(feedback);
+  EXPECT_EQ(state(), SteeringState::Turning);
 }
 
 /// @brief A stall that begins in the middle of a turn is detected in the next window.

@@ -135,12 +135,15 @@ TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
 /// @brief A cycle at 11 degrees or less counts as five cycles of a curve.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_TheEndOfACurveShortensTheTime) {
-  measurements.steering = Angle(1101);
-  for (int cycle = 0; cycle < 45; ++cycle) {
-    EXPECT_EQ(push(14000), std::nullopt);
+  for (const int angle : {-1100, 1100}) {
+    comparison.reset();
+    measurements.steering = Angle(1101);
+    for (int cycle = 0; cycle < 45; ++cycle) {
+      EXPECT_EQ(push(14000), std::nullopt);
+    }
+    measurements.steering = Angle(angle);
+    EXPECT_EQ(push(14000), std::uint8_t{1}) << angle;
   }
-  measurements.steering = Angle(-1100);
-  EXPECT_EQ(push(14000), std::uint8_t{1});
 }
 
 }  // namespace

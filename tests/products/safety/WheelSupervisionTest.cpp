@@ -112,6 +112,19 @@ TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
+/// @brief At 1.501 V, and 20 rpm in the opposite direction, exactly the bound of 1.123 V remains
+/// unexplained with 0.950 A: this is no cause. With 0.949 A, 1.125 V remain: this is a cause.
+/// @verifies FR-275
+TEST_F(SupervisedWheel, FR275_TheBoundOfTheUnexplainedVoltageIsPermitted) {
+  for (int number = 0; number < 4; ++number) {
+    EXPECT_EQ(cycle(measured(-20, 0.950), 1.501, 17.6), StopCause::None);
+  }
+  wheel.reset();
+  EXPECT_EQ(cycle(measured(-20, 0.949), 1.501, 17.6), StopCause::None);
+  EXPECT_EQ(cycle(measured(-20, 0.949), 1.501, 17.6), StopCause::None);
+  EXPECT_EQ(cycle(measured(-20, 0.949), 1.501, 17.6), StopCause::WrongDirection);
+}
+
 /// @brief A slope drags a wheel faster and faster against its voltage. The wheel draws (3 V + k v)
 /// / 1.5 Ohm: this is no cause, not even with 15 % more resistance and a supply of 21 V.
 /// @verifies FR-275

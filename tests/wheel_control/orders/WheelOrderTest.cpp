@@ -189,9 +189,11 @@ TEST_F(WheelOrderTest, FR89_AcknowledgementNeedsASlowWheel) {
   work.release = true;
   haltWheel.execute(work);
   EXPECT_TRUE(work.measured.cutOff);
-  ControlledWheel::measure(Velocity(-400), Current());
-  haltWheel.execute(work);
-  EXPECT_TRUE(work.measured.cutOff);
+  for (const int velocity : {-400, 400}) {
+    ControlledWheel::measure(Velocity(velocity), Current());
+    haltWheel.execute(work);
+    EXPECT_TRUE(work.measured.cutOff);
+  }
   ControlledWheel::measure(Velocity(-399), Current());
   haltWheel.execute(work);
   EXPECT_FALSE(work.measured.cutOff);
