@@ -33,7 +33,7 @@ class WaypointReader final : public Reader {
   /// @brief Binds the reader to the receiver and the way-points.
   /// @param port line of the receiver
   /// @param timebase gives the time
-  /// @param way way-points in their order along the rows; they live as long as the reader
+  /// @param way way-points in their order along the rows; they exist as long as the reader
   WaypointReader(SerialPort& port, const Timebase& timebase, std::span<const FieldPoint> way)
       : port_(port), timebase_(timebase), way_(way) {}
 

@@ -39,7 +39,7 @@ class RelayWheelBuilder final : public ControlSystemBuilder {
   void start() override { relay_.set(false); }
 
   /// @brief Returns the system.
-  /// @return the system; it lives as long as the builder
+  /// @return the system; it exists as long as the builder
   /// @errors Without a system the program ends with the assertion PartMissing.
   /// @isr{no}
   [[nodiscard]] ControlSystem& system() override {
@@ -48,7 +48,7 @@ class RelayWheelBuilder final : public ControlSystemBuilder {
   }
 
   /// @brief Returns the work at a tick, which is none.
-  /// @return the command; it lives as long as the builder
+  /// @return the command; it exists as long as the builder
   /// @isr{no}
   [[nodiscard]] Command& tickCommand() override { return none_; }
 

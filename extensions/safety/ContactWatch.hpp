@@ -46,7 +46,7 @@ class ContactWatch final {
   std::uint8_t openTicks_ = 0;  // successive ticks up to now
   std::atomic<bool> latched_{false};
 
-  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait");
+  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait for a lock");
 };
 
 }  // namespace wr

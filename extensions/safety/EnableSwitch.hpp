@@ -23,7 +23,7 @@ namespace wr {
 /// @role{mode-extensions, Concrete Decorator}
 class EnableSwitch final : public ModeDecorator {
  public:
-  /// @brief Signals of the remote control. Each lives as long as the mode.
+  /// @brief Signals of the remote control. Each exists as long as the mode.
   /// @datatype
   struct Signals {
     Pipe<Velocity>& velocity;    ///< position of the velocity stick

@@ -28,7 +28,7 @@ class ProgramCheck final {
   };
 
   /// @brief Binds the check to the parts of the program.
-  /// @param parts parts of the program, at least one; each is not empty and lives as long as the check
+  /// @param parts parts of the program, at least one; each is not empty and exists as long as the check
   explicit ProgramCheck(std::span<const Part> parts) : parts_(parts) {}
 
   ProgramCheck(const ProgramCheck&) = delete;
@@ -48,7 +48,7 @@ class ProgramCheck final {
   void step();
 
  private:
-  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait");
+  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait for a lock");
 
   std::span<const Part> parts_;
   std::atomic<bool> due_{false};

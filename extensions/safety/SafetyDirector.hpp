@@ -27,7 +27,7 @@ namespace wr {
 /// @role{rc-pin-interrupt, Client}
 class SafetyDirector final {
  public:
-  /// @brief Devices of the safety functions. Each lives as long as the director.
+  /// @brief Devices of the safety functions. Each exists as long as the director.
   /// @datatype
   struct Devices {
     const Timebase& timebase;  ///< gives the time

@@ -18,7 +18,7 @@ class HostScheduler {
   HostScheduler& operator=(const HostScheduler&) = delete;
 
   /// @brief Registers a thread.
-  /// @param thread thread that lives as long as the scheduler
+  /// @param thread thread that exists as long as the scheduler
   void add(HostThread& thread);
 
   /// @brief Sets the callback that is called just before a thread runs.

@@ -11,8 +11,8 @@ namespace wr::host_robot {
 class HostWires {
  public:
   /// @brief Connects pins and physics, and sets the pins to the present values of all sensors.
-  /// @param pins pins of the firmware; they live as long as the wires
-  /// @param physics the robot; it lives as long as the wires
+  /// @param pins pins of the firmware; they exist as long as the wires
+  /// @param physics the robot; it exists as long as the wires
   HostWires(host::HostPins& pins, plant::Robot& physics);
   HostWires(const HostWires&) = delete;
   HostWires& operator=(const HostWires&) = delete;

@@ -74,7 +74,7 @@ class K64Adc final : public AnalogInput {
   using Converters = std::array<Converter, kConverterCount>;
 
   /// @brief Binds an input to its converter.
-  /// @param converters the converters; they live as long as the input
+  /// @param converters the converters; they exist as long as the input
   /// @param channel the channel; nothing else uses it
   constexpr K64Adc(Converters& converters, Channel channel)
       : converter_(converters[channel.converter]), number_(channel.number) {}

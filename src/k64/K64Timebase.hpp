@@ -11,9 +11,8 @@ namespace wr {
 /// the core, from the cycle counter of the core.
 /// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and
 /// returns the number of cycles in which it was awake.
-/// @secret How a 32-bit down counter becomes a time without overflow and without a 64-bit division,
-/// and how the cycles are counted independent of whether the counter of the core stops during
-/// sleep.
+/// @secret How the time is computed from a 32-bit down counter, without overflow and without a
+/// 64-bit division. How the cycles are counted, even if the counter of the core stops during sleep.
 class K64Timebase final : public Timebase {
  public:
   /// @brief One time for all signals that an interrupt serves. Its handler records the time at its
@@ -21,7 +20,7 @@ class K64Timebase final : public Timebase {
   class EntryTime final : public Timebase {
    public:
     /// @brief Binds the time to its clock.
-    /// @param clock the clock; it lives as long as this
+    /// @param clock the clock; it exists as long as this object
     explicit constexpr EntryTime(const K64Timebase& clock) : clock_(clock) {}
 
     /// @brief Records the present time.

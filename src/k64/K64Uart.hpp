@@ -58,7 +58,7 @@ class K64Uart final : public SerialPort {
       return load(written_) - load(read_);
     }
     [[nodiscard]] std::size_t free() const { return kSize - count(); }
-    void put(std::span<const Element> elements) {  // only with room
+    void put(std::span<const Element> elements) {  // only with enough space
       const std::size_t at = load(written_);
       const auto place = std::span(elements_).subspan(at % kSize);
       const auto ahead = elements.first(std::min(elements.size(), place.size()));
@@ -69,12 +69,12 @@ class K64Uart final : public SerialPort {
       std::memcpy(elements_.data(), rest.data(), rest.size_bytes());
       store(written_, at + elements.size());
     }
-    void put(Element element) {  // only with room
+    void put(Element element) {  // only with enough space
       const std::size_t at = load(written_);
       elements_[at % kSize] = element;
       store(written_, at + 1);
     }
-    Element take() {  // only with elements
+    Element take() {  // only if the buffer is not empty
       const Element element = at(next());
       drop(1);
       return element;
@@ -82,7 +82,7 @@ class K64Uart final : public SerialPort {
     // Returns the place of the next element that is read.
     [[nodiscard]] std::size_t next() const { return load(read_); }
     [[nodiscard]] Element at(std::size_t place) const { return elements_[place % kSize]; }
-    void drop(std::size_t number) {  // only with so many elements
+    void drop(std::size_t number) {  // only if the buffer has this many elements
       store(read_, load(read_) + number);
     }
 
@@ -99,7 +99,9 @@ class K64Uart final : public SerialPort {
       count.store(value, std::memory_order_relaxed);
     }
 
-    static_assert((kSize & (kSize - 1)) == 0, "the counts wrap together with the places");
+    static_assert(
+        (kSize & (kSize - 1)) == 0,
+        "the size is a power of 2, so that the positions stay correct when a count overflows");
 
     std::array<Element, kSize> elements_{};
     std::atomic<std::size_t> written_{0};

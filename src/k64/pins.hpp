@@ -51,9 +51,9 @@ struct PinRow {
 };
 
 // The pins that the firmware uses, one per line. A signal of a peripheral has its name in the
-// manual. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the
-// data line of the accelerometer, which is not used. Left alone: J2-2, which is PTC12 from revision
-// E of the board on only; before, it is PTA0, a pin of the debugger.
+// manual. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the data line
+// of the accelerometer, which is not used. J2-2 is not used: up to revision D of the board it is
+// PTA0, a pin of the debugger; from revision E on it is PTC12.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset the pin is the NMI; an input pin is not."},
@@ -127,7 +127,7 @@ consteval bool allExist() {
   });
 }
 
-/// @brief Returns whether no pin and no signal is used twice.
+/// @brief Returns whether each pin and each signal is used only once.
 consteval bool noneTwice() {
   for (const PinRow& a : kPinTable) {
     for (const PinRow& b : kPinTable) {

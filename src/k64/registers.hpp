@@ -1,8 +1,8 @@
 #pragma once
 
-// The registers of the MK64FN1M0VLL12 that the firmware uses: one namespace for each block, names
-// as in the reference manual of the part (K64P144M120SF5RM), those of the core as in the ARMv7-M
-// architecture manual. Only the used bits have names.
+// The registers of the MK64FN1M0VLL12 that the firmware uses. Each block has a namespace. The names
+// are the names of the reference manual (K64P144M120SF5RM), and for the core the names of the
+// ARMv7-M architecture manual. Only the used bits have names.
 
 #include <cstdint>
 

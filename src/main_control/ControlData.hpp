@@ -45,7 +45,7 @@ class ControlData {
   /// @isr{no}
   void saveReported(std::uint32_t end);
 
-  /// @brief Records the current source; it applies to the next set-points and later.
+  /// @brief Records the source of the set-points that are set from now on.
   /// @param source number of the reading mode
   /// @satisfies FR-19
   /// @isr{no}

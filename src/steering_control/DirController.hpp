@@ -32,7 +32,7 @@ struct DirStatus {
   StepRate rate{};                           ///< speed of the motor [steps/s], positive to the left
   bool leftEnd = false;                      ///< the left end stop is reached
   bool rightEnd = false;                     ///< the right end stop is reached
-  std::optional<Stamped<Angle>> position{};  ///< newest position, and when it was measured
+  std::optional<Stamped<Angle>> position{};  ///< newest position, and the time of its measurement
 };
 
 /// @brief State of the motor at the beginning of a tick.
@@ -60,7 +60,7 @@ struct TurnFeedback {
 /// @role{steering-timer-interrupt, Receiver}
 class DirController final {
  public:
-  /// @brief Parts of the controller. Each part lives as long as the controller.
+  /// @brief Parts of the controller. Each part exists as long as the controller.
   /// @datatype
   struct Parts {
     Pipe<DirTarget>& target;       ///< the newest order; the main thread writes it
@@ -113,11 +113,10 @@ class DirController final {
   /// @satisfies FR-110
   [[nodiscard]] bool lost() const;
 
-  /// @brief Checks whether the inputs of the steering contradict each other: both end stops are
-  /// reached, or the position differs by more than 3 degrees from the position that results from
-  /// the steps of the motor since it was switched on. The difference is reduced by 0.05 degrees in
-  /// a second. States
-  /// call it.
+  /// @brief Checks whether the inputs of the steering contradict each other. This is true when both
+  /// end stops are reached. It is also true when the position differs by more than 3 degrees from
+  /// the position that results from the steps of the motor since it was switched on. The difference
+  /// is reduced by 0.05 degrees in a second. States call it.
   /// @return true when they contradict each other
   /// @pre The position is not lost.
   /// @isr{yes}
@@ -131,10 +130,9 @@ class DirController final {
   /// @satisfies FR-111
   void watch();
 
-  /// @brief Checks whether the steering fails to follow the steps of the motor. It decides when 200
-  /// ms have passed and the steps amount to 0.6 degrees, and then starts the next window. States
-  /// call
-  /// it.
+  /// @brief Checks whether the steering fails to follow the steps of the motor. The check ends when
+  /// 200 ms have passed and the steps amount to 0.6 degrees. Then the next window starts. States
+  /// call it.
   /// @return true when the steering moved less than half of the angle of the steps
   /// @pre watch() was called, and the position is not lost.
   /// @isr{yes}

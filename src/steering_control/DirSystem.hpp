@@ -23,10 +23,10 @@ namespace wr {
 /// @role{steering-system-construction, Product}
 class DirSystem final : public ControlSystem {
  public:
-  /// @brief Parts of the system. Each part lives as long as the system.
+  /// @brief Parts of the system. Each part exists as long as the system.
   /// @datatype
   struct Parts {
-    Pipe<DirTarget>& target;   ///< takes the orders
+    Pipe<DirTarget>& target;   ///< receives the orders
     Pipe<DirStatus>& status;   ///< pipe of the state of the steering
     const Timebase& timebase;  ///< for the time of an order and the age of a value
   };
@@ -67,7 +67,7 @@ class DirSystem final : public ControlSystem {
   /// @satisfies FR-115
   void halt() override;
 
-  /// @brief Makes the next target release a fault.
+  /// @brief Marks the next target as an order to release a fault.
   /// @satisfies FR-112
   void release() override;
 

@@ -22,10 +22,10 @@ namespace wr {
 /// @role{steering-commands, Receiver}
 class SteeringDevice final {
  public:
-  /// @brief Parts of the device. Each part lives as long as the device.
+  /// @brief Parts of the device. Each part exists as long as the device.
   /// @datatype
   struct Parts {
-    DigitalOutput& step;        ///< makes the motor step each time it is switched on
+    DigitalOutput& step;        ///< the motor makes a step each time this output is switched on
     DigitalOutput& direction;   ///< on for steps to the left
     DigitalOutput& enable;      ///< on when the motor has current
     const EdgeInput& leftEnd;   ///< high when the left end stop is reached, or its wire is broken

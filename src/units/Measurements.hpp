@@ -22,7 +22,7 @@ struct WheelMeasurements {
   bool reversalLate = false;          ///< the wheel could not change its orientation in time
   std::uint16_t rejectedEdges = 0;    ///< implausible Hall edges since start, at most 65535
 
-  /// @brief Clears each value in its place: this takes less time than a new object.
+  /// @brief Clears each value in its place, which takes less time than a new object.
   constexpr void clear() {
     velocity.reset();
     current.reset();
@@ -49,7 +49,7 @@ enum class SteeringState : std::uint8_t {
 /// @brief Reason why the robot does not follow its set-points.
 /// @datatype
 enum class Inhibit : std::uint8_t {
-  None = 0,           ///< it follows them
+  None = 0,           ///< the robot follows them
   NoOrder = 1,        ///< no source sends orders
   Stop = 2,           ///< a source orders stop
   NotArmed = 3,       ///< the source has not yet sent neutral set-points for long enough

@@ -31,7 +31,7 @@ using DutyCycle = Quantity<struct DutyCycleTag, std::int32_t>;
 /// @datatype
 using StepRate = Quantity<struct StepRateTag, std::int32_t>;
 
-/// @brief Position of a wheel [Hall edges since start], rising forwards.
+/// @brief Position of a wheel [Hall edges since start], increasing forwards.
 /// @datatype
 using HallCount = Quantity<struct HallCountTag, std::int32_t>;
 

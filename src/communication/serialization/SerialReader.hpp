@@ -13,7 +13,7 @@ namespace wr {
 /// @brief The newest order of the PC.
 /// @function Stores the newest order from the serial line until it is read, replaced, dropped or
 /// too old. Latches a stop until an order releases it.
-/// @secret That the newest order is stored as raw bytes and decoded when it is read.
+/// @secret The storage of the newest order: raw bytes, which are decoded when the order is read.
 /// @role{serializer, Concrete Reader}
 class SerialReader final : public Reader {
  public:

@@ -54,7 +54,7 @@ extern K64Timebase::EntryTime rcEdgeTime;
 /// @brief Contact of the emergency stop: low while it is released.
 extern K64Port emergencyStopContact;
 
-/// @brief On from reset until control cycles run. Afterwards the product may use it.
+/// @brief Light that is on from reset until control cycles run. Afterwards the product may use it.
 extern K64Gpio redLight;
 
 /// @brief Cause of the start of the firmware.

@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief Orders arrive: the last read found one.
+/// @brief Orders arrive: the last read found an order.
 ///
 /// @function Reads a message when there is one. Otherwise it sets the waiting state.
 ///

@@ -21,7 +21,7 @@ class VelSensor final {
  public:
   /// @brief Binds the sensor.
   /// @param collector returns the edges
-  /// @param function calculates the velocity; it rejects an impossible one
+  /// @param function calculates the velocity; it rejects an impossible value
   /// @param timebase returns the time
   /// @param velocity receives the velocity, with the time of the measurement
   VelSensor(SensorCollector& collector, const Function& function, const Timebase& timebase,
@@ -37,9 +37,9 @@ class VelSensor final {
   /// previous velocity. In all cases it is at most the velocity at which the next edge would come
   /// now, so that a falling velocity does not jump when an edge comes at the moment of the
   /// measurement. It is 0 when no edge came for 500 ms.
-  /// @errors The velocity is not written, and the value in the pipe becomes old, when the function
-  /// rejects it, when more than 3 edges of the cycle were unclear, and when a wheel that turned
-  /// with 30 rpm or more had more than 3 edges that were unclear or reversed its direction.
+  /// @errors The velocity is not written, and the value in the pipe becomes old, in three cases.
+  /// The function rejects the velocity. More than 3 edges of the cycle were unclear. The wheel
+  /// turned with 30 rpm or more, and more than 3 edges were unclear or reversed its direction.
   /// @return time of the measurement
   /// @isr{no}
   /// @satisfies FR-120
@@ -49,7 +49,7 @@ class VelSensor final {
   Instant measure();
 
   /// @brief Returns the position of the wheel at the last measurement.
-  /// @return Hall edges since start, rising forwards
+  /// @return Hall edges since start, increasing forwards
   /// @isr{no}
   /// @satisfies FR-121
   [[nodiscard]] HallCount position() const;

@@ -20,7 +20,7 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// @brief Greatest difference at which a steering at rest stays at rest.
   static constexpr Angle kDeadband{20};
 
-  /// @brief Difference at which a steering that turns towards the target stops. It comes to rest
+  /// @brief A steering that turns towards the target stops at this difference. It comes to rest
   /// about one step later.
   static constexpr Angle kArrived{10};
 

@@ -38,8 +38,8 @@ class DirState {
   explicit DirState(SteeringState id);
   ~DirState() = default;
 
-  /// @brief Leaves a state with the motor on when necessary: without orders the next state is off,
-  /// and when the steering cannot be controlled it is fault.
+  /// @brief Leaves a state in which the motor is on, when necessary. Without orders the next state
+  /// is off. When the steering cannot be controlled, the next state is fault.
   /// @param controller controller that ticks
   /// @param off state after the orders ended
   /// @param fault state after a fault

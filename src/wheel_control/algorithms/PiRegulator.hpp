@@ -20,8 +20,8 @@ struct PiGains {
 /// An error that comes from a voltage that could not be applied is not added to the integral.
 ///
 /// @secret How the integral is limited while the voltage is limited, how fractions of a millivolt
-/// are stored, and how a bit that changes in the memory of the integral is corrected. Otherwise the
-/// wheels of a robot would work against each other for a long time.
+/// are stored, and how a bit that changes in the memory of the integral is corrected. A wrong
+/// integral would make the wheels of a robot work against each other for a long time.
 class PiRegulator final {
  public:
   /// @brief Three copies of a number: a bit that changes in one copy has no effect.
@@ -30,7 +30,8 @@ class PiRegulator final {
 
   /// @brief Returns a number from its three copies.
   /// @param copies the copies
-  /// @return the number, in the unit of the copies; at least two copies have each bit of it
+  /// @return the number, in the unit of the copies; each of its bits is equal in at least two
+  /// copies
   /// @satisfies FR-224
   /// @isr{no}
   [[nodiscard]] static std::int32_t majority(const Copies& copies);

@@ -23,12 +23,11 @@ constexpr std::int32_t kModelTolerance = 400;       // [mV]
 constexpr std::int32_t kModelToleranceDivisor = 3;  // plus this part of the voltage
 constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // cycles in a row
 
-// Used before the model has begun.
+// Velocity of the model before the model has begun.
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
 
-// Part of a deviation. The product would have more than 32 bits, which the core divides slowly;
-// therefore thousands and remainder are computed separately. A set-point has 16 bits, and no
-// measured velocity has more.
+// Returns a part of a deviation. The core divides numbers of more than 32 bits slowly, so thousands
+// and remainder are computed separately. A set-point and a measured velocity have at most 16 bits.
 std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
   return deviation / kThousand * thousandths + deviation % kThousand * thousandths / kThousand;
 }
