@@ -13,9 +13,9 @@ namespace wr {
 class CountMirroredSignal final : public Command {
  public:
   /// @brief Binds the command to sensor and collector.
-  /// @param collector takes the edges
-  /// @param sensor gives the levels
-  /// @param timebase gives the time of an edge
+  /// @param collector receives the edges
+  /// @param sensor returns the levels
+  /// @param timebase returns the time of an edge
   CountMirroredSignal(SensorCollector& collector, const ActiveSensor& sensor,
                       const Timebase& timebase)
       : collector_(collector), sensor_(sensor), timebase_(timebase) {}

@@ -39,8 +39,8 @@ bool answersASecondHello(ChangedRobot& robot) {
   return robot.welcome.has_value();
 }
 
-/// @brief The unchanged image welcomes a second PC, which ends the session of the first. The image
-/// of the kit still reports to the first.
+/// @brief The unchanged image welcomes a second PC, which ends the session of the first PC. The
+/// image of the kit still reports to the first PC.
 TEST(ExclusiveOnBoard, SecondPcIsNotWelcome) {
   ChangedRobot before(kUnchanged);
   EXPECT_TRUE(answersASecondHello(before));

@@ -43,7 +43,7 @@ class BigEndianWriter final : public Writer {
   }
 
   /// @brief Finishes one object.
-  /// @return false when a field of the object found no room
+  /// @return false when there was no space for a field of the object
   /// @isr{no}
   bool finish() override { return bytes_.finish(); }
 

@@ -7,7 +7,8 @@
 
 namespace wr {
 
-/// @brief Builds the control system of a wheel whose motor a relay switches. It has no other part.
+/// @brief Builds the control system of a wheel whose motor a relay switches. The system has no
+/// other part.
 class RelayWheelBuilder final : public ControlSystemBuilder {
  public:
   /// @brief Binds the builder to the relay.
@@ -47,7 +48,7 @@ class RelayWheelBuilder final : public ControlSystemBuilder {
     return *system_;
   }
 
-  /// @brief Returns the work at a tick, which is none.
+  /// @brief Returns the command of a tick, which does nothing.
   /// @return the command; it exists as long as the builder
   /// @isr{no}
   [[nodiscard]] Command& tickCommand() override { return none_; }

@@ -23,8 +23,8 @@ class EnableBuffer final : public RcBuffer {
   /// @param instants measures each pulse
   /// @param function computes the deflection of a pulse
   /// @param width receives the width of each pulse from 900 to 2100 us
-  /// @param stop receives the width of each pulse that orders a stop directly after another such
-  /// pulse
+  /// @param stop receives the width of each pulse that orders a stop directly after another pulse
+  /// that orders a stop
   EnableBuffer(InstantCollector& instants, const Function& function, Pipe<Microseconds>& width,
                Pipe<Microseconds>& stop);
 

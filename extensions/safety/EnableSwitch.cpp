@@ -92,8 +92,8 @@ bool EnableSwitch::stopConfirmed() {
   return confirmed;
 }
 
-// A receiver whose radio link returns goes from stop to drive at once. Only an operator leaves the
-// switch at PC.
+// When its radio link returns, a receiver changes from stop to drive at once. Only an operator
+// leaves the switch in the position PC.
 void EnableSwitch::advanceSequence() {
   if (position_ == Position::Stop) {
     sequence_ = Sequence::Stopped;

@@ -9,10 +9,11 @@
 
 namespace wr {
 
-/// @brief Watch over the polarity of one motor.
+/// @brief Supervision of the polarity of one motor.
 ///
 /// @function Learns the resistance, the constant and the offset of a motor while it turns, and
-/// detects leads that are swapped later: the induced voltage changes its sign in one cycle.
+/// detects leads that are swapped later, because the induced voltage then changes its sign in one
+/// cycle.
 ///
 /// @secret How the model of a motor is learned, and how strongly the measurements must contradict
 /// the model.

@@ -11,10 +11,10 @@ namespace wr {
 /// @brief Finds a bit of the program that has changed.
 ///
 /// @function Compares the sum of the program in RAM with the sum of its original, a few words at a
-/// time, while the processor is idle. It ends the program when they differ: the start copies the
-/// original again.
+/// time, while the processor is idle. When they differ, it ends the program, and the next start
+/// copies the original again.
 ///
-/// @secret How a change of the program is found, and how long that may last.
+/// @secret How a change of the program is found, and how long the search may last.
 class ProgramCheck final {
  public:
   /// @brief Words that are added together: the core loads four with one instruction.
@@ -39,8 +39,8 @@ class ProgramCheck final {
   /// @isr{yes}
   void tick() { due_.store(true, std::memory_order_relaxed); }
 
-  /// @brief Once in a tick, adds up the next words of the copies; in the first pass also the words
-  /// of the originals. The loop that waits for interrupts calls it after each interrupt.
+  /// @brief Once in a tick, adds up the next words of the copies. In the first pass, also adds up
+  /// the words of the originals. The loop that waits for interrupts calls it after each interrupt.
   /// @errors Copies that differ from their originals end the program with the assertion
   /// ProgramChanged.
   /// @satisfies FR-309

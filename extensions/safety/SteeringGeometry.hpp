@@ -26,7 +26,7 @@ class SteeringGeometry final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect: the mode that wraps this one changes the mode.
+  /// @brief Has no effect: the mode that wraps this mode changes the reading mode.
   /// @param mCtrl controller whose mode stays
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;

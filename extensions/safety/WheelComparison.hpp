@@ -27,7 +27,7 @@ class WheelComparison final {
 
   /// @brief Compares the wheels. Each cycle in which they follow set-points calls it.
   /// @param measurements measurements of the cycle that ends
-  /// @return number of the wheel that stays behind, 0 to 3; nothing if there is none.
+  /// @return number of the wheel that moved too little, 0 to 3; nothing if there is none.
   /// @satisfies FR-297
   /// @isr{no}
   [[nodiscard]] std::optional<std::uint8_t> behind(const Measurements& measurements);
@@ -50,7 +50,7 @@ class WheelComparison final {
   void add(const Measurements& measurements);
   [[nodiscard]] std::int32_t common() const;
 
-  std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the cycle before
+  std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the previous cycle
   std::array<std::int32_t, kWheelCount> ways_{};                // [edges]
   std::array<std::uint8_t, kWheelCount> greatCycles_{};         // successive cycles with a great
                                                                 // current

@@ -37,10 +37,10 @@ constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-constexpr std::uint8_t kMissingCycles = 3;  // in the third, a value is missing for over 0.2 s
+constexpr std::uint8_t kMissingCycles = 3;  // in the third cycle, a value is missing for over 0.2 s
 
-constexpr std::uint8_t kEqualCycles = 7;  // changes of cycle in which a current is equal to the
-                                          // milliampere
+constexpr std::uint8_t kEqualCycles = 7;  // successive cycles in which a current does not
+                                          // change by a milliampere
 
 // Implausible edges, counted in halves: each cycle subtracts half an edge.
 constexpr std::int32_t kRejectedEdges = 18;

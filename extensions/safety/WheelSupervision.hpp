@@ -18,7 +18,8 @@ namespace wr {
 /// its motor once per cycle, and returns the cause of a protective stop when one of them is
 /// implausible.
 ///
-/// @secret Which measurements of a wheel are implausible, and for how long this is tolerated.
+/// @secret Which measurements of a wheel are implausible, and how long implausible measurements are
+/// tolerated.
 class WheelSupervision final {
  public:
   /// @brief Begins without measurements.
@@ -51,9 +52,9 @@ class WheelSupervision final {
  private:
   static constexpr std::size_t kReferences = 10;  // number of stored set-points
 
-  // The voltage of a wheel: the part that the velocity causes, the part that the current causes,
-  // and the rest. All values are 0 while the voltage or a measurement is missing: they then show no
-  // fault.
+  // The parts of the voltage of a wheel: the part that the velocity causes, the part that the
+  // current causes, and the rest. All values are 0 while the voltage or a measurement is missing,
+  // so they show no fault.
   struct Balance {
     Velocity velocity{};
     Tension tension{};
@@ -76,7 +77,7 @@ class WheelSupervision final {
   std::optional<Current> current_;         // of the previous cycle
   std::uint8_t equalCycles_ = 0;
   std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
-  std::size_t oldest_ = 0;  // place of the oldest one, which the next one replaces
+  std::size_t oldest_ = 0;  // index of the oldest set-point, which the next set-point replaces
   bool following_ = false;
   std::uint8_t opposing_ = 0;  // half cycles
   std::uint8_t tooFast_ = 0;

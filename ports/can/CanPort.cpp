@@ -39,7 +39,8 @@ constexpr auto CS_CODE_EMPTY = CS.field(0x4, kCodeAt);
 constexpr auto CS_CODE_OVERRUN = CS.field(0x6, kCodeAt);
 constexpr auto CS_CODE_DATA = CS.field(0xC, kCodeAt);
 
-// Buffer 0 stays unused: erratum 5829 of the controller is about the first buffer that sends.
+// Buffer 0 is not used, because erratum 5829 of the controller concerns the first buffer that
+// sends.
 constexpr unsigned kReceiver = 1;
 constexpr unsigned kSender = 2;
 constexpr std::uint32_t kBuffers = 3;
@@ -54,8 +55,8 @@ constexpr auto kClockOfBus = CTRL1.bit(13);  // CLKSRC
 constexpr auto kTiming = CTRL1.field(kDivider - 1, 24) | CTRL1.field(2, 22) | CTRL1.field(7, 19) |
                          CTRL1.field(2, 16) | kClockOfBus | CTRL1.field(7, 0);
 
-// The controller confirms a change of its mode within a few bit times. Without an answer it stays
-// silent, and the connection of the PC ends.
+// The controller confirms a change of its mode within a few bit times. Without this confirmation
+// the port sends nothing, and the connection of the PC ends.
 constexpr int kMostReads = 10'000;
 
 void await(decltype(MCR)::Bits flag, bool wanted) {
@@ -140,7 +141,7 @@ void CanPort::send() {
       .write(CS_CODE_DATA | CS.field(static_cast<std::uint32_t>(length), kLengthAt));
 }
 
-// The interrupt sends too.
+// The interrupt calls send() too, so it is blocked here.
 void CanPort::beginSending() {
   const InterruptLock lock;
   send();

@@ -1,4 +1,5 @@
-// From the reset of the board to runRobot(), and the ends of the firmware.
+// The start of the firmware, from the reset of the board to runRobot(), and the functions that end
+// the firmware.
 
 #include <algorithm>
 #include <array>
@@ -40,7 +41,7 @@ void unexpected() {
 
 namespace {
 
-// The watchdog warns before it resets.
+// The handler of the NMI that the watchdog requests before it resets the board.
 void warning() {}
 
 }  // namespace

@@ -26,7 +26,7 @@ struct Devices {
   SerialPort& pcPort;          ///< line to the PC
   PeriodicTimer& cycleTimer;   ///< gives the clock pulses
   PeriodicTimer& tickTimer;    ///< gives the ticks
-  const Timebase& timebase;    ///< gives the time
+  const Timebase& timebase;    ///< returns the time
   Watchdog& watchdog;          ///< is refreshed by each cycle
   const StartRecord& start;    ///< why the firmware started
   ControlThread& mainThread;   ///< for a design that runs its cycles in a thread
