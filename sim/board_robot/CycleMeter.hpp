@@ -44,10 +44,10 @@ class CycleMeter {
   /// @brief Costs of one exception in all measured control cycles; 0: outside of exceptions.
   struct Exception {
     unsigned priority = 0;            ///< 0 to 15; 0 is the highest
-    std::uint64_t entries = 0;        ///< times it was entered
-    Cost whole;                       ///< costs without those of its interrupts
+    std::uint64_t entries = 0;        ///< number of entries
+    Cost whole;                       ///< costs without the costs of its interrupts
     Cost toReport;                    ///< the part from the clock pulses to the reports
-    std::uint64_t requests = 0;       ///< times a device raised its line
+    std::uint64_t requests = 0;       ///< number of times that a device raised its line
     std::uint64_t worstLatency = 0;   ///< greatest number of cycles from a request to its first
                                       ///< instruction
     std::optional<std::uint64_t> at;  ///< cycle of a pending request
@@ -79,7 +79,7 @@ class CycleMeter {
   /// @return bytes of the stack
   [[nodiscard]] std::size_t stackBytes() const;
 
-  /// @brief Writes all as JSON.
+  /// @brief Writes all measurements as JSON.
   void write(std::ostream& output) const;
 
  private:

@@ -18,7 +18,7 @@ constexpr unsigned kUsageFault = 6;
 constexpr unsigned kSupervisorCall = 11;
 constexpr unsigned kFirstLine = 16;
 
-// Entries for one rise of a line from which an interrupt cannot recover.
+// An interrupt that is entered so often for one rise of its line does not end.
 constexpr unsigned kStorm = 1000;
 
 constexpr std::uint32_t kAlignedBit = 1U << 9;

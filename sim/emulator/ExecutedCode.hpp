@@ -34,7 +34,7 @@ class ExecutedCode {
     return place < kRamSize ? kRam + place : place - kRamSize;
   }
 
-  /// @brief Forgets all.
+  /// @brief Clears all counts.
   void clear() { std::ranges::fill(counts_, std::uint64_t{0}); }
 
   /// @brief The executed instructions: one bit for each half-word, first the bits of the lower RAM,

@@ -16,7 +16,7 @@ class Symbols {
     std::string name;  ///< as the linker has it
   };
 
-  /// @brief Reads an ELF file of 32 bits, little-endian. Throws std::runtime_error when it cannot.
+  /// @brief Reads an ELF file of 32 bits, little-endian. Throws std::runtime_error when this fails.
   explicit Symbols(const std::filesystem::path& elf);
 
   /// @brief All functions, by rising address.

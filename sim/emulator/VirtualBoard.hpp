@@ -150,7 +150,8 @@ class VirtualBoard {
   /// @brief Raises an exception by hardware before the next instruction, e.g. 3 HardFault.
   void raise(int exception);
 
-  /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument where neither is.
+  /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument if the address is in
+  /// neither of them.
   /// @param address of the byte
   /// @param bit 0 to 7
   void flipBit(std::uint32_t address, unsigned bit);
@@ -205,7 +206,7 @@ class VirtualBoard {
   /// @brief The access of a debugger to the board.
   [[nodiscard]] DebugPort& debugPort();
 
-  /// @brief Records calls from now on. Set before the first run.
+  /// @brief Records calls from now on. It is set before the first run.
   void record(CallRecorder& recorder);
 
   /// @brief Records each instruction that is executed from now on.

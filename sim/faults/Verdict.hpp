@@ -34,7 +34,7 @@ enum class Outcome : std::uint8_t {
   Late,      ///< a reset or a report, but the outputs were wrong for too long, or after the reset
   Silent,    ///< wrong outputs, no reset and no report
   Hung,      ///< no reports, no answers and no reset
-  Stopped    ///< the virtual board cannot continue: a real board does something unknown
+  Stopped    ///< the virtual board cannot continue: the behaviour of a real board is unknown
 };
 
 /// @brief Name of a class in the record.

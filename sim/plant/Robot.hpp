@@ -89,7 +89,8 @@ class Robot {
   /// @param plant its parameters
   void setPlant(const Plant& plant);
 
-  /// @brief Lets the seed choose the properties of the robot's parts, or sets the nominal ones.
+  /// @brief Lets the seed choose the properties of the robot's parts, or sets the nominal
+  /// properties.
   /// @param varied true: the seed chooses
   void vary(bool varied);
 
@@ -102,8 +103,8 @@ class Robot {
   /// @param on true for on
   void setNoise(bool on);
 
-  /// @brief Sets the slope of the ground ahead. The robot reaches it axle by axle: its own slope
-  /// changes evenly over one wheelbase, and within 2 s if it drives slowly or is at rest.
+  /// @brief Sets the slope of the ground ahead. The robot reaches it axle by axle: the slope of the
+  /// robot changes evenly over one wheelbase, and within 2 s if it drives slowly or is at rest.
   /// @param percent positive uphill, in the direction in which the robot started
   void setSlope(double percent);
 

@@ -33,7 +33,7 @@ struct FrameWord {
   std::int64_t number = 0;
 };
 
-/// A field of a frame, as design/frames.toml has it.
+/// A field of a frame, as design/frames.toml defines it.
 struct FrameRow {
   std::string_view frame;
   std::string_view field;

@@ -78,8 +78,8 @@ class Memory {
   /// @brief Adds a window.
   void map(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Direct-access part of the first region in this address's megabyte. It mostly contains
-  /// the address.
+  /// @brief Returns the direct-access part of the first region in the megabyte of an address. In
+  /// most cases it contains the address.
   [[nodiscard]] const Direct& direct(std::uint32_t address) const {
     return directs_[address / kMegabyte];
   }
@@ -119,10 +119,10 @@ class Memory {
   /// @brief Returns the area of an address; none without memory.
   [[nodiscard]] const Area* find(std::uint32_t address) const;
 
-  /// @brief Writes from outside, also where the program may not.
+  /// @brief Writes from outside, also where the program may not write.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
-  /// @brief Reads from outside; 0 where no memory is.
+  /// @brief Reads from outside; 0 where there is no memory.
   template <typename Value>
   [[nodiscard]] Value read(std::uint32_t address) const {
     Value value = 0;
@@ -146,7 +146,7 @@ class Memory {
 
   bool readsFlashDirectly_;
   std::deque<Area> all_;
-  std::array<const Area*, kMegabytes> areas_{};  ///< the first one of each
+  std::array<const Area*, kMegabytes> areas_{};  ///< the first area of each megabyte
   std::array<Direct, kMegabytes> directs_{};
   std::function<void(std::uint32_t, std::uint32_t, bool)> observer_;
 };

@@ -28,7 +28,7 @@ std::uint32_t addend(const Core& core, const Instruction& in) {
   return core.registers.r[in.value >> kAddendShift];
 }
 
-// Q is set when a sum is more than its register holds.
+// Q is set when a sum does not fit into its register.
 std::uint32_t narrowed(Core& core, std::int64_t value) {
   if (value != static_cast<std::int32_t>(value)) {
     core.registers.q = true;
