@@ -123,7 +123,7 @@ TEST(Layout, FR170_EachNameHasTheNumberOfTheTable) {
   }
 }
 
-/// @brief The limits of orders in the table are those that the firmware checks.
+/// @brief The limits of orders in the table are the limits that the firmware checks.
 /// @verifies FR-170
 TEST(Layout, FR170_LimitsOfOrdersAreThoseOfTheTable) {
   EXPECT_EQ(SystemConstants::instance().steeringLimit().count(), limitOf("steering_set_point"));

@@ -279,7 +279,7 @@ TEST_F(BuilderDeathTest, FR78_SystemNeedsItsSensors) {
   }
 }
 
-/// @brief Wheel and steering cannot be built without one of their parts.
+/// @brief Wheel and steering cannot be built when one of their parts is missing.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_SystemNeedsItsParts) {
   EXPECT_DEATH(wheelBuilder.buildSensors(), "assertion 1 failed");

@@ -35,7 +35,7 @@ class LinkOracle {
 
   /// @brief Receives a byte.
   /// @param byte the byte
-  /// @param at when its stop bit ended [us]
+  /// @param at time at which its stop bit ended [us]
   void receive(std::uint8_t byte, Time at);
 
   /// @brief Ends the work of a cycle on the received bytes.

@@ -193,7 +193,7 @@ class Link {
     }
   }
 
-  // Whatever happened: Hello, Confirm and Order work again.
+  // After any input, Hello, Confirm and Order work again.
   void recover() {
     port_.room = true;
     damage_ = 0;
@@ -313,7 +313,8 @@ class Link {
     port_.clear();
     ends_ = 0;
     const std::optional<std::uint8_t> session = takeSent();
-    expect(session.has_value() == (due && port_.room), "each Hello is answered when there is room");
+    expect(session.has_value() == (due && port_.room),
+           "each Hello is answered when there is space");
     oracle_.serviceEnded();
     if (session) {
       oracle_.welcomeSent(*session, now_);
@@ -396,14 +397,15 @@ class Link {
 }  // namespace
 }  // namespace wr::fuzz
 
-// The firmware allocates no memory, so that the fuzzer needs no stack of each allocation.
+// The firmware allocates no memory, so that the fuzzer does not need the call stack of each
+// allocation.
 extern "C" const char* __asan_default_options() {
   return "malloc_context_size=0:quarantine_size_mb=1:detect_stack_use_after_return=0";
 }
 
 namespace wr {
 
-// The targets have their own; a fuzzer keeps the input.
+// Each target defines this function. Here it ends the program, so that the fuzzer keeps the input.
 void assertionFailed(AssertId /*id*/) {
   std::fputs("the fuzzer found an assertion that fails\n", stderr);
   std::abort();

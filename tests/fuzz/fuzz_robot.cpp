@@ -201,9 +201,9 @@ class FuzzedRobot {
     if (data().setPoints() && data().setPoints()->neutral()) {
       stopBefore_ = false;
     }
-    expect(!stopBefore_ || data().stopped(), "a stop of the PC outlives a reset");
+    expect(!stopBefore_ || data().stopped(), "a stop of the PC lasts over a reset");
     if (resetNow_ && protectedBefore_) {
-      expect(latched() || data().stopped(), "a protective stop outlives a reset");
+      expect(latched() || data().stopped(), "a protective stop lasts over a reset");
     }
     resetNow_ = false;
   }

@@ -121,7 +121,7 @@ TEST(K64AdcOnBoard, FR205_OpenInputNeedsItsResistor) {
   apply(drivers, 3, kReference / 2);
   drivers.board.openAnalog(kInputs[4].converter, kInputs[4].channel);
   drivers.run(milliseconds(10));
-  EXPECT_EQ(drivers.ask('A')[9], 2048) << "the charge of the input before it";
+  EXPECT_EQ(drivers.ask('A')[9], 2048) << "the input has the charge of the previous input";
   apply(drivers, 4, 0.0);
   drivers.run(milliseconds(10));
   EXPECT_EQ(drivers.ask('A')[9], 0);

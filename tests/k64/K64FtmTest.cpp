@@ -73,7 +73,7 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
       writes.push_back(drivers.board.now());
     }
   });
-  constexpr nanoseconds kInstruction{150};  // the board changes the width when one has ended
+  constexpr nanoseconds kInstruction{150};  // the board changes the width after an instruction
   constexpr int kSets = 20;
   for (std::int16_t set = 1; set <= kSets; ++set) {
     drivers.run(nanoseconds(7'300 * set));

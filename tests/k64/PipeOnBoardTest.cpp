@@ -12,7 +12,7 @@ namespace {
 
 // Counts of the program for one pipe, see Handover in program/drivers.cpp.
 struct Counts {
-  std::uint16_t interruptions;  // one side was active when the other one interrupted it
+  std::uint16_t interruptions;  // one side was active when the other side interrupted it
   std::uint16_t torn;
   std::uint16_t older;
   std::uint16_t newest;

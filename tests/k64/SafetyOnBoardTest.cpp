@@ -78,7 +78,7 @@ TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
 INSTANTIATE_TEST_SUITE_P(Files, ScenariosOnBoard, testing::ValuesIn(allScenarios()),
                          [](const auto& file) { return file.param.stem().string(); });
 
-/// @brief When the clock is lost while the robot drives, the first reset is that of the clock monitor, and the
+/// @brief When the clock is lost while the robot drives, the first reset comes from the clock monitor, and the
 /// robot brakes and does not drive again by itself.
 /// @verifies FR-203
 TEST(ClockOfTheSafeRobot, FR203_FirstResetAfterALostClockIsThatOfTheMonitor) {

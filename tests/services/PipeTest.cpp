@@ -15,7 +15,7 @@ TEST(Pipe, IsEmptyBeforeTheFirstWrite) {
   EXPECT_FALSE(pipe.read());
 }
 
-/// @brief A value stays in the pipe with its time until the next one comes.
+/// @brief A value stays in the pipe with its time until the next value comes.
 /// @verifies FR-173
 TEST(Pipe, KeepsItsValueWithItsTime) {
   Pipe<int> pipe;

@@ -45,7 +45,7 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   EXPECT_EQ(turn(2, 4, 25), SteeringState::Fault);
 }
 
-/// @brief The same to the right.
+/// @brief To the right, half of the expected motion is sufficient too.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   beginTurnRight();

@@ -93,7 +93,7 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief The collected values are those of the cycle: a tick after it changes nothing.
+/// @brief The collected values are those of the cycle: a later tick does not change them.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});

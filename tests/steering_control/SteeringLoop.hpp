@@ -149,7 +149,7 @@ class SteeringLoop {
   bool ordering = true;  // false: no control cycle comes
   bool acknowledges = false;
   int moves = 0;      // moves that are separated by pauses of more than 100 ms
-  int reversals = 0;  // steps to the other side than the step before
+  int reversals = 0;  // steps that go back on the previous step
 
  private:
   void order() {

@@ -3,12 +3,11 @@
 //
 // Each test writes one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin, with one
 // little-endian number of 64 bits for each event: the address of the function, with bit 63 set when
-// the function is left. Once there are kWhole events, a call that the test or the simulated
-// platform makes is not written again when it contains the same calls as an earlier one, because
-// timers would fill the file. Instead the file contains the number of the event at which the
-// earlier call begins, with bit 62 set, once for a sequence of such calls. After kMost events
-// nothing more is recorded, and a
-// file <suite>.<test>.truncated marks it.
+// the function is left. After kWhole events, a call of the test or of the simulated platform is not
+// written again when it contains the same calls as an earlier call, because timers would fill the
+// file. Instead the file contains the number of the event at which the earlier call begins, with
+// bit 62 set, once for a sequence of equal calls. After kMost events nothing more is recorded, and
+// a file <suite>.<test>.truncated marks it.
 
 #include <gtest/gtest.h>
 

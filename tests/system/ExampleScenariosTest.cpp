@@ -23,8 +23,8 @@ void play(const std::string& example) {
   EXPECT_GE(outcome.reports, 50U);
 }
 
-// Plays an example of the paper's design alone: safety functions stop the robot, or let it follow a
-// ramp.
+// Plays an example that only the paper's design can meet: safety functions stop the robot, or let
+// it follow a ramp.
 void playWithThePapersDesign(const std::string& example) {
   onlyWith("weeding_robot_paper");
   play(example);
@@ -51,7 +51,7 @@ TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
   play("uphill");
 }
 
-/// @brief Downhill the robot does not run away.
+/// @brief Downhill the robot does not become too fast.
 /// @verifies FR-84
 TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");

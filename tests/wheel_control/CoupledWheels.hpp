@@ -13,7 +13,7 @@
 
 namespace wr::test {
 
-/// A wheel with sensors and controller on a simulated motor. Its parameters are its own.
+/// A wheel with sensors and controller on a simulated motor. Each wheel has separate parameters.
 class SimulatedWheel : public SensedWheel {
  public:
   double supply = 25.0;      // a charged battery of 24 V [V]

@@ -336,7 +336,8 @@ TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief One edge to and fro is no motion: a single working sensor causes it.
+/// @brief One edge forwards and one edge backwards are no motion: a single working sensor causes
+/// them.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   control(tensionOf(7000));

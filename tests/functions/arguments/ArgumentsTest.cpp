@@ -65,7 +65,7 @@ TEST(Arguments, FR120_DecoratorsAddUp) {
   EXPECT_FALSE(valueOf(range, ArgumentId::Scale));
 }
 
-/// @brief Of two scales the outermost one is used.
+/// @brief Of two scales the outermost scale is used.
 /// @verifies FR-120
 TEST(Arguments, FR120_OutermostCounts) {
   const BaseArguments base(1, Microseconds(2));

@@ -207,7 +207,7 @@ TEST_F(WatchedLeads, FR307_InDoubtNothingIsLearned) {
 }
 
 /// @brief At a low velocity with a great load, a cycle is weak evidence: more cycles are needed. A
-/// motor that was learned for 4 s gives more evidence than one that is unknown.
+/// motor that was learned for 4 s gives more evidence than an unknown motor.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_WeakEvidenceNeedsMoreCycles) {
   struct Case {

@@ -71,7 +71,7 @@ class RobotOfPool : public SafetyChain {
 };
 
 /// @brief The robot as one control system passes each order on to every control system, with the
-/// number of the cycle, and is complete when all control systems are.
+/// number of the cycle, and has completed a cycle when all control systems have completed it.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   order(robot, alike(123));
@@ -292,7 +292,7 @@ TEST(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   EXPECT_FALSE(watch.opened());
 }
 
-/// @brief An opening of the contact before an acknowledgement is cleared by it.
+/// @brief An acknowledgement clears an earlier opening of the contact.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   contact.set(true);
@@ -535,7 +535,7 @@ class SetPointRampTest : public SafetyChain {
 };
 
 /// @brief From 0 to 300 rpm, which are 0.85 m/s, the set-point takes at least 1.7 s, then it is the
-/// ordered one; the decrease takes as long.
+/// ordered set-point; the decrease takes the same time.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   constexpr double kMetresPerSecond = 0.85 / 3000;

@@ -64,7 +64,7 @@ class CurrentTest : public testing::Test {
 };
 
 /// @brief Each tick of the second timer reads the sample that the previous tick requested, and
-/// requests the next one.
+/// requests the next sample.
 /// @verifies FR-100
 /// @verifies FR-125
 TEST_F(CurrentTest, FR100_EachBeatSamples) {
@@ -164,7 +164,7 @@ TEST_F(CurrentTest, FR125_NoSampleIsLost) {
   ticks(100, 2048);
   EXPECT_EQ(measured()->value, Current(0));
   ticks(4, 2048 + 1000);
-  EXPECT_EQ(measured()->value, Current(4028)) << "4 samples of before, and 4 new ones";
+  EXPECT_EQ(measured()->value, Current(4028)) << "4 earlier samples, and 4 new samples";
 }
 
 /// @brief Without a sample since the previous measurement nothing is written: the value becomes
@@ -242,8 +242,8 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
 }
 
 /// @brief Five samples in a row beyond 15 A switch the driver off, forwards and backwards. The
-/// command is executed in the interrupt of the fifth sample and of each following one that is too
-/// high.
+/// command is executed in the interrupt of the fifth sample and of each following sample that is
+/// too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);

@@ -80,7 +80,7 @@ TEST(HallEdges, FR121_EdgeRisesWithItsLevel) {
   EXPECT_EQ(rises.rising, (std::vector{true, true, false, false, true, true, false, false}));
 }
 
-/// @brief The record has the time when the last edge came.
+/// @brief The record contains the time of the last edge.
 /// @verifies FR-120
 TEST_F(SensorCollectorTest, FR120_TellsTheLastEdge) {
   edge(0);
@@ -178,7 +178,7 @@ TEST(HallInterrupt, FR123_InterruptOfAnotherPinIsNoEdge) {
   EXPECT_EQ(wheel.collector.record().unclear, 0U);
 }
 
-/// @brief Two edges before one interrupt are one, with a double change.
+/// @brief Two edges before one interrupt count as one edge at which both levels changed.
 /// @verifies FR-123
 TEST(HallInterrupt, FR123_TwoEdgesBeforeOneInterrupt) {
   TurningWheel wheel;

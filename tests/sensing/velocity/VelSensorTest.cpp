@@ -190,7 +190,8 @@ TEST_F(VelSensorTest, FR120_TurnsBack) {
   EXPECT_NEAR(measured, -1000, 2.5);
 }
 
-/// @brief One lost edge removes two edges from one measurement; the next one is correct again.
+/// @brief One lost edge removes two edges from one measurement; the next measurement is correct
+/// again.
 /// @verifies FR-120
 /// @verifies FR-123
 TEST_F(VelSensorTest, FR123_OneLostEdge) {
@@ -207,8 +208,8 @@ TEST_F(VelSensorTest, FR123_OneLostEdge) {
   EXPECT_EQ(wheel.velocity.position() - before, HallCount(18));
 }
 
-/// @brief A wheel that turns with 599 rpm is measured; one with 601 rpm is not, and neither is one that
-/// an unloaded motor cannot reach.
+/// @brief A velocity of 599 rpm is measured. A velocity of more than 600 rpm, which an unloaded
+/// motor cannot reach, is rejected.
 /// @verifies FR-124
 TEST_F(VelSensorTest, FR124_RefusesMoreThan600Rpm) {
   for (const int direction : {1, -1}) {
@@ -223,8 +224,8 @@ TEST_F(VelSensorTest, FR124_RefusesMoreThan600Rpm) {
   }
 }
 
-/// @brief A sensor that is displaced by 30 electrical degrees, a third of the distance between two
-/// edges: the velocity is correct within 5 % from 70 rpm up to 450 rpm.
+/// @brief With a sensor that is displaced by 30 electrical degrees, a third of the distance between
+/// two edges, the velocity is correct within 5 % from 70 rpm up to 450 rpm.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   for (const int rpm : {70, 150, 300, 450, -70, -300}) {
@@ -241,8 +242,8 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   }
 }
 
-/// @brief One sensor stops sending edges while the wheel turns: from the second cycle on the last
-/// velocity is more than 150 ms old.
+/// @brief When one sensor stops sending edges while the wheel turns, the last velocity is more than
+/// 150 ms old from the second cycle on.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   for (const int rpm : {100, 150, 300, -300}) {
@@ -262,8 +263,8 @@ TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   }
 }
 
-/// @brief A short disturbance of one line gives two implausible edges; the velocity stays valid. Two in one
-/// cycle make it invalid for this cycle.
+/// @brief A short disturbance of one line gives two implausible edges; the velocity stays valid. Two
+/// disturbances in one cycle make the velocity invalid for this cycle.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   const auto disturb = [this](int times) {
@@ -286,8 +287,8 @@ TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   EXPECT_NEAR(measured, 1000, 20);
 }
 
-/// @brief From 30 rpm on, forwards and backwards, edges to and fro are implausible: two disturbances
-/// in a cycle make the velocity invalid.
+/// @brief From 30 rpm on, forwards and backwards, edges forwards and backwards are implausible: two
+/// disturbances in a cycle make the velocity invalid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DisturbancesCountFrom30Rpm) {
   for (const int direction : {1, -1}) {
@@ -310,7 +311,8 @@ TEST_F(VelSensorTest, FR220_DisturbancesCountFrom30Rpm) {
   }
 }
 
-/// @brief A wheel at rest on an edge may give many edges to and fro: its velocity stays valid.
+/// @brief A wheel at rest on an edge may give many edges forwards and backwards: its velocity stays
+/// valid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_JitterAtRestIsNoDisturbance) {
   cycles(0, 3);
@@ -368,7 +370,7 @@ TEST_F(VelSensorTest, FR123_CountStops) {
 }
 
 /// @brief Position and velocity of a cycle belong to the same time: edges after the measurement
-/// wait for the next one.
+/// belong to the next measurement.
 /// @verifies FR-121
 TEST_F(VelSensorTest, FR121_PositionIsThatOfTheMeasurement) {
   cycles(100, 2);
@@ -408,7 +410,7 @@ TEST_F(VelSensorTest, FR120_ArgumentsOfTheFunction) {
   EXPECT_EQ(function.values[ArgumentId::Offset], 0);
 }
 
-/// @brief A value carries the time of its measurement.
+/// @brief A value has the time of its measurement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_TellsWhenItWasMeasured) {
   cycles(100, 3);

@@ -59,7 +59,7 @@ class ControlChannelTest : public testing::Test {
   ControlChannelTest() { robot.start(); }
   ~ControlChannelTest() override { std::filesystem::remove_all(folder); }
 
-  /// Lets 2 s pass for the robot alone.
+  /// Lets 2 s pass for the robot.
   void rest() {
     for (int step = 0; step <= 2000; ++step) {
       (void)robot.robot().step();

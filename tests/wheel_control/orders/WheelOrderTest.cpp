@@ -71,7 +71,7 @@ TEST_F(WheelOrderTest, FR80_FR94_AppliesAndTells) {
   EXPECT_FALSE(work.measured.blind);
 }
 
-/// @brief Without a position the wheel counts as one that does not turn.
+/// @brief Without a position the wheel counts as a wheel that does not turn.
 /// @verifies FR-91
 /// @verifies FR-94
 TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {

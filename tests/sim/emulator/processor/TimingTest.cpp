@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, TimingTest, testing::ValuesIn(rows()),
 
 constexpr std::uint16_t kNop = 0xBF00;
 
-/// @brief To enter a phrase of 8 bytes of code costs 5 cycles; the next instructions in the phrase
+/// @brief Entering a phrase of 8 bytes of code costs 5 cycles; the next instructions in the phrase
 /// cost nothing more.
 TEST(SlowFlashTest, EachPhraseCostsOnce) {
   Program program(Timing::SlowFlash, 0x100, std::vector<std::uint16_t>(8, kNop));
