@@ -22,8 +22,8 @@ namespace wr {
 /// counter and tag. Each frame to send gets a counter and a tag. A wrong frame is answered with a
 /// challenge, which contains the values that an authorised sender needs for its tags.
 ///
-/// @secret How counter and tag are put on the line, and the content of the tag: a number that the
-/// robot draws at start, the direction, the counter and the coded frame.
+/// @secret How counter and tag are put on the line, and the content of the tag. The tag is computed
+/// over a random number of the start, the direction, the counter and the coded frame.
 class SignedPort final : public SerialPort {
  public:
   /// @brief Type of the frame that challenges the sender: a random number (u64) and the last counter (u32).

@@ -19,9 +19,9 @@ constexpr float kVarianceDrift =
 // Standard deviations of the voltage that the model does not explain.
 constexpr float kNoise = 0.1F;  // [V] always
 constexpr float kVelocityNoise =
-    0.3F;  // of the change of the induced voltage since the previous cycle
-constexpr float kTensionNoise = 0.2F;   // of the change of the voltage since the previous cycle
-constexpr float kCurrentNoise = 0.02F;  // of the voltage across the winding
+    0.3F;  // share of the change of the induced voltage since the previous cycle
+constexpr float kTensionNoise = 0.2F;   // share of the change of the voltage in a cycle
+constexpr float kCurrentNoise = 0.02F;  // share of the voltage across the winding
 
 // The evidence is the logarithm of a ratio: the probability of these measurements with swapped
 // leads, divided by their probability with correct leads.

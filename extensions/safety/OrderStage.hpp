@@ -39,7 +39,7 @@ class OrderStage {
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 
-  /// @brief Replaces the measurements and outputs of an earlier cycle by those of this cycle.
+  /// @brief Replaces the measurements and outputs of an earlier cycle by the values of this cycle.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @isr{no}

@@ -54,7 +54,7 @@ class ProgramCheck final {
   std::atomic<bool> due_{false};
   bool originalKnown_ = false;
   std::uint32_t original_ = 0;  // sum of the originals
-  std::uint32_t sum_ = 0;       // of the copies up to now
+  std::uint32_t sum_ = 0;       // sum of the copies up to now
   std::size_t part_ = 0;
   std::size_t next_ = 0;  // words of the part
 };

@@ -21,13 +21,13 @@ class RetainedProtection final {
   /// @datatype
   struct Cells {
     std::uint32_t value;  ///< the encoded protective stop
-    std::uint32_t check;  ///< its complement
+    std::uint32_t check;  ///< complement of the value
   };
 
   /// @brief A protective stop.
   /// @datatype
   struct Stop {
-    StopCause cause = StopCause::None;          ///< its cause; None: no protective stop
+    StopCause cause = StopCause::None;          ///< cause of the stop; None: no protective stop
     std::uint8_t wheel = Protection::kNoWheel;  ///< wheel that the cause concerns, 0 to 3
 
     /// @brief Compares two protective stops.

@@ -31,8 +31,8 @@ constexpr std::int32_t kStraight =
 constexpr std::int32_t kCurveAngle = 500;  // [0.01 degree]
 constexpr std::int32_t kTightestAngle = SystemConstants::instance().steeringLimit().count();
 constexpr std::int32_t kFastStraight = SystemConstants::instance().velocityLimit().count();
-constexpr std::int32_t kCurveVelocity = 2600;     // [0.1 rpm] at kCurveAngle
-constexpr std::int32_t kTightestVelocity = 2400;  // [0.1 rpm] at kTightestAngle
+constexpr std::int32_t kCurveVelocity = 2600;     // [0.1 rpm] greatest velocity at kCurveAngle
+constexpr std::int32_t kTightestVelocity = 2400;  // [0.1 rpm] greatest velocity at kTightestAngle
 
 bool isVelocity(const WheelSetPoint& setPoint) {
   return setPoint.quantity == WheelQuantity::Velocity;

@@ -12,8 +12,8 @@ namespace wr {
 
 /// @brief Comparison of the wheels of one robot.
 ///
-/// @function Adds the Hall edges of each wheel until the robot has driven 0.057 m, and returns a
-/// wheel that in two successive comparisons moved at most half as far as the others. Returns a
+/// @function Adds the Hall edges of each wheel until the robot has driven 0.057 m. Returns a wheel
+/// that moved at most half as far as the other wheels in two successive comparisons. Returns a
 /// wheel that has a great current although the robot drives straight on.
 ///
 /// @secret How far the wheels of one robot can differ, and the distance and the time of a
@@ -54,7 +54,7 @@ class WheelComparison final {
   std::array<std::int32_t, kWheelCount> ways_{};                // [edges]
   std::array<std::uint8_t, kWheelCount> greatCycles_{};         // successive cycles with a great
                                                                 // current
-  std::optional<std::uint8_t> late_;                            // at the last comparison
+  std::optional<std::uint8_t> late_;  // wheel that moved too little at the last comparison
 };
 
 }  // namespace wr

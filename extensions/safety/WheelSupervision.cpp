@@ -15,14 +15,14 @@ constexpr Velocity kMaxVelocity(3300);  // 10 % above the velocity limit
 // A wheel turns against its voltage.
 constexpr Tension kDriving(1000);
 constexpr Velocity kOpposingVelocity(50);
-constexpr std::int32_t kOpposingPercent = 50;  // of the induced voltage
+constexpr std::int32_t kOpposingPercent = 50;  // share of the induced voltage
 constexpr std::int32_t kDrivingPercent = 40;   // of the voltage, to allow for supply, winding and
                                                // delay
 constexpr std::uint8_t kOpposingCycles = 2;
 
 // A wheel is faster than its set-point.
 constexpr Velocity kMargin(400);
-constexpr std::int32_t kMarginShare = 4;  // and a quarter of the set-point
+constexpr std::int32_t kMarginShare = 4;  // a quarter of the set-point is added
 constexpr Velocity kSlower(10);  // decrease of the velocity in a cycle when the control brakes the
                                  // wheel
 constexpr std::uint8_t kTooFastCycles = 3;

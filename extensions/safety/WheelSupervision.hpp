@@ -14,8 +14,8 @@ namespace wr {
 
 /// @brief Plausibility checks of one wheel.
 ///
-/// @function Compares the measurements of a wheel with its voltage, its set-point and the model of
-/// its motor once per cycle, and returns the cause of a protective stop when one of them is
+/// @function Once per cycle, compares the measurements of a wheel with its voltage, its set-point
+/// and the model of its motor. Returns the cause of a protective stop when a measurement is
 /// implausible.
 ///
 /// @secret Which measurements of a wheel are implausible, and how long implausible measurements are
@@ -73,8 +73,8 @@ class WheelSupervision final {
 
   std::optional<Tension> tension_;         // voltage during the cycle that ends
   std::optional<std::uint16_t> rejected_;  // implausible Hall edges up to the previous cycle
-  Velocity velocity_{};                    // of the previous cycle
-  std::optional<Current> current_;         // of the previous cycle
+  Velocity velocity_{};                    // velocity of the previous cycle
+  std::optional<Current> current_;         // current of the previous cycle
   std::uint8_t equalCycles_ = 0;
   std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
   std::size_t oldest_ = 0;  // index of the oldest set-point, which the next set-point replaces

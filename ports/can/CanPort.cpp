@@ -26,7 +26,7 @@ inline constexpr Register<std::uint32_t, 0x40024004> CTRL1;
 inline constexpr Register<std::uint32_t, 0x40024008, Access::Read> TIMER;
 inline constexpr Register<std::uint32_t, 0x40024028> IMASK1;
 inline constexpr Register<std::uint32_t, 0x40024030, Access::Flags> IFLAG1;
-inline constexpr std::uint32_t kBuffer = 0x10;  // from one message buffer to the next [byte]
+inline constexpr std::uint32_t kBuffer = 0x10;  // distance between two message buffers [byte]
 inline constexpr Register<std::uint32_t, 0x40024080, Access::Flags> CS;
 inline constexpr Register<std::uint32_t, 0x40024084, Access::Flags> ID;
 inline constexpr Register<std::uint32_t, 0x40024088, Access::Flags> DATA;  // two words
@@ -81,7 +81,7 @@ CanPort::CanPort(const Timebase& clock) : clock_(clock) {}
 
 void CanPort::start() {
   SCGC6.set(SCGC6_FLEXCAN0);
-  CTRL1.write(kClockOfBus);  // while the controller is disabled
+  CTRL1.write(kClockOfBus);  // written while the controller is disabled
   MCR.write(MCR_FRZ | MCR_HALT | MCR_SRXDIS | MCR.field(kBuffers - 1, 0));
   await(MCR_FRZACK, true);
   CTRL1.write(kTiming);

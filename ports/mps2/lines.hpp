@@ -5,7 +5,7 @@
 namespace wr::mps2 {
 
 // Interrupt lines: Arm application note AN386, interrupt assignments.
-inline constexpr std::uint8_t kReceiveLine = 0;  // of UART 0
+inline constexpr std::uint8_t kReceiveLine = 0;  // receive interrupt of UART 0
 inline constexpr std::uint8_t kSendLine = 1;
 inline constexpr std::uint8_t kFirstTimerLine = 8;
 inline constexpr std::uint8_t kSecondTimerLine = 9;

@@ -68,7 +68,7 @@ void assertionFailed(AssertId /*id*/) {
 
 namespace {
 
-constexpr std::size_t kExceptions = 16;  // of the core; the interrupt lines follow
+constexpr std::size_t kExceptions = 16;  // number of core exceptions; the interrupt lines follow
 constexpr std::size_t kHandlers = kExceptions - 1 + mps2::kLines;
 
 using Handler = void (*)();

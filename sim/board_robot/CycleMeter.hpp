@@ -33,8 +33,8 @@ class CycleMeter {
 
   /// @brief Costs of one control cycle.
   struct Cycle {
-    Cost toReport;  ///< from the clock pulse until the report is handed over
-    Cost whole;     ///< without the cycles in which the processor sleeps
+    Cost toReport;  ///< costs from the clock pulse until the report is handed over
+    Cost whole;     ///< costs without the cycles in which the processor sleeps
     std::uint64_t pulseLatency =
         0;                         ///< cycles from the clock pulse to the first step of its handler
     std::uint64_t startDelay = 0;  ///< cycles from the clock pulse to the main thread's first step
@@ -103,7 +103,7 @@ class CycleMeter {
   std::chrono::nanoseconds from_;
   bool profiled_;
   bool begun_ = false;
-  bool toReport_ = false;  ///< between a clock pulse and its report
+  bool toReport_ = false;  ///< true between a clock pulse and its report
   Instant pulseAt_;
   Instant chargedAt_;  ///< cycle up to which costs are assigned to exceptions
   Cycle cycle_;
@@ -113,7 +113,7 @@ class CycleMeter {
   std::map<unsigned, Exception> exceptions_;
   std::array<emulator::ExecutedCode, 2> profile_;  ///< executions at other times, and between clock
                                                    ///< pulse and report
-  emulator::ExecutedCode rest_;                    ///< after the measured cycles
+  emulator::ExecutedCode rest_;                    ///< executions after the measured cycles
 };
 
 }  // namespace wr::board_robot

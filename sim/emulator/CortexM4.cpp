@@ -295,14 +295,15 @@ bool CortexM4::enterNext() {
   }
   const int wanted = nvic_.group(nvic_.priority(next));
   if (wanted >= nvic_.activePriority()) {
-    return false;  // until an exception returns or a register of the NVIC is written
+    return false;  // the exception waits until an exception returns or a register of the NVIC is
+                   // written
   }
   // WFI ends also for an interrupt that only PRIMASK blocks: ARMv7-M ARM, B1.5.18.
   if (sleeping_) {
     sleeping_ = wanted >= executionPriority(false);
   }
   if (wanted >= executionPriority()) {
-    core_.maskedPending = true;  // until the program changes a mask
+    core_.maskedPending = true;  // the exception waits until the program changes a mask
     return false;
   }
   enter(next, pc());

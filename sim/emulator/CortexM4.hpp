@@ -230,7 +230,7 @@ class CortexM4 {
   std::uint64_t limit_ = 0;
   bool running_ = false;  ///< inside the core
   bool sleeping_ = false;
-  std::vector<bool> blockWaits_;  ///< for each entered exception, whether it came before a block
+  std::vector<bool> blockWaits_;  ///< whether each entered exception came before a block
   bool exit_ = false;
   bool faultsAreProblems_ = false;
   unsigned raised_ = 0;

@@ -76,7 +76,7 @@ class FlexCan final : public Peripheral {
   std::vector<CanFrame> sent_;
   bool busy_ = false;
   bool sends_ = false;      // the controller sends the frame on the bus
-  std::size_t sender_ = 0;  // its buffer
+  std::size_t sender_ = 0;  // buffer of the frame
   Time end_ = kNever;
 };
 

@@ -10,7 +10,7 @@ namespace wr::faults {
 
 namespace {
 
-using plant::Fault;  // of a sensor
+using plant::Fault;  // faults of sensors
 using Injected = wr::faults::Fault;
 
 struct Share {

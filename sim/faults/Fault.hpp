@@ -35,9 +35,9 @@ inline constexpr std::uint32_t kKinds = 10;
 /// @brief Memory of the image that faults can hit.
 struct Places {
   std::uint32_t codeBegin;
-  std::uint32_t codeEnd;  ///< of the program in RAM
+  std::uint32_t codeEnd;  ///< end of the program in RAM
   std::uint32_t dataBegin;
-  std::uint32_t dataEnd;   ///< of .data and .bss
+  std::uint32_t dataEnd;   ///< end of .data and .bss
   std::uint32_t stackEnd;  ///< the stack begins there and grows downwards
   std::uint32_t flashEnd;
   std::vector<int> interrupts;  ///< lines that the firmware uses

@@ -23,7 +23,7 @@ using std::chrono::nanoseconds;
 
 constexpr int kOrderPeriod = 100;   // ms
 constexpr int kFirstOrder = 60;     // ms: 30 ms or more before the clock pulse
-constexpr int kNeutralOrders = 10;  // they arm the robot
+constexpr int kNeutralOrders = 10;  // number of neutral orders that arm the robot
 constexpr int kStateEach = 100;     // ms
 constexpr int kEnd = FaultRun::kLast + kLongestWindow + 200;  // ms
 constexpr int kMissing = 300;                                 // ms without a report: three cycles

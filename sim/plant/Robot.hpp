@@ -18,10 +18,11 @@ namespace wr::plant {
 
 /// @brief A change of the level of a Hall sensor.
 struct HallEdge {
-  std::chrono::nanoseconds offset;  ///< since the start of the step, more than 0 and at most 1 ms
-  std::size_t wheel;                ///< 0 to 3
-  std::size_t sensor;               ///< 0 for a, 1 for b
-  bool level;                       ///< from now on
+  std::chrono::nanoseconds
+      offset;          ///< time since the start of the step, more than 0 and at most 1 ms
+  std::size_t wheel;   ///< 0 to 3
+  std::size_t sensor;  ///< 0 for a, 1 for b
+  bool level;          ///< level from now on
 };
 
 /// @brief The ground on which the robot drives.

@@ -348,7 +348,7 @@ class Outside {
   }
 
   Pace pace;
-  gdb::Commands* debugs = nullptr;  ///< none without a debugger
+  gdb::Commands* debugs = nullptr;  ///< null without a debugger
 
  private:
   std::unique_ptr<SerialLine> opened_;
@@ -460,7 +460,7 @@ Exit runDebugged(const Settings& settings) {
       if (endRequested()) {
         return exit;
       }
-      constexpr const char* kFinding = "0b";  // as a segmentation fault
+      constexpr const char* kFinding = "0b";  // GDB shows a finding as a segmentation fault
       commands.debugger().end(exit == Exit::Found ? kFinding : "05replaylog:end;");
       return exit;
     } catch (const gdb::BeginsAgain&) {

@@ -26,10 +26,10 @@ using std::chrono::nanoseconds;
 
 constexpr std::uint32_t kPulse = 16 + board_robot::BoardSession::kPulseInterrupt;
 constexpr std::uint32_t kMainThread = 16 + 64;  // the interrupt of the main thread
-constexpr int kCycles = 60;                     // of a drive: 6 s
+constexpr int kCycles = 60;                     // cycles of a drive: 6 s
 constexpr int kConnected = 3;                   // cycles after which the PC is connected
 constexpr int kNeutral = 12;                    // cycles with neutral orders, which arm the robot
-constexpr int kLineBytes = 1152;                // that the line of the PC transfers in 100 ms
+constexpr int kLineBytes = 1152;                // bytes that the line of the PC transfers in 100 ms
 constexpr int kMostPayload = 200;               // bytes of a frame
 constexpr int kUpsets = 6;
 

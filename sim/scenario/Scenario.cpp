@@ -14,7 +14,7 @@ namespace {
 using Time = Scenario::Time;
 
 constexpr Time kCycle{100};
-constexpr Time kToFirstOrder{200};  // from Hello: Welcome and Confirm take two cycles
+constexpr Time kToFirstOrder{200};  // time after Hello: Welcome and Confirm take two cycles
 constexpr int kNeutralOrders =
     13;  // seven cycles to the first read order, then five cycles of 0.1 s, and one more
 

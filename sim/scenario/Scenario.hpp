@@ -87,7 +87,7 @@ class Scenario {
 
   struct Step {
     Time at;
-    int line;  ///< of the text
+    int line;  ///< line of the text
     Action action;
   };
 

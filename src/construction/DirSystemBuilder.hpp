@@ -31,8 +31,8 @@ namespace wr {
 /// @brief Builds the control system of the steering.
 ///
 /// @function Builds the steering device with its power states and commands, the sensor of its
-/// position, the controller with its states and its algorithm, and the system, with one step for
-/// each.
+/// position, the controller with its states and its algorithm, and the system. Each of these parts
+/// has one step.
 ///
 /// @secret Which parts the control system of the steering has, how they are bound to each other, and
 /// where they are stored.

@@ -50,8 +50,8 @@ namespace wr {
 /// @brief Builds the control system of one wheel.
 ///
 /// @function Builds the wheel with its commands, the sensors of its velocity and its current, the
-/// controller with its algorithms and behaviours, and the system with its orders, with one step for
-/// each.
+/// controller with its algorithms and behaviours, and the system with its orders. Each of these
+/// parts has one step.
 ///
 /// @secret Which parts the control system of a wheel has, how they are bound to each other, and where
 /// they are stored.

@@ -23,7 +23,7 @@ class K64Adc final : public AnalogInput {
   /// @datatype
   struct Channel {
     std::uint8_t converter;  ///< 0 or 1
-    std::uint8_t number;     ///< of the input
+    std::uint8_t number;     ///< number of the input
   };
 
   /// @brief Returns the channel of a signal; a signal that is on no pin does not compile.

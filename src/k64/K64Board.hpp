@@ -61,11 +61,11 @@ class K64Board {
   static void moveVectors(const std::uint32_t* table);
 
   /// @brief Brings the core from the clock after reset to 120 MHz.
-  /// @return 0 when the clock runs, else the number of the step that failed: 1: the external clock
-  /// does not start; 2: the core does not change to the external clock; 3: the PLL does not lock;
-  /// 4: the core does not change to the PLL
-  /// @post After a failure the core runs from a working clock, if there is one. After a success the
-  /// loss of the external clock or of the lock of the PLL causes a reset.
+  /// @return 0 when the clock runs, else the number of the step that failed. 1: the external clock
+  /// does not start. 2: the core does not change to the external clock. 3: the PLL does not lock.
+  /// 4: the core does not change to the PLL.
+  /// @post After a failure the core runs from a working clock, if a clock works. After a success
+  /// the loss of the external clock or of the lock of the PLL causes a reset.
   /// @isr{no}
   /// @satisfies FR-72
   /// @satisfies FR-203

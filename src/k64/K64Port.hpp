@@ -54,7 +54,7 @@ class K64Port final : public EdgeInput {
  private:
   Port port_;
   std::uint8_t number_;
-  std::uint8_t edges_ = 0;  // since the last tick
+  std::uint8_t edges_ = 0;  // edges since the last tick
 };
 
 }  // namespace wr

@@ -74,7 +74,7 @@ class K64Timebase final : public Timebase {
   /// @datatype
   struct Time {
     std::uint64_t microseconds = 0;
-    std::uint32_t ticks = 0;  ///< less than a microsecond
+    std::uint32_t ticks = 0;  ///< remaining ticks, less than a microsecond
 
     /// @brief Returns a later time.
     [[nodiscard]] constexpr Time after(std::uint32_t later) const {
@@ -90,7 +90,7 @@ class K64Timebase final : public Timebase {
 
   static constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from this value down to 0
 
-  mutable Time begin_;             // of the period of the counter
+  mutable Time begin_;             // begin of the period of the counter
   std::uint32_t sleptCycles_ = 0;  // written while interrupts are blocked
 };
 

@@ -15,8 +15,8 @@ namespace wr {
 
 /// @brief A serial port of the K64. Port 0 is the USB debug port of the board.
 /// @function Receives and sends bytes in the background: 115200 baud, 8 bits, no parity, 1 stop bit.
-/// @secret How bytes are transferred between the registers of the port and the buffers, how the
-/// time of a zero byte is stored until it is read, and how errors of the line are handled.
+/// @secret How bytes are transferred between the registers of the port and the buffers. How the
+/// time of a zero byte is stored, and how errors of the line are handled.
 /// @hides{K64Uart::kBaud}
 class K64Uart final : public SerialPort {
  public:
@@ -37,7 +37,8 @@ class K64Uart final : public SerialPort {
   /// @satisfies FR-171
   void start();
 
-  /// @brief Stores received bytes and sends written ones. The vectors of the port's interrupts call it.
+  /// @brief Stores received bytes and sends written bytes. The vectors of the port's interrupts call
+  /// it.
   /// @isr{yes}
   /// @satisfies FR-171
   void serve();

@@ -9,7 +9,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::uint32_t kTicks = K64Watchdog::kTimeOut.count() / 1000;  // of the 1 kHz oscillator
+constexpr std::uint32_t kTicks = K64Watchdog::kTimeOut.count() / 1000;  // counts of a 1 kHz clock
 static_assert(kTicks > 4 && kTicks <= 0xFFFF, "the time-out fits in the low half of its register");
 
 }  // namespace

@@ -29,10 +29,10 @@ enum class Mux : std::uint8_t { Alt0 = 0, Gpio = 1, Alt3 = 3, Alt4 = 4 };
 /// @brief A pin of the microcontroller.
 /// @datatype
 struct Pin {
-  Port port;            ///< its port
-  std::uint8_t number;  ///< its number in the port, 0 to 31
+  Port port;            ///< port of the pin
+  std::uint8_t number;  ///< number of the pin in the port, 0 to 31
   Mux mux;              ///< connection while the firmware runs
-  Role role;            ///< its role
+  Role role;            ///< role of the pin
 
   /// @brief Returns whether the firmware drives the pin.
   /// @return true for an output
@@ -46,8 +46,8 @@ struct Pin {
 struct PinRow {
   Pin pin;                  ///< the pin
   std::string_view signal;  ///< name of the signal on it
-  std::string_view header;  ///< its connector on the FRDM-K64F
-  std::string_view text;    ///< its task
+  std::string_view header;  ///< connector of the pin on the FRDM-K64F
+  std::string_view text;    ///< task of the pin
 };
 
 // The pins that the firmware uses, one per line. A signal of a peripheral has its name in the

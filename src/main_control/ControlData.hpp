@@ -128,7 +128,7 @@ class ControlData {
 
   std::optional<SetPoints> setPoints_;
   ModeId readSource_ = ModeId::None;
-  ReportData report_;                   // of the present cycle
+  ReportData report_;                   // values of the present cycle
   std::optional<std::uint32_t> pulse_;  // count of processor cycles at the clock pulse
   std::uint32_t reported_ = 0;          // cycles from the clock pulse to the report
 };

@@ -47,8 +47,8 @@ struct TurnFeedback {
 
 /// @brief Controls the steering: computes the turn from target and position.
 ///
-/// @function Each time a measurement of the position ends, lets the state of the steering act on
-/// the newest target, the newest position and the state of the motor, and publishes the result. It
+/// @function At the end of each measurement of the position, lets the state of the steering act on
+/// the newest target, the newest position and the state of the motor. Then publishes the result. It
 /// controls the motor through commands, and does not name the sensor or the device.
 ///
 /// @secret The greatest age of a target and a position, and how a contradiction between angle and
@@ -66,7 +66,7 @@ class DirController final {
     Pipe<DirTarget>& target;       ///< the newest order; the main thread writes it
     Pipe<Angle>& position;         ///< the position of the steering; the same interrupt writes it
     Pipe<DirStatus>& status;       ///< state of the steering; the main thread reads it
-    const Timebase& timebase;      ///< for the age of a value
+    const Timebase& timebase;      ///< returns the time, for the age of a value
     SteeringAlgorithm& algorithm;  ///< computes the turn
     SteeringCommand& enable;       ///< switches the motor on
     SteeringCommand& disable;      ///< switches the motor off
@@ -96,7 +96,7 @@ class DirController final {
   [[nodiscard]] bool following() const;
 
   /// @brief Returns whether orders have ceased. States call it.
-  /// @return true when there is no target, or the newest one is older than 300 ms
+  /// @return true when there is no target, or the newest target is older than 300 ms
   /// @isr{yes}
   /// @satisfies FR-109
   [[nodiscard]] bool abandoned() const;
@@ -108,7 +108,7 @@ class DirController final {
   [[nodiscard]] bool released() const;
 
   /// @brief Returns whether the position of the steering is unknown. States call it.
-  /// @return true when there is no position, or the newest one is older than 20 ms
+  /// @return true when there is no position, or the newest position is older than 20 ms
   /// @isr{yes}
   /// @satisfies FR-110
   [[nodiscard]] bool lost() const;
@@ -195,7 +195,7 @@ class DirController final {
   SteeringCommand& disable_;
   SteeringCommand& setTurn_;
   std::reference_wrapper<DirState> state_;
-  Instant changedAt_{};  // when the present state began
+  Instant changedAt_{};  // time at which the present state began
   // values of this tick
   Instant now_{};
   TurnFeedback motor_{};

@@ -26,9 +26,10 @@ class DirSystem final : public ControlSystem {
   /// @brief Parts of the system. Each part exists as long as the system.
   /// @datatype
   struct Parts {
-    Pipe<DirTarget>& target;   ///< receives the orders
-    Pipe<DirStatus>& status;   ///< pipe of the state of the steering
-    const Timebase& timebase;  ///< for the time of an order and the age of a value
+    Pipe<DirTarget>& target;  ///< receives the orders
+    Pipe<DirStatus>& status;  ///< pipe of the state of the steering
+    const Timebase&
+        timebase;  ///< returns the time of an order, and the time for the age of a value
   };
 
   /// @brief Binds the system to its parts.
@@ -80,7 +81,7 @@ class DirSystem final : public ControlSystem {
   Pipe<DirStatus>& statuses_;
   const Timebase& timebase_;
   DirTarget target_{};
-  DirStatus status_{};  // as it was measured in this cycle
+  DirStatus status_{};  // status that was measured in this cycle
   bool ticks_ = false;  // the status was recent when it was read
   std::uint32_t cycle_ = 0;
 };

@@ -12,8 +12,8 @@ namespace wr {
 
 /// @brief The motor of the steering, with its driver and its end stops.
 ///
-/// @function Switches the motor on and off, and turns it step by step: with the demanded rate,
-/// within the limits of the motor, and never further towards an end stop that is reached.
+/// @function Switches the motor on and off, and turns it step by step with the demanded rate,
+/// within the limits of the motor. Never turns it further towards an end stop that is reached.
 ///
 /// @secret The pulses for a step of the motor, the limits of the motor, and the levels of its end
 /// stops.

@@ -16,7 +16,7 @@ struct WheelMeasurements {
   std::optional<Velocity> velocity;   ///< velocity at the motor shaft
   std::optional<Current> current;     ///< current of the motor
   std::optional<HallCount> position;  ///< position of the wheel
-  bool cutOff = false;                ///< its overcurrent trip has acted
+  bool cutOff = false;                ///< the overcurrent trip of the wheel has acted
   bool blind = false;                 ///< the wheel has voltage, and its Hall sensors show no
                                       ///< motion
   bool reversalLate = false;          ///< the wheel could not change its orientation in time
@@ -40,10 +40,10 @@ struct WheelMeasurements {
 /// @brief State of the steering.
 /// @datatype
 enum class SteeringState : std::uint8_t {
-  Off = 0,      ///< its motor is switched off
-  Holding = 1,  ///< it keeps its position
-  Turning = 2,  ///< it turns towards the target
-  Fault = 3     ///< it does not move as ordered, or its position is missing; its motor is off
+  Off = 0,      ///< the motor of the steering is switched off
+  Holding = 1,  ///< the steering keeps its position
+  Turning = 2,  ///< the steering turns towards the target
+  Fault = 3     ///< the steering does not move as ordered or has no position; its motor is off
 };
 
 /// @brief Reason why the robot does not follow its set-points.

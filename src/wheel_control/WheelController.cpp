@@ -15,7 +15,7 @@ constexpr std::int32_t kMaxEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75
 constexpr Tension kMovingTension(3200);     // an order of this voltage moves the robot on the flat
 constexpr Tension kStartingTension(14000);  // a voltage that starts a wheel on any slope
 constexpr std::int32_t kWeakShare = 16;     // counted part of a voltage that the current explains
-constexpr std::int32_t kStrongShare = 8;    // the same above kStartingTension
+constexpr std::int32_t kStrongShare = 8;    // the same part above kStartingTension
 constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kJitter = 1;  // edges forwards and backwards that one working sensor causes
 constexpr Tension kReversal(500);    // a demand below this does not change the orientation

@@ -33,9 +33,9 @@ class WheelController final {
   /// @brief Parts of the controller. Each part exists as long as the controller.
   /// @datatype
   struct Parts {
-    Pipe<Velocity>& velocity;                   ///< pipe of the measured velocity
-    Pipe<Current>& current;                     ///< pipe of the measured current
-    const Timebase& timebase;                   ///< for the age of a measured value
+    Pipe<Velocity>& velocity;  ///< pipe of the measured velocity
+    Pipe<Current>& current;    ///< pipe of the measured current
+    const Timebase& timebase;  ///< returns the time, for the age of a measured value
     std::array<WheelAlgorithm*, 3> algorithms;  ///< one for each WheelQuantity, in the order of the
                                                 ///< enumeration
     WheelBehaviour& advance;                    ///< applies the demand of an algorithm

@@ -78,7 +78,7 @@ class LinkOracle {
 
   Counts counts_;
   State state_ = State::Disconnected;
-  Bytes line_;  // since the last zero byte
+  Bytes line_;  // bytes since the last zero byte
   std::optional<std::uint8_t> offered_;
   bool welcomeDue_ = false;
   Time welcomed_ = 0;

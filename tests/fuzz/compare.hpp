@@ -37,7 +37,7 @@ inline void compare(const PcConnection& connection, const SerialReader& reader,
   const LinkOracle::Counts found{counts.damaged,     counts.tooLong,      counts.unknownVersion,
                                  counts.unknownType, counts.wrongLength,  counts.outOfRange,
                                  counts.unexpected,  counts.sequenceGaps, counts.staleOrders};
-  expect(found == oracle.counts(), "the counts of dropped frames are those of the protocol");
+  expect(found == oracle.counts(), "the counts of dropped frames agree with the protocol");
   expect(connection.connected() == oracle.connected(),
          "the connection has the state of the protocol");
   expect(reader.stopOrdered() == oracle.stop(), "a stop is in force as the protocol demands");

@@ -95,8 +95,8 @@ TEST(K64AdcOnBoard, FR142_EachInputIsConvertedOnceInEachTick) {
   }
 }
 
-/// @brief When one converter alone fails its calibration, its inputs have no value, and those of
-/// the other converter have values.
+/// @brief When one converter alone fails its calibration, its inputs have no value, and the inputs
+/// of the other converter have values.
 /// @verifies FR-143
 TEST(K64AdcOnBoard, FR143_OneConverterFailsAlone) {
   for (const int failed : {0, 1}) {

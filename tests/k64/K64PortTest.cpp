@@ -206,7 +206,7 @@ TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
 }
 
 /// @brief Noise of 200 kHz at all Hall sensors and all signals of the remote control does not delay
-/// the cycles: ten of them run in a second, none is late, and the watchdog does not reset.
+/// the cycles. Ten cycles run in a second, no cycle is late, and the watchdog does not reset.
 /// @verifies FR-201
 TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
   BoardRobot robot;

@@ -177,7 +177,8 @@ TEST_F(MainControllerTest, FR160_ReportTellsWhatThePreviousReportCost) {
 }
 
 /// @brief The report shows that the control systems are held while faults are acknowledged, with and
-/// without a motion in the order; it shows this in no cycle in which they follow the set-points.
+/// without a motion in the order. In a cycle in which they follow the set-points, the report does
+/// not show this.
 /// @verifies FR-306
 TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
   connect();

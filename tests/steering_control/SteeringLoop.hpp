@@ -29,7 +29,7 @@ struct SteeringPlant {
 
   [[nodiscard]] double degrees() const { return steps * 0.05 + pushed; }
 
-  int steps = 0;      // from the middle, positive to the left
+  int steps = 0;      // steps from the middle, positive to the left
   double pushed = 0;  // degrees that a push moved the steering, without steps
   bool stalled = false;
 };

@@ -10,7 +10,7 @@
 
 namespace wr::test {
 
-/// @brief The image under test; the variable WR_IMAGE names another one.
+/// @brief The image under test; the variable WR_IMAGE can name another image.
 [[nodiscard]] std::filesystem::path imageFile();
 
 /// @brief The file with the symbols of the image, which is in the same folder.

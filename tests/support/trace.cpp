@@ -31,7 +31,7 @@ std::array<std::uint64_t, kMost> events;
 std::size_t count = 0;
 bool truncated = false;
 std::size_t depth = 0;
-std::size_t begin = 0;  // of the outermost call
+std::size_t begin = 0;  // begin of the outermost call
 // Outermost calls with the calls in them, and the positions at which they begin.
 std::map<std::vector<std::uint64_t>, std::size_t> before;
 thread_local bool recording = false;  // only the thread that runs the tests records

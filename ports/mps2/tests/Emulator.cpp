@@ -22,7 +22,7 @@
 namespace wr::mps2 {
 namespace {
 
-constexpr int kPatience = 20'000;  // [ms] of this machine, after which a test fails
+constexpr int kPatience = 20'000;  // [ms] time of this machine after which a test fails
 constexpr char kMessages[] = "messages";
 constexpr char kProgram[] = "qemu-system-arm";
 

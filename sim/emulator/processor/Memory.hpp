@@ -36,7 +36,7 @@ class Memory {
     std::uint32_t size = 0;
     bool mayWrite = false;
     bool mayExecute = false;
-    std::unique_ptr<std::uint8_t, Release> bytes{};        ///< none of a window
+    std::unique_ptr<std::uint8_t, Release> bytes{};        ///< null for a window
     std::unique_ptr<Instruction, Release> instructions{};  ///< decoded instructions, one for each
                                                            ///< half-word; none if the memory cannot
                                                            ///< be executed

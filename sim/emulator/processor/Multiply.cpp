@@ -122,7 +122,7 @@ void sumOfDifferences(Core& core, const Instruction& in) {
   core.registers.r[in.d] = sum;
 }
 
-// Long products: register d receives the lower word, the register in value the upper one.
+// Long products: register d receives the lower word, the register in value receives the upper word.
 
 std::uint64_t longAddend(const Core& core, const Instruction& in) {
   return std::uint64_t{addend(core, in)} << 32 | core.registers.r[in.d];

@@ -96,7 +96,8 @@ class PcConnection final {
   /// @isr{no}
   [[nodiscard]] bool offered(std::uint8_t session) const;
 
-  /// @brief Stores an order as the newest one, or counts it as stale or out of range. States call it.
+  /// @brief Stores an order as the newest order, or counts it as stale or out of range. States call
+  /// it.
   /// @param frame the frame of the order
   /// @return false when the order was dropped
   /// @isr{no}
@@ -200,7 +201,7 @@ class PcConnection final {
   FrameEncoder encoder_;
   SerialWriter writer_;
   LinkCounts counts_{};
-  Instant clockPulse_{};    // of this cycle
+  Instant clockPulse_{};    // clock pulse of this cycle
   Instant at_{};            // time at which the present frame was received, or the time of the
                             // clock pulse
   Instant lastAccepted_{};  // time at which the last accepted frame was received

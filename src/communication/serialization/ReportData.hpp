@@ -31,9 +31,9 @@ struct LinkCounts {
 /// cycles.
 /// @datatype
 struct CycleCosts {
-  std::uint32_t report = 0;  ///< from the previous clock pulse to the report of its cycle
-  std::uint32_t awake = 0;   ///< without sleep between the last two clock pulses
-  std::uint32_t start = 0;   ///< from the present clock pulse to the start of its cycle
+  std::uint32_t report = 0;  ///< cycles from the previous clock pulse to the report of its cycle
+  std::uint32_t awake = 0;   ///< cycles without sleep between the last two clock pulses
+  std::uint32_t start = 0;   ///< cycles from the present clock pulse to the start of its cycle
 
   /// @brief Returns whether two costs are equal.
   friend constexpr bool operator==(const CycleCosts&, const CycleCosts&) = default;

@@ -6,9 +6,9 @@ namespace wr {
 
 /// @brief Turns when the position is out of a dead band, and brakes in time.
 ///
-/// @function Starts to turn when the position differs from the target by more than the dead band, at the
-/// full rate; brakes so that the steering is slow when it arrives; stops just before the target.
-/// Noise of the position alone does not start a turn.
+/// @function Starts to turn at the full rate when the position differs from the target by more than the
+/// dead band. Brakes, so that the steering is slow when it arrives, and stops just before the
+/// target. Noise of the position alone does not start a turn.
 ///
 /// @secret The widths of the dead band, and the curve along which the steering brakes.
 /// @hides{DeadbandTurn::kDeadband}

@@ -14,8 +14,8 @@ class DirController;
 /// @patternapp{steering-controller-states, State, Operation states of the steering device controller}
 /// @why The work of the steering controller at a tick depends on the state of the steering. Each
 /// state is a module, so the rules of one state are in one place.
-/// @changes The actions of a state, or its transitions. A new state, such as one that
-/// searches the middle after start.
+/// @changes The actions of a state, or its transitions. A new state, such as a state that searches
+/// the middle after start.
 class DirState {
  public:
   DirState(const DirState&) = delete;

@@ -19,8 +19,8 @@ struct PiGains {
 /// @function Computes a voltage from a part of the present error and a part of each earlier error.
 /// An error that comes from a voltage that could not be applied is not added to the integral.
 ///
-/// @secret How the integral is limited while the voltage is limited, how fractions of a millivolt
-/// are stored, and how a bit that changes in the memory of the integral is corrected. A wrong
+/// @secret How the integral is limited while the voltage is limited, and how fractions of a
+/// millivolt are stored. How a changed bit in the memory of the integral is corrected. A wrong
 /// integral would make the wheels of a robot work against each other for a long time.
 class PiRegulator final {
  public:

@@ -20,7 +20,7 @@ constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 // more voltage than at this velocity, and the tolerances of supply, winding and motor constant do
 // not explain the difference.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
-constexpr std::int32_t kModelToleranceDivisor = 3;  // plus this part of the voltage
+constexpr std::int32_t kModelToleranceDivisor = 3;  // this part of the voltage is added
 constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // cycles in a row
 
 // Velocity of the model before the model has begun.

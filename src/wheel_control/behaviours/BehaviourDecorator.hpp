@@ -13,8 +13,8 @@ namespace wr {
 /// @role{behaviour-extensions, Decorator}
 ///
 /// @patternapp{behaviour-extensions, Decorator, Algorithm extensions to establish the wheels' behaviour}
-/// @why Some movements of a wheel combine or extend simpler ones: a reversal is a stop, and then an
-/// advance in the other orientation.
+/// @why Some movements of a wheel combine or extend simpler movements: a reversal is a stop, and
+/// then an advance in the other orientation.
 /// @changes An extension may change, or a new extension may be needed, without change to the extended
 /// behaviour.
 class BehaviourDecorator : public WheelBehaviour {

@@ -556,9 +556,9 @@ TEST_F(PcConnectionTest, FR241_ADroppedOrderDoesNotReleaseAStop) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief An order is stale when its sequence number is that of the last accepted frame, or one of
-/// the 128 numbers before it: the order is dropped and counted. An order with one of the 127
-/// numbers after it is new.
+/// @brief An order is stale when its sequence number is the number of the last accepted frame, or
+/// one of the 128 numbers before this number. A stale order is dropped and counted. An order with
+/// one of the 127 numbers after this number is new.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOrderMustBeNewerThanTheFrameBefore) {
   for (int ahead = 0; ahead < 256; ++ahead) {

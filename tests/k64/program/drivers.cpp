@@ -92,7 +92,7 @@ struct Numbered {
 };
 
 // Passes numbers through a pipe, and checks the received numbers. Each side may interrupt the other
-// one.
+// side.
 class Handover {
  public:
   Handover() = default;

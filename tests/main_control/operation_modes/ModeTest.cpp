@@ -41,7 +41,7 @@ class ModeTest : public ControllerFixture {
   BasicMode basicRc{rcReader};
 };
 
-/// @brief The basic mode has a message as long as its reader has one.
+/// @brief The basic mode has a message as long as its reader has an order.
 /// @verifies FR-20
 TEST_F(ModeTest, FR20_BasicModeAsksItsReader) {
   connect();

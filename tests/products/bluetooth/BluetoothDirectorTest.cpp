@@ -105,7 +105,7 @@ TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief While the PC orders, the device does not command the robot; when the PC is silent the
+/// @brief While the PC orders, the device does not command the robot. When the PC is silent the
 /// device commands it, and when the device is silent the PC commands it again.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {

@@ -27,7 +27,7 @@ struct Vector {
 // the tag in reverse.
 class SipHashVectors : public testing::TestWithParam<Vector> {};
 
-/// @brief The tags of known bytes are those of the reference implementation.
+/// @brief The tags of known bytes are equal to the tags of the reference implementation.
 /// @verifies FR-261
 TEST_P(SipHashVectors, FR261_TagsAreThoseOfTheReference) {
   SipHash hash(kKey);

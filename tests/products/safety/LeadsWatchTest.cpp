@@ -14,7 +14,7 @@ struct Motor {
   double supply = 24;
   double resistance = 1.5;    // [ohm]
   double constant = 0.05236;  // [V per rpm]
-  double offset = 0;          // [A] of the current sensor
+  double offset = 0;          // [A] offset of the current sensor
   double position = 0.5;      // [edges]
   bool swapped = false;
 };

@@ -71,7 +71,7 @@ class RobotOfPool : public SafetyChain {
 };
 
 /// @brief The robot as one control system passes each order on to every control system, with the
-/// number of the cycle, and has completed a cycle when all control systems have completed it.
+/// number of the cycle. It has completed a cycle when all control systems have completed the cycle.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   order(robot, alike(123));
@@ -665,8 +665,8 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
 }
 
 /// @brief While one wheel turns faster than 310.0 rpm, or will do so in two cycles, the set-points
-/// of all wheels fall by 6 % per cycle, to a tenth at least. Otherwise they rise by 1 % per cycle.
-/// In a curve of 5 degrees the limit is 270.0 rpm.
+/// of all wheels fall by 6 % per cycle, but not below a tenth. Otherwise they rise by 1 % per
+/// cycle. In a curve of 5 degrees the limit is 270.0 rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   const auto at = [&](int velocity) {

@@ -109,7 +109,7 @@ TEST_F(SafetyBuilderDeathTest, FR78_ControlSystemTooManyEndsTheProgram) {
   EXPECT_DEATH(stage.add(spy), "assertion 2 failed");
 }
 
-/// @brief The control systems are built, started and ticked as one.
+/// @brief The control systems are built, started and ticked as a single control system.
 /// @verifies FR-293
 /// @verifies FR-78
 TEST_F(SafetyBuilderTest, FR293_ControlSystemsAreBuiltAsOne) {

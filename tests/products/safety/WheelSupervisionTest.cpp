@@ -216,7 +216,7 @@ TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
 }
 
 /// @brief At 10 V and 2 A the winding has 3 V. The difference may be 0.7 V, 20 % of 10 V, 25 % of 3 V and 10 % of
-/// the induced voltage; a greater difference is a cause in the second cycle.
+/// the induced voltage. A greater difference is a cause in the second cycle.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   // 10 V - 3 V - e = 3.45 V + e / 10 holds for e = 3.227 V.
@@ -476,7 +476,7 @@ class FaultyWheel : public SupervisedWheel {
   }
 };
 
-/// @brief After a reset, the supervision behaves as at the start: any faults before the reset, in any
+/// @brief After a reset, the supervision behaves as at the start. Faults before the reset, in any
 /// number of cycles, do not change the cycle in which a later fault is detected.
 /// @verifies FR-275
 /// @verifies FR-276

@@ -153,7 +153,7 @@ TEST_F(VelSensorTest, FR122_KeepsAVelocityThatNoEdgeDenies) {
   }
 }
 
-/// @brief A measurement right after the previous one does not change its velocity.
+/// @brief A measurement directly after the previous measurement does not change the velocity.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_MeasuresTwiceInARow) {
   cycles(300, 3);
@@ -178,8 +178,8 @@ TEST_F(VelSensorTest, FR122_StandsAfterHalfASecond) {
   EXPECT_EQ(wheel.measure(), 0);
 }
 
-/// @brief When a wheel changes its direction within a cycle, its velocity is that of the net
-/// movement.
+/// @brief When a wheel changes its direction within a cycle, its velocity is the velocity of the
+/// net movement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_TurnsBack) {
   cycles(100, 5);
@@ -417,7 +417,7 @@ TEST_F(VelSensorTest, FR120_TellsWhenItWasMeasured) {
   EXPECT_EQ(wheel.pipe.read()->at, wheel.time.now());
 }
 
-/// @brief The position counts forwards up and backwards down, for any movement of the wheel.
+/// @brief The position increases forwards and decreases backwards, for any movement of the wheel.
 /// @verifies FR-121
 TEST_F(VelSensorTest, FR121_FollowsAnyMovement) {
   std::mt19937 random(seed());

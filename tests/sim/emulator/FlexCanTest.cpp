@@ -140,8 +140,8 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
 }
 
 /// @brief Each use that the manual forbids is a finding: a write of the timing outside of the
-/// freeze mode, of the clock source while the controller is enabled, or of a buffer while it is
-/// disabled, and a frame without pins.
+/// freeze mode, a write of the clock source while the controller is enabled, a write of a buffer
+/// while the controller is disabled, and a frame without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
   EXPECT_EQ(now.findings.size(), 1U) << "buffer while disabled";

@@ -438,8 +438,8 @@ TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
   EXPECT_GT(highest, 28.5);
 }
 
-/// @brief Both front wheels turn about the same centre of the curve: at 32 degrees the inner wheel
-/// is turned by 38.2 degrees, the outer wheel by 27.4 degrees (cot outer - cot inner = track /
+/// @brief Both front wheels turn about the same centre of the curve. At 32 degrees the inner wheel
+/// is turned by 38.2 degrees, and the outer wheel by 27.4 degrees (cot outer - cot inner = track /
 /// wheelbase).
 TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   plant::SteeringLinkage linkage;

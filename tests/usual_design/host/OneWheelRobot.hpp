@@ -59,7 +59,7 @@ class OneWheelRobot : public SteppedRobot {
     }
   }
 
-  /// Sends orders until the robot reads one: it may be reading another source.
+  /// Sends orders until the robot reads an order, because the robot may first read another source.
   void commandByPcAgain(const scenario::PcOrder& same) {
     for (int i = 0; i < 4 && !report().orderRead(); ++i) {
       orderedCycles(same, 1);
