@@ -54,7 +54,8 @@ class Ring {
   volatile std::size_t read_ = 0;
 };
 
-/// @brief The buffers of a port, in both directions. A subclass transfers the bytes between them and its line.
+/// @brief The buffers of a port, in both directions. A subclass transfers the bytes between the buffers and
+/// its line.
 class BufferedPort : public SerialPort {
  public:
   std::size_t read(std::span<std::uint8_t> bytes) override {

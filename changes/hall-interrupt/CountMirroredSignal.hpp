@@ -20,7 +20,7 @@ class CountMirroredSignal final : public Command {
                       const Timebase& timebase)
       : collector_(collector), sensor_(sensor), timebase_(timebase) {}
 
-  /// @brief Passes the present levels, exchanged with each other, and the time to the collector.
+  /// @brief Exchanges the two present levels, and passes them with the time to the collector.
   /// @isr{yes}
   void execute() override {
     const unsigned phase = sensor_.phase();

@@ -11,7 +11,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief A Hello leaves the state and counts as unexpected; the session lasts.
+/// @brief A Hello does not change the state and counts as unexpected; the session continues.
 TEST(Exclusive, IgnoresAHello) {
   FakeSerialPort port;
   SerialReader reader;

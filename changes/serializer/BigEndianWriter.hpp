@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief Writes each number with its most significant byte first, because a recorder of the farm
-/// reads this order.
+/// expects it first.
 class BigEndianWriter final : public Writer {
  public:
   /// @brief Binds the writer to the writer that stores the bytes.

@@ -40,7 +40,7 @@ class SignedPort final : public SerialPort {
   /// @satisfies FR-264
   SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& random);
 
-  /// @brief Returns the bytes of at most one frame whose tag is right and whose counter is new.
+  /// @brief Returns the bytes of at most one frame whose tag is correct and whose counter is new.
   /// @param bytes receives the bytes
   /// @return number of these bytes; 0 when there is no such frame
   /// @isr{no}

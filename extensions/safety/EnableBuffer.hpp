@@ -12,7 +12,7 @@ namespace wr {
 ///
 /// @function Stores the width of each pulse of the third channel of the remote control with its time.
 /// The second of two successive pulses that order a stop is also stored separately, so that a later
-/// pulse does not hide them.
+/// pulse does not hide the stop.
 ///
 /// @secret Where the position of the enable switch is stored, and how many pulses confirm a stop.
 ///

@@ -17,7 +17,7 @@ namespace wr {
 /// @secret How a change of the program is found, and how long the search may last.
 class ProgramCheck final {
  public:
-  /// @brief Words that are added together: the core loads four with one instruction.
+  /// @brief Words that are added together: the core loads four words with one instruction.
   using Words = std::array<std::uint32_t, 4>;
 
   /// @brief A part of the program.

@@ -16,8 +16,8 @@ constexpr Velocity kMaxVelocity(3300);  // 10 % above the velocity limit
 constexpr Tension kDriving(1000);
 constexpr Velocity kOpposingVelocity(50);
 constexpr std::int32_t kOpposingPercent = 50;  // share of the induced voltage
-constexpr std::int32_t kDrivingPercent = 40;   // of the voltage, to allow for supply, winding and
-                                               // delay
+constexpr std::int32_t kDrivingPercent = 40;   // share of the voltage, to allow for supply, winding
+                                              // and delay
 constexpr std::uint8_t kOpposingCycles = 2;
 
 // A wheel is faster than its set-point.

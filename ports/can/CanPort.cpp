@@ -108,7 +108,7 @@ void CanPort::serve() {
   }
 }
 
-// The read of the control word locks the buffer, the read of the timer unlocks it.
+// The read of the control word locks the buffer, and the read of the timer unlocks the buffer.
 void CanPort::receive() {
   const auto control = CS.at(bufferAt(kReceiver)).read();
   const std::array<std::uint32_t, 2> words{DATA.at(bufferAt(kReceiver)).read().value,

@@ -56,7 +56,7 @@ class CycleMeter {
   /// @brief Replaces the observer of the line and the observer of the board's writes.
   /// @param robot the image in its robot; it exists as long as the meter
   /// @param from time of the beginning; the next clock pulse begins the first control cycle
-  /// @param profiled whether to count how often each instruction is executed
+  /// @param profiled true to count the executions of each instruction
   CycleMeter(BoardSession& robot, std::chrono::nanoseconds from, bool profiled);
   CycleMeter(const CycleMeter&) = delete;
   CycleMeter& operator=(const CycleMeter&) = delete;

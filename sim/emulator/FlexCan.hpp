@@ -41,7 +41,7 @@ class FlexCan final : public Peripheral {
   /// @brief Frames sent since the last call.
   [[nodiscard]] std::vector<CanFrame> takeSent();
 
-  /// @brief Returns whether no frame is on the bus or waits for it.
+  /// @brief Returns true when no frame is on the bus and no frame waits for the bus.
   [[nodiscard]] bool idle() const { return !busy_ && arriving_.empty(); }
 
  private:

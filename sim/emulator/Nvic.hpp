@@ -12,7 +12,7 @@ namespace wr::emulator {
 /// Exceptions are numbered as in the architecture: 2 NMI, 3 HardFault, ... 16 interrupt line 0.
 class Nvic {
  public:
-  /// @brief Lower than the priority of each exception.
+  /// @brief A priority that is lower than the priority of each exception.
   static constexpr int kThreadPriority = 256;
 
   Nvic(unsigned lines, unsigned priorityBits);

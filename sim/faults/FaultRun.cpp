@@ -74,7 +74,7 @@ bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& ref
          report.steeringState == kSteeringFault;
 }
 
-// Flash, RAM and fields of a result, as they pass through a pipe.
+// The fields of a result that a copy of the process sends through a pipe.
 struct Message {
   Fault fault;
   int at = 0;

@@ -21,7 +21,7 @@ struct Result {
   int at = 0;            ///< ms since the drive began
   std::uint32_t pc = 0;  ///< instruction at the injection
   Verdict verdict;
-  std::string stop;  ///< finding of the virtual board, of an outcome Stopped
+  std::string stop;  ///< finding of the virtual board, if the outcome is Stopped
 };
 
 /// @brief A random drive of an image on the virtual board, and copies of it with one fault each.

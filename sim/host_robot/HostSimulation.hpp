@@ -35,7 +35,7 @@ class HostSimulation {
   /// @param cause cause that the firmware reads
   void reset(ResetCause cause);
 
-  /// @brief Advances to an instant, including events due at it.
+  /// @brief Advances to an instant, including the events of this instant.
   /// @param instant the instant
   void runUntil(Instant instant);
 

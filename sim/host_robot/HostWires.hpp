@@ -18,8 +18,7 @@ class HostWires {
   HostWires& operator=(const HostWires&) = delete;
 
   /// @brief Passes the outputs of the firmware to the actuators. The step pulses need no call: each
-  /// one
-  /// acts at once.
+  /// pulse acts at once.
   void drive();
 
   /// @brief Sets the pins to the values of the sensors, except the sensors that are simulated as

@@ -74,7 +74,7 @@ class DriveTrain {
   [[nodiscard]] double current() const { return current_; }
 
   /// @brief Current in the driver, as its sensor measures it.
-  /// @return A, positive when the driver drives it forwards
+  /// @return A, positive when the driver drives the current forwards
   [[nodiscard]] double driverCurrent() const { return polarity_ * current_; }
 
   /// @brief Current that the driver draws from the supply.
@@ -108,7 +108,7 @@ class DriveTrain {
   MotorParameters motor_{};
   double inertiaDriving_ = 1;  // inertia of all rotating parts at the shaft, when the motor drives
                                // the wheel
-  double inertiaDriven_ = 1;   // the same when the wheel drives the motor
+  double inertiaDriven_ = 1;   // inertia when the wheel drives the motor
   WheelDrive drive_{};
   bool blocked_ = false;
   double polarity_ = 1;

@@ -59,7 +59,7 @@ struct Plant {
 enum class Parameter : std::uint8_t {
   Supply,         ///< V
   Battery,        ///< ohm
-  Mass,           ///< factor of the nominal value, like the following ones
+  Mass,           ///< factor of the nominal value, like the following values
   Inertia,        ///< inertia of rotors, wheels and yaw
   Resistance,     ///< resistance of the motors
   MotorConstant,  ///< constant of the motors

@@ -69,7 +69,7 @@ Scenario::Action readBytes(Words& words) {
   return raw;
 }
 
-// The number that a word means in a field. A true value has no named values.
+// Returns the number of a word in a field. A true value has no named values.
 std::int64_t readNumber(Words& words, const std::string& name, const FrameField* field) {
   const std::string word = words.take("the value of " + name);
   const auto number = numberOf(field != nullptr ? *field : FrameField{}, word);

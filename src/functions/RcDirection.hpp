@@ -8,10 +8,10 @@
 namespace wr {
 
 /// @brief The steering angle from a pulse of the remote control.
-/// @function Calculates the steering angle from the width of a pulse. Around the middle of the
-/// width the angle is 0.
-/// @secret The relation between the width of a pulse and the steering angle, and the width of the
-/// middle.
+/// @function Calculates the steering angle from the width of a pulse. Near the middle position of
+/// the lever the angle is 0.
+/// @secret The relation between the width of a pulse and the steering angle, and the range around
+/// the middle.
 /// @role{functions, Concrete Strategy}
 class RcDirection final : public Function {
  public:

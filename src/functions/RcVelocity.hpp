@@ -8,9 +8,10 @@
 namespace wr {
 
 /// @brief The velocity from a pulse of the remote control.
-/// @function Calculates the velocity from the width of a pulse. Around the middle of the width the
-/// velocity is 0.
-/// @secret The relation between the width of a pulse and the velocity, and the width of the middle.
+/// @function Calculates the velocity from the width of a pulse. Near the middle position of the
+/// lever the velocity is 0.
+/// @secret The relation between the width of a pulse and the velocity, and the range around the
+/// middle.
 /// @role{functions, Concrete Strategy}
 class RcVelocity final : public Function {
  public:

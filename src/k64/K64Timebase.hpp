@@ -63,7 +63,7 @@ class K64Timebase final : public Timebase {
 
   /// @brief Sleeps until an interrupt comes; the interrupt has been served when this method
   /// returns.
-  /// @pre No interrupt is being served, and none is blocked.
+  /// @pre No interrupt is being served, and no interrupt is blocked.
   /// @satisfies FR-160
   /// @satisfies FR-302
   /// @isr{no}

@@ -61,7 +61,7 @@ inline std::uint16_t activeException() {
 /// @datatype
 class InterruptLock {
  public:
-  /// @brief Blocks the interrupts, and keeps interrupts blocked that an outer lock blocks.
+  /// @brief Blocks the interrupts. Interrupts that an outer lock blocks stay blocked.
   InterruptLock() {
     asm volatile("mrs %0, basepri" : "=r"(before_));
     constexpr std::uint32_t kMask = kPulsePriority << 4U;

@@ -56,7 +56,7 @@ struct PinRow {
 // PTA0, a pin of the debugger; from revision E on it is PTC12.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
-    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset the pin is the NMI; an input pin is not."},
+    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset the pin is the NMI; the firmware makes it an input."},
     {{Port::A, 18, Mux::Alt0, Role::Peripheral}, "EXTAL0", "50 MHz of the Ethernet chip", "Clock of the microcontroller."},
     {{Port::B, 16, Mux::Alt3, Role::PulledUp}, "UART0_RX", "USB debug port", "Bytes from the PC."},
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},

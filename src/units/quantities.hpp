@@ -46,7 +46,7 @@ using Microseconds = Quantity<struct MicrosecondsTag, std::int64_t>;
   return Microseconds(count * 1000);
 }
 
-/// @brief Point in time [us since start]. It does not overflow in the life of a robot.
+/// @brief Point in time [us since start]. It does not overflow while a robot is in use.
 /// @datatype
 class Instant {
  public:

@@ -90,7 +90,7 @@ constexpr auto kNumbers = std::to_array<Number>({
 #include "sim/scenario/FirmwareNumbers.inc"
 });
 
-/// @brief The CRC-32 of the nine digits is its check value.
+/// @brief The CRC-32 of the digits 1 to 9 is the known check value.
 /// @verifies FR-246
 TEST(Layout, CheckValueOfTheHash) {
   EXPECT_EQ(crc32("123456789"), 0xCBF43926U);

@@ -32,7 +32,7 @@ void apply(DriverBoard& drivers, std::size_t input, double volts) {
   drivers.board.setAnalog(kInputs.at(input).converter, kInputs.at(input).channel, volts);
 }
 
-/// @brief Each input returns its own voltage in 4096 parts of 3.3 V, and the ends of the range.
+/// @brief Each input returns its voltage in 4096 parts of 3.3 V, also at the ends of the range.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
   DriverBoard drivers;

@@ -68,7 +68,7 @@ class PipeOnBoard : public testing::Test {
 };
 
 /// @brief An interrupt that writes while the main thread reads never corrupts a value or its time,
-/// and no value is older than the previous value; tried at thousands of instants.
+/// and no value is older than the previous value. This is tested at thousands of instants.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   const Counts counts = counted(0);

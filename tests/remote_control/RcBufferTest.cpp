@@ -243,7 +243,7 @@ TEST_F(RcPathTest, FR56_OnePinIsNoMessage) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief Pulses that set no value do not keep the message alive.
+/// @brief Pulses that set no value do not extend the message.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_BadPulsesAreNoMessage) {
   bothPulse(3);

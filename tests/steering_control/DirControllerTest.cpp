@@ -126,7 +126,7 @@ TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
 }
 
 /// @brief The status of each tick has the time of the tick, and shows the work of the motor, the end
-/// stops, and the newest position with its own time.
+/// stops, and the newest position with the time of its measurement.
 /// @verifies FR-116
 TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {
   tickOnly();

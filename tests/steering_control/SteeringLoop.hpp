@@ -86,7 +86,7 @@ class SteeringLoop {
 
   static constexpr int kMeasurement = 8;  // ticks
 
-  /// @brief Lets ticks pass. Each 100th begins a control cycle with the present order.
+  /// @brief Lets ticks pass. Each 100th tick begins a control cycle with the present order.
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       if (time % 100 == 0) {

@@ -11,7 +11,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief Standard deviation of a sample, degrees. The mean of 8 stays within about 0.05.
+/// @brief Standard deviation of a sample, degrees. The mean of 8 samples stays within about 0.05
+/// degrees.
 constexpr double kNoise = 0.07;
 
 struct SteeringLoopTest : testing::Test {
@@ -342,8 +343,8 @@ TEST_F(SteeringLoopTest, FR226_BothEndStopsAreAFault) {
   EXPECT_FALSE(loop.powered());
 }
 
-/// @brief While the steering works, Main Control finds the work of each cycle complete, and the
-/// position as it is. A steering that no longer ticks completes no work.
+/// @brief While the steering works, Main Control finds the work of each cycle complete, and gets
+/// the present position. A steering that no longer ticks completes no work.
 /// @verifies FR-116
 /// @verifies FR-117
 TEST_F(SteeringLoopTest, FR117_AWorkingSteeringCompletesEachCycle) {

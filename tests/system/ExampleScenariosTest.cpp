@@ -37,8 +37,8 @@ TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
 }
 
-/// @brief From rest to 150 rpm, with noise: within 2 % after 2 s, with less than 10 % overshoot,
-/// then within 1 %.
+/// @brief From rest to 150 rpm, with noise, the error is below 2 % after 2 s and later below 1 %.
+/// The overshoot is less than 10 %.
 /// @verifies FR-82
 /// @verifies FR-83
 TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
@@ -82,7 +82,7 @@ TEST(ClosedLoopOfRobot, FR91_WheelWithADeadSensorIsBlind) {
   playWithThePapersDesign("one_hall_sensor");
 }
 
-/// @brief When the PC falls silent at 0.85 m/s, the robot is at rest within 1.5 m.
+/// @brief When the PC becomes silent at 0.85 m/s, the robot is at rest within 1.5 m.
 /// @verifies FR-95
 /// @verifies FR-18
 TEST(ClosedLoopOfRobot, FR95_RobotIsAtRestSoonAfterTheLastMessage) {

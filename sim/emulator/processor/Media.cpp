@@ -208,7 +208,7 @@ void sel(Core& core, const Instruction& in) {
   x.r[in.d] = (x.r[in.n] & mask) | (x.r[in.m] & ~mask);
 }
 
-// QADD and the like: register m first, register n doubled or not.
+// QADD and similar instructions: register m is the first operand; register n may be doubled.
 template <bool kDoubles, bool kSubtracts>
 void saturatingSum(Core& core, const Instruction& in) {
   Registers& x = core.registers;

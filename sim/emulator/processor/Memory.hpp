@@ -84,20 +84,22 @@ class Memory {
     return directs_[address / kMegabyte];
   }
 
-  /// @brief Returns bytes that can be loaded without a call; nullptr when a part of them cannot.
+  /// @brief Returns bytes that can be loaded without a call; nullptr when a part of them needs a
+  /// call.
   [[nodiscard]] const std::uint8_t* loadable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.loads, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief Returns bytes that can be stored without a call; nullptr when a part of them cannot.
+  /// @brief Returns bytes that can be stored without a call; nullptr when a part of them needs a
+  /// call.
   [[nodiscard]] std::uint8_t* storable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
   /// @brief Reports a decoded instruction: from its address on a store into this memory is a call,
-  /// which clears decoded instructions. Stores below this address, such as those to a stack, stay
+  /// which clears decoded instructions. Stores below this address, such as stores to a stack, stay
   /// fast.
   void decoded(std::uint32_t address);
 

@@ -171,7 +171,7 @@ void divide(Core& core, const Instruction& in) {
     }
     return;
   }
-  // The most negative number by -1 does not change; the 64-bit type contains the quotient.
+  // The most negative number divided by -1 does not change; the 64-bit type contains the quotient.
   x.r[in.d] =
       kSigned ? static_cast<std::uint32_t>(wide(dividend) / wide(divisor)) : dividend / divisor;
 }

@@ -88,7 +88,7 @@ void allowEdges();
 /// @isr{no}
 void calibrateConverters();
 
-/// @brief Starts the devices. The outputs for the voltage change from their safe level to the
+/// @brief Starts the devices. The outputs for the voltage are switched from their safe level to the
 /// timer, which keeps them low.
 /// @pre The converters are calibrated, and the core runs at its full clock.
 /// @isr{no}

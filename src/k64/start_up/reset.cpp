@@ -27,7 +27,7 @@ namespace {
 }
 
 // This function must not call a function that it copies, for example a library function. The linker
-// script rejects such a call from its section.
+// script rejects a call of such a function from its section.
 [[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
   copy(codeInitial, codeBegin, codeEnd);
   copy(vectors, ramVectors, ramVectorsEnd);

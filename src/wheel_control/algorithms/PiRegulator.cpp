@@ -15,7 +15,7 @@ constexpr std::int32_t kMaxIntegral = SystemConstants::instance().supply().count
 // change of orientation, and the integral must be able to raise this demand.
 constexpr Tension kMinShortfall(100);
 
-// A wheel with less voltage than calculated is too slow, and a wheel with more is too fast.
+// A wheel with less voltage than calculated is too slow, and a wheel with more voltage is too fast.
 bool explains(Tension shortfall, std::int32_t error) {
   return (shortfall >= kMinShortfall && error > 0) || (shortfall <= -kMinShortfall && error < 0);
 }

@@ -44,7 +44,7 @@ class PiRegulator final {
   PiRegulator& operator=(const PiRegulator&) = delete;
 
   /// @brief Processes the error of the cycle that ends.
-  /// @param error expected value less measured value, in the unit of the gains, -65535 to 65535
+  /// @param error expected value minus measured value, in the unit of the gains, -65535 to 65535
   /// @return voltage that works against the error [mV], rounded towards zero
   /// @post The part of the integral is at most the supply.
   /// @satisfies FR-83
@@ -57,7 +57,7 @@ class PiRegulator final {
   /// @brief Records the voltage that the wheel will lack in the cycle that begins. An error of that
   /// cycle that the missing voltage explains is not added to the integral. A missing voltage of
   /// less than 0.1 V does not explain an error.
-  /// @param shortfall calculated less applied voltage [mV]
+  /// @param shortfall calculated minus applied voltage [mV]
   /// @satisfies FR-301
   /// @isr{no}
   void missed(Tension shortfall);

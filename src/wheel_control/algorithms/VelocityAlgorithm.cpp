@@ -17,8 +17,8 @@ constexpr std::int32_t kMean = 806;   // [1/1000] mean of a deviation during a c
 constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 
 // Lost edges make the measured velocity too low. The velocity is doubtful when the motor induces
-// more voltage than at this velocity, and the tolerances of supply, winding and motor constant do
-// not explain the difference.
+// more voltage than this velocity explains, and the tolerances of supply, winding and motor
+// constant do not explain the difference.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
 constexpr std::int32_t kModelToleranceDivisor = 3;  // this part of the voltage is added
 constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // cycles in a row

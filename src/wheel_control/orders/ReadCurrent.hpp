@@ -8,8 +8,8 @@ namespace wr {
 
 /// @brief The order to read the current of a wheel.
 ///
-/// @function Triggers the measurement of the current, and records the value that the controller uses in the
-/// work of the cycle.
+/// @function Triggers the measurement of the current, and writes the value that the controller uses into
+/// the work of the cycle.
 ///
 /// @secret Which module measures a current, and the rule that the report shows the value that
 /// control uses.

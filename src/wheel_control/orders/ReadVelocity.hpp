@@ -8,8 +8,8 @@ namespace wr {
 
 /// @brief The order to read the velocity of a wheel.
 ///
-/// @function Triggers the measurement of the velocity, and records the value that the controller uses in the
-/// work of the cycle.
+/// @function Triggers the measurement of the velocity, and writes the value that the controller uses into
+/// the work of the cycle.
 ///
 /// @secret Which module measures a velocity, and the rule that the report shows the value that
 /// control uses.

@@ -794,7 +794,7 @@ TEST_F(PcConnectionTest, FR251_CountsSurviveTheConnection) {
   EXPECT_EQ(connection.counts().damaged, 1);
 }
 
-/// @brief At most 1280 bytes are read in one cycle. The others are read in the next cycle.
+/// @brief At most 1280 bytes are read in one cycle. The other bytes are read in the next cycle.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   receive(Bytes(2000, 0));

@@ -113,8 +113,8 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeChangesNothing) {
   EXPECT_EQ(read().setPoints().orderId, 1);
 }
 
-/// @brief An order out of range does not make the previous order available again when that order
-/// was already read.
+/// @brief An order out of range does not make the previous order available again when the previous
+/// order was already read.
 /// @verifies FR-20
 /// @verifies FR-46
 TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {

@@ -59,7 +59,7 @@ TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
   EXPECT_EQ(given(), std::vector<scenario::Bytes>{order});
 }
 
-/// @brief Each single wrong bit of a frame, of its counter or of its tag causes it to be dropped.
+/// @brief A frame is dropped when a single bit of the frame, of its counter or of its tag is wrong.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
   const scenario::Bytes right = device.sign(frames.order({.id = 3}));

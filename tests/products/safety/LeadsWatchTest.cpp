@@ -168,7 +168,7 @@ TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
 }
 
 /// @brief After a reset, the watch behaves as at the start: it detects swapped leads in the same
-/// cycle, for each velocity and load, whatever motor it learned before.
+/// cycle, for each velocity and load, and for any motor that it learned before.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {
   const auto detected = [this](double resistance, double rpm, double amperes) {

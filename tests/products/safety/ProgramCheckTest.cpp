@@ -63,7 +63,8 @@ TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   }
 }
 
-/// @brief Between two ticks the program is not checked more than once, however often the processor wakes.
+/// @brief Between two ticks the program is checked at most once, even when the processor wakes more
+/// often.
 /// @verifies FR-309
 TEST_F(CheckedProgram, FR309_WithoutATickNothingIsChecked) {
   copy_.front().front() ^= 1U;

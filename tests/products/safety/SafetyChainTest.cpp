@@ -121,7 +121,7 @@ class ProtectiveStopTest : public SafetyChain {
 
   ProtectiveStopTest() { contact.set(false); }
 
-  /// Checks that the robot is held in this cycle and in all that follow, with any order.
+  /// Checks that the robot is held in this cycle and in all following cycles, with any order.
   void expectLatched(StopCause cause, std::uint8_t wheel) {
     for (int cycles = 0; cycles < 20; ++cycles) {
       order(stop, alike(100));
@@ -217,8 +217,8 @@ TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   }
 }
 
-/// @brief The memory returns each cause with each wheel, or without a wheel. A number that is no
-/// wheel counts as a protective stop for a doubtful memory.
+/// @brief The memory returns each cause with each wheel, or without a wheel. A number that does not
+/// belong to a wheel counts as a protective stop for a doubtful memory.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   RetainedProtection::Cells cells{};
@@ -700,7 +700,7 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
 }
 
 /// @brief Any single wheel that is too fast lowers the set-points, also while it loses velocity. A
-/// wheel that will be at the limit in two cycles does not.
+/// wheel that will be at the limit in two cycles does not lower them.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

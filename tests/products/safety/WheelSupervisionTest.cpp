@@ -384,7 +384,7 @@ TEST_F(RejectedEdges, FR279_NineAreACause) {
 }
 
 /// @brief A lost edge gives two implausible edges. Ten lost edges in a second are a cause within 0.7 s; two
-/// are none.
+/// lost edges are no cause.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_SingleLostEdgesAddUp) {
   EXPECT_EQ(rejected(6, 2), StopCause::None);

@@ -90,7 +90,8 @@ TEST_F(DirSensorTest, FR129_ArgumentsOfTheFunction) {
   EXPECT_EQ(recorded.values[ArgumentId::Offset], 8 * 2048);
 }
 
-/// @brief The whole range is 80 degrees, its middle is straight on, and higher is to the left.
+/// @brief The whole range is 80 degrees, its middle is straight on, and a higher value is to the
+/// left.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_ScaleOfTheSensor) {
   for (const int sample : {82, 512, 1024, 2047, 2048, 2049, 3000, 3686, 4013}) {

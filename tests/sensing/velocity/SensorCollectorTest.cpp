@@ -150,8 +150,8 @@ TEST_F(SensorCollectorTest, FR123_DisturbanceLeavesThePosition) {
   EXPECT_EQ(unclear(), 0U);
 }
 
-/// @brief Each edge of either sensor goes through its interrupt to the collector; both are
-/// acknowledged.
+/// @brief The interrupt of each edge of either sensor passes the edge to the collector. The edges
+/// of both sensors are acknowledged.
 /// @verifies FR-121
 /// @verifies FR-123
 TEST(HallInterrupt, FR121_EdgeOfEitherSensorIsCollected) {

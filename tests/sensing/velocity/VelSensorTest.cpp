@@ -79,7 +79,8 @@ TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   EXPECT_NEAR(measured, 500, 1.5);
 }
 
-/// @brief One edge after a standstill counts as half: the wheel may have been at rest right before it.
+/// @brief One edge after a standstill counts as half: the wheel may have been at rest directly before
+/// it.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
   for (const int direction : {1, -1}) {
@@ -287,8 +288,8 @@ TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   EXPECT_NEAR(measured, 1000, 20);
 }
 
-/// @brief From 30 rpm on, forwards and backwards, edges forwards and backwards are implausible: two
-/// disturbances in a cycle make the velocity invalid.
+/// @brief At 30 rpm or more in either direction, edges that alternate in direction are implausible:
+/// two disturbances in a cycle make the velocity invalid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DisturbancesCountFrom30Rpm) {
   for (const int direction : {1, -1}) {

@@ -209,7 +209,8 @@ void maskInterrupts(std::uint32_t inner) {
   setInterruptMask(before);
 }
 
-/// @brief Sometimes an exception leaves the mask set: its return clears it.
+/// @brief Sometimes an exception leaves the mask set, and the return of the exception clears the
+/// mask.
 void maskFaults(std::uint32_t inner) {
   if (unmaskable > 0) {
     return;
