@@ -6,7 +6,7 @@ foreach(name IN LISTS names)
   file(REMOVE ${COPIES}/${name})
   file(COPY ${ROOT}/${name} DESTINATION ${folder})
 endforeach()
-# The copies are no repository of their own, and not a part of the one around them.
+# The copies are not in a git repository: git must not find the repository of a parent folder.
 get_filename_component(above ${COPIES} DIRECTORY)
 execute_process(
   COMMAND ${CMAKE_COMMAND} -E env GIT_CEILING_DIRECTORIES=${above} git apply --whitespace=nowarn ${PATCH}
@@ -15,7 +15,7 @@ if(failed)
   foreach(name IN LISTS names)
     file(REMOVE ${COPIES}/${name})
   endforeach()
-  message(FATAL_ERROR "${PATCH} does not fit the sources any more: write it again from the changed file")
+  message(FATAL_ERROR "${PATCH} does not apply to the sources: create it again from the changed file")
 endif()
 foreach(name IN LISTS names)
   file(TOUCH ${COPIES}/${name})

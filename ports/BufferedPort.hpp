@@ -45,14 +45,17 @@ class Ring {
   }
 
  private:
-  static_assert((kSize & (kSize - 1)) == 0, "the counts wrap together with the places");
+  static_assert(
+      (kSize & (kSize - 1)) == 0,
+      "the size is a power of 2, so that the positions stay correct when a count overflows");
 
   std::array<Element, kSize> elements_{};
   volatile std::size_t written_ = 0;
   volatile std::size_t read_ = 0;
 };
 
-/// @brief The buffers of a port, in both directions. A subclass transfers the bytes between them and its line.
+/// @brief The buffers of a port, in both directions. A subclass transfers the bytes between the buffers and
+/// its line.
 class BufferedPort : public SerialPort {
  public:
   std::size_t read(std::span<std::uint8_t> bytes) override {
@@ -90,9 +93,9 @@ class BufferedPort : public SerialPort {
   BufferedPort() = default;
   ~BufferedPort() = default;
 
-  /// @brief Stores a byte that the line has brought, or counts it as lost. For the interrupt of the port.
+  /// @brief Stores a received byte, or counts it as lost. The interrupt of the port calls it.
   /// @param byte the byte
-  /// @param at when it was received
+  /// @param at time at which it was received
   /// @isr{yes}
   void store(std::uint8_t byte, Instant at) {
     if (received_.free() == 0) {
@@ -102,7 +105,7 @@ class BufferedPort : public SerialPort {
     }
   }
 
-  /// @brief Counts a lost byte. For the interrupt of the port.
+  /// @brief Counts a lost byte. The interrupt of the port calls it.
   /// @isr{yes}
   void lose() {
     if (lost_ != std::numeric_limits<std::uint16_t>::max()) {
@@ -110,18 +113,18 @@ class BufferedPort : public SerialPort {
     }
   }
 
-  /// @brief The bytes to send. For the interrupt of the port.
+  /// @brief Returns the buffer of the bytes to send. The interrupt of the port calls it.
   /// @isr{yes}
   [[nodiscard]] auto& toSend() { return toSend_; }
 
  private:
-  /// @brief A received byte, and when it was received.
+  /// @brief A received byte, and the time at which it was received.
   struct Received {
     std::uint8_t byte = 0;
     Instant at;
   };
 
-  /// @brief Called when there may be more bytes to send: the subclass starts to send if it is idle.
+  /// @brief Starts to send, if the port is idle. It is called when there may be more bytes to send.
   virtual void beginSending() = 0;
 
   Ring<Received, 2048> received_;

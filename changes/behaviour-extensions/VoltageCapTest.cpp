@@ -15,7 +15,8 @@ class VoltageCapTest : public testing::Test, protected SpiedCommands {
   VoltageCap cap{advance};
 };
 
-/// @brief A demand of more than 12 V is limited, forwards and backwards; a lower one passes.
+/// @brief A demand of more than 12 V is limited, forwards and backwards; a lower demand is not
+/// changed.
 TEST_F(VoltageCapTest, LimitsTheDemand) {
   EXPECT_EQ(cap.apply(Tension(18000), Velocity()), Tension(12000));
   EXPECT_EQ(cap.apply(Tension(-18000), Velocity()), Tension(-12000));

@@ -1,5 +1,5 @@
-// The changed header is compiled under another name of the namespace: the other tests have the
-// unchanged one.
+// The changed header is compiled under another name of the namespace, because the other tests use
+// the unchanged header.
 #include <gtest/gtest.h>
 
 #include <compare>
@@ -12,7 +12,7 @@
 namespace wr_of_short_cycle {
 namespace {
 
-/// @brief A cycle has 50 ms, and the values that depend on it at compile time still fit.
+/// @brief A cycle lasts 50 ms, and the values that depend on it at compile time still fit.
 TEST(ShortCycle, HasFiftyMilliseconds) {
   EXPECT_EQ(SystemConstants::instance().cyclePeriod(), milliseconds(50));
 }

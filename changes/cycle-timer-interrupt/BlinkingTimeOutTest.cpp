@@ -39,7 +39,7 @@ int changesOfTheLight(const char* image) {
   return changes;
 }
 
-/// @brief The red light of the unchanged image stays dark; the image of the kit toggles it in each
+/// @brief The red light of the unchanged image stays off; the image of the kit toggles it in each
 /// cycle.
 TEST(BlinkingTimeOutOnBoard, LightChangesInEachCycle) {
   EXPECT_EQ(changesOfTheLight(kUnchanged), 0);

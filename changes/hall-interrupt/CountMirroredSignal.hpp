@@ -13,14 +13,14 @@ namespace wr {
 class CountMirroredSignal final : public Command {
  public:
   /// @brief Binds the command to sensor and collector.
-  /// @param collector takes the edges
-  /// @param sensor gives the levels
-  /// @param timebase gives the time of an edge
+  /// @param collector receives the edges
+  /// @param sensor returns the levels
+  /// @param timebase returns the time of an edge
   CountMirroredSignal(SensorCollector& collector, const ActiveSensor& sensor,
                       const Timebase& timebase)
       : collector_(collector), sensor_(sensor), timebase_(timebase) {}
 
-  /// @brief Passes the present levels, exchanged with each other, and the time to the collector.
+  /// @brief Exchanges the two present levels, and passes them with the time to the collector.
   /// @isr{yes}
   void execute() override {
     const unsigned phase = sensor_.phase();

@@ -18,7 +18,7 @@ class Level final : public EdgeInput {
   bool high = false;
 };
 
-/// @brief The sequence of levels that counts forwards without the change counts backwards with it.
+/// @brief With the change, the sequence of levels that counted forwards counts backwards.
 TEST(CountMirroredSignal, CountsTheOtherWay) {
   FakeTimebase clock;
   Level a;
@@ -26,7 +26,7 @@ TEST(CountMirroredSignal, CountsTheOtherWay) {
   BasicCollector basic;
   CountCollector count(basic);
   SensorCollector collector(count);
-  // The sensor and its command need each other.
+  // The sensor and its command refer to each other.
   struct Parts {
     ActiveSensor sensor;
     CountMirroredSignal command;

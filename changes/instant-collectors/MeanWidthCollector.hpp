@@ -25,7 +25,7 @@ class MeanWidthCollector final : public CollectorDecorator {
 
   /// @brief Writes the record of the wrapped collector; after two pulses the record contains their
   /// mean width.
-  /// @param instants takes `width` [us]
+  /// @param instants receives `width` [us]
   /// @isr{yes}
   void fill(Instants& instants) const override {
     CollectorDecorator::fill(instants);
@@ -35,7 +35,7 @@ class MeanWidthCollector final : public CollectorDecorator {
   }
 
  private:
-  std::optional<Microseconds> before_;  // width of the pulse before
+  std::optional<Microseconds> before_;  // width of the previous pulse
 };
 
 }  // namespace wr

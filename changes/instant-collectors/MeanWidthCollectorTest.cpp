@@ -33,7 +33,7 @@ class PulsedRobot : public ChangedRobot {
  public:
   using ChangedRobot::ChangedRobot;
 
-  // Sends 5 pulses a cycle whose widths [us] alternate, and runs the cycle.
+  // Sends 5 pulses with alternating widths [us], and runs the cycle.
   void pulses(int first, int second, bool inverted = false) {
     const auto begin = board().now();
     for (int pulse = 0; pulse < 5; ++pulse) {

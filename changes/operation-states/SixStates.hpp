@@ -11,8 +11,8 @@
 
 namespace wr {
 
-/// @brief Six operation states: the five of the robot that warns, and one that waits for a cycle
-/// after the search for a source.
+/// @brief Six operation states: the five states of the robot that warns, and a state that waits for
+/// a cycle after the search for a source.
 struct SixStates {
   /// @brief Constructs the states and binds each to its successors.
   /// @param warning output that is on during a warning

@@ -23,7 +23,7 @@ class Exclusive final : public ConnectionState {
   /// @isr{no}
   bool keepAlive(PcConnection& /*connection*/) override { return true; }
 
-  /// @brief Takes an order.
+  /// @brief Stores an order.
   /// @param connection the connection that received it
   /// @param frame the frame of the order
   /// @return false when the frame was dropped

@@ -11,7 +11,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief A Hello leaves the state and counts as unexpected; the session lasts.
+/// @brief A Hello does not change the state and counts as unexpected; the session continues.
 TEST(Exclusive, IgnoresAHello) {
   FakeSerialPort port;
   SerialReader reader;
@@ -39,8 +39,8 @@ bool answersASecondHello(ChangedRobot& robot) {
   return robot.welcome.has_value();
 }
 
-/// @brief The unchanged image welcomes a second PC, which ends the session of the first. The image
-/// of the kit still reports to the first.
+/// @brief The unchanged image welcomes a second PC, which ends the session of the first PC. The
+/// image of the kit still reports to the first PC.
 TEST(ExclusiveOnBoard, SecondPcIsNotWelcome) {
   ChangedRobot before(kUnchanged);
   EXPECT_TRUE(answersASecondHello(before));

@@ -11,9 +11,9 @@ namespace wr {
 class ReadInvertedRcPin final : public Command {
  public:
   /// @brief Binds the command to pin and buffer.
-  /// @param buffer takes the edges
-  /// @param pin gives the level
-  /// @param timebase gives the time of an edge
+  /// @param buffer receives the edges
+  /// @param pin returns the level
+  /// @param timebase returns the time of an edge
   ReadInvertedRcPin(RcBuffer& buffer, const RcPin& pin, const Timebase& timebase)
       : buffer_(buffer), pin_(pin), timebase_(timebase) {}
 

@@ -16,7 +16,7 @@ namespace wr {
 /// @brief A point on the field, measured from a corner of the field.
 struct FieldPoint {
   std::int16_t x = 0;  ///< along the rows [cm]
-  std::int16_t y = 0;  ///< to the left of it [cm]
+  std::int16_t y = 0;  ///< to the left, at right angles to the rows [cm]
 };
 
 /// @brief Reads orders that lead along the rows from way-point to way-point, by the positions of a GPS receiver.
@@ -32,8 +32,8 @@ class WaypointReader final : public Reader {
 
   /// @brief Binds the reader to the receiver and the way-points.
   /// @param port line of the receiver
-  /// @param timebase gives the time
-  /// @param way way-points in their order along the rows; they live as long as the reader
+  /// @param timebase returns the time
+  /// @param way way-points in their order along the rows; they exist as long as the reader
   WaypointReader(SerialPort& port, const Timebase& timebase, std::span<const FieldPoint> way)
       : port_(port), timebase_(timebase), way_(way) {}
 
@@ -50,7 +50,7 @@ class WaypointReader final : public Reader {
   }
 
   /// @brief Returns whether there is a new position, and a way-point ahead of it.
-  /// @return true when there are both
+  /// @return true when both exist
   /// @isr{no}
   [[nodiscard]] bool available() const override {
     return at_ && next_ < way_.size() &&

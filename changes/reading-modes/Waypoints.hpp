@@ -14,7 +14,7 @@ class Waypoints final : public ModeDecorator {
 
   /// @brief Binds the mode to its parts.
   /// @param wrapped mode that reads with the reader
-  /// @param other mode that succeeds this one; only its address is used before the first cycle
+  /// @param successor of this mode; only its address is used before the first cycle
   /// @param reader reader of the way-points
   Waypoints(Mode& wrapped, Mode& other, WaypointReader& reader)
       : ModeDecorator(kId, wrapped), other_(other), reader_(reader) {}

@@ -51,7 +51,7 @@ class WaypointReaderTest : public testing::Test {
   WaypointReader reader{port, clock, kWay};
 };
 
-/// @brief Orders steer towards the next way-point; after the last one there are none.
+/// @brief Orders steer towards the next way-point; after the last way-point there are no orders.
 TEST_F(WaypointReaderTest, SteersTowardsTheNextWaypoint) {
   EXPECT_EQ(steeringAt(0, 0), 0);
   EXPECT_EQ(steeringAt(100, 10), -286);

@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief Writes each number with its most significant byte first, because a recorder of the farm
-/// reads this order.
+/// expects it first.
 class BigEndianWriter final : public Writer {
  public:
   /// @brief Binds the writer to the writer that stores the bytes.
@@ -43,7 +43,7 @@ class BigEndianWriter final : public Writer {
   }
 
   /// @brief Finishes one object.
-  /// @return false when a field of the object found no room
+  /// @return false when there was no space for a field of the object
   /// @isr{no}
   bool finish() override { return bytes_.finish(); }
 

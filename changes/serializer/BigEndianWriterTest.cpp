@@ -40,8 +40,8 @@ TEST(BigEndianWriterOnBoard, ReportsHaveTheOtherFormat) {
   EXPECT_EQ(__builtin_bswap32(after.report().cycle), first + 1);
 }
 
-/// @brief While the PC orders a drive, the robot follows it. The mean of the instructions in a cycle is recorded, as
-/// for all images.
+/// @brief The robot follows the orders of the PC. The mean of the instructions in a cycle is recorded, as for all
+/// images.
 TEST(BigEndianWriterOnBoard, DrivesAsThePcOrders) {
   constexpr int kCycles = 20;
   ChangedRobot robot("change_serializer");

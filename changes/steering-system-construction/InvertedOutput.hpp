@@ -8,7 +8,7 @@ namespace wr {
 class InvertedOutput final : public DigitalOutput {
  public:
   /// @brief Binds the output to the pin.
-  /// @param pin takes the opposite level
+  /// @param pin gets the opposite level
   explicit InvertedOutput(DigitalOutput& pin) : pin_(pin) {}
 
   /// @brief Sets the opposite level.

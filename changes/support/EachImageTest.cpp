@@ -30,10 +30,10 @@ class EachImage : public testing::TestWithParam<std::string> {};
 /// overrun. The mean of the instructions in a cycle is recorded.
 TEST_P(EachImage, DrivesAsThePcOrders) {
   if (GetParam() == "change_can") {
-    GTEST_SKIP() << "its PC is at the CAN bus: it has tests of its own";
+    GTEST_SKIP() << "the PC of this image uses the CAN bus: the image has separate tests";
   }
   if (GetParam() == "change_serializer") {
-    GTEST_SKIP() << "its reports have another format, which this PC does not read";
+    GTEST_SKIP() << "the reports of this image have a format that this PC cannot read";
   }
   ChangedRobot robot(GetParam());
   robot.commandByPc();

@@ -18,8 +18,8 @@ class GentleStop final : public WheelBehaviour {
       : setTension_(setTension), stopWheel_(stopWheel) {}
 
   /// @brief Lowers the voltage, and stops the wheel at 0 V.
-  /// @param applied voltage that is at the wheel [mV], positive forwards
-  /// @return voltage that is at the wheel now [mV]
+  /// @param applied present voltage of the wheel [mV], positive forwards
+  /// @return new voltage of the wheel [mV]
   /// @isr{no}
   Tension apply(Tension applied, Velocity /*velocity*/) override {
     const Tension fall = applied < -kFall ? -kFall : applied > kFall ? kFall : applied;

@@ -7,7 +7,8 @@
 
 namespace wr {
 
-/// @brief Builds the control system of a wheel whose motor a relay switches. It has no other part.
+/// @brief Builds the control system of a wheel whose motor a relay switches. The system has no
+/// other part.
 class RelayWheelBuilder final : public ControlSystemBuilder {
  public:
   /// @brief Binds the builder to the relay.
@@ -39,7 +40,7 @@ class RelayWheelBuilder final : public ControlSystemBuilder {
   void start() override { relay_.set(false); }
 
   /// @brief Returns the system.
-  /// @return the system; it lives as long as the builder
+  /// @return the system; it exists as long as the builder
   /// @errors Without a system the program ends with the assertion PartMissing.
   /// @isr{no}
   [[nodiscard]] ControlSystem& system() override {
@@ -47,8 +48,8 @@ class RelayWheelBuilder final : public ControlSystemBuilder {
     return *system_;
   }
 
-  /// @brief Returns the work at a tick, which is none.
-  /// @return the command; it lives as long as the builder
+  /// @brief Returns the command of a tick, which does nothing.
+  /// @return the command; it exists as long as the builder
   /// @isr{no}
   [[nodiscard]] Command& tickCommand() override { return none_; }
 

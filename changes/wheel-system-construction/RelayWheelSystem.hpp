@@ -15,7 +15,7 @@ class RelayWheelSystem final : public ControlSystem {
 
   /// @brief Returns whether the work of a cycle is done.
   /// @param cycle number of the cycle
-  /// @return true when it is
+  /// @return true when the work is done
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override { return cycle_ == cycle; }
 

@@ -14,7 +14,7 @@ class ReadTurnedCnt final : public Command {
 
   /// @brief Binds the command.
   /// @param input converts the voltage of the sensor
-  /// @param collector takes the samples
+  /// @param collector receives the samples
   ReadTurnedCnt(AnalogInput& input, ValueCollector& collector)
       : input_(input), collector_(collector) {}
 

@@ -8,11 +8,11 @@ namespace wr {
 
 /// @brief The reading mode in which a Bluetooth device commands the robot.
 ///
-/// @function Extends the basic mode: an order is valid only while the device is connected, and its
-/// set-points are marked as given by Bluetooth. Changes to the other mode when the operation state
-/// demands it.
+/// @function Extends the basic mode: an order is valid only while the device is connected, and
+/// Bluetooth is recorded as the source of its set-points. Changes to the other mode when the
+/// operation state demands it.
 ///
-/// @secret How set-points are marked as given by a Bluetooth device.
+/// @secret How a Bluetooth device is recorded as the source of set-points.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}
@@ -40,7 +40,7 @@ class Bluetooth final : public ModeDecorator {
   /// @isr{no}
   [[nodiscard]] bool newMessage() const override;
 
-  /// @brief Saves the mode id of Bluetooth, then reads as the wrapped mode does.
+  /// @brief Saves the mode id of Bluetooth, then lets the wrapped mode read.
   /// @param mCtrl controller whose data receive the set-points and the source
   /// @pre newMessage() was true in this cycle.
   /// @post The order cannot be read again.

@@ -35,7 +35,7 @@ struct BluetoothDevices {
   SerialPort& port;          ///< line to the Bluetooth module
   SipHash::Key key;          ///< key that the device shares with the robot
   RandomSource& random;      ///< generator of the random number that identifies this start
-  const Timebase& timebase;  ///< gives the time
+  const Timebase& timebase;  ///< returns the time
   const StartRecord& start;  ///< cause of the start of the firmware
   BluetoothStops stops;      ///< memories of the stops
 };

@@ -6,14 +6,14 @@
 namespace wr {
 
 /// @brief Source of numbers that nobody can predict.
-/// @function Draws a random number.
+/// @function Returns a random number.
 /// @secret The source of the randomness.
 class RandomSource {
  public:
   RandomSource(const RandomSource&) = delete;
   RandomSource& operator=(const RandomSource&) = delete;
 
-  /// @brief Draws a number. Waits at most a bounded time.
+  /// @brief Returns a random number. The wait is bounded.
   /// @return a number of 64 random bits; nothing when the source does not work
   /// @isr{no}
   [[nodiscard]] virtual std::optional<std::uint64_t> draw() = 0;

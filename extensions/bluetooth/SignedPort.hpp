@@ -18,12 +18,12 @@ namespace wr {
 ///
 /// @function Extends a serial port. Each frame on the line has a counter and a tag between its coded
 /// bytes and the zero that ends it. Received frames with a wrong tag, or with a counter that is not
-/// greater than the previous counter, are dropped; other frames are returned without counter and
-/// tag. Counter and tag are added to frames to send. A wrong frame is answered with a challenge,
-/// which contains the values that an authorised sender needs for its tags.
+/// greater than the previous counter, are dropped. Other received frames are returned without
+/// counter and tag. Each frame to send gets a counter and a tag. A wrong frame is answered with a
+/// challenge, which contains the values that an authorised sender needs for its tags.
 ///
-/// @secret How counter and tag are put on the line, and the content of the tag: a number that the
-/// robot draws at start, the direction, the counter and the coded frame.
+/// @secret How counter and tag are put on the line, and the content of the tag. The tag is computed
+/// over a random number of the start, the direction, the counter and the coded frame.
 class SignedPort final : public SerialPort {
  public:
   /// @brief Type of the frame that challenges the sender: a random number (u64) and the last counter (u32).
@@ -34,12 +34,13 @@ class SignedPort final : public SerialPort {
 
   /// @brief Binds the port to its line and its key. Without a random number it receives and sends nothing.
   /// @param port line to the Bluetooth module
-  /// @param key secret key; a key whose bytes are all 0xFF is no key: nothing is received or sent
+  /// @param key secret key; if all its bytes are 0xFF, there is no key, and nothing is received or
+  /// sent
   /// @param random generator of the random number that identifies this start
   /// @satisfies FR-264
   SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& random);
 
-  /// @brief Returns the bytes of at most one frame whose tag is right and whose counter is new.
+  /// @brief Returns the bytes of at most one frame whose tag is correct and whose counter is new.
   /// @param bytes receives the bytes
   /// @return number of these bytes; 0 when there is no such frame
   /// @isr{no}
@@ -63,7 +64,7 @@ class SignedPort final : public SerialPort {
   /// @satisfies FR-263
   bool write(std::span<const std::uint8_t> bytes) override;
 
-  /// @brief Returns how many bytes of the line were lost.
+  /// @brief Returns the number of lost bytes of the line.
   /// @return number of lost bytes since start, at most 65535
   /// @isr{no}
   [[nodiscard]] std::uint16_t lostBytes() const override;
@@ -89,7 +90,7 @@ class SignedPort final : public SerialPort {
   std::size_t count_ = 0;           // received bytes of the present frame; more than the capacity:
                                     // the frame is too long
   std::size_t ready_ = 0;           // bytes of the accepted frame that were not read yet
-  std::size_t given_ = 0;           // number of these that were read
+  std::size_t given_ = 0;           // number of these bytes that were read
   std::uint32_t lastReceived_ = 0;  // counter of the last accepted frame
   std::uint32_t lastSent_ = 0;      // counter of the last sent frame
 };

@@ -10,7 +10,7 @@ namespace wr {
 ///
 /// @function Holds the robot until the orders of five successive cycles had 0 as the set-point of
 /// all wheels, then forwards set-points. An order from an earlier cycle that is still in force does
-/// not count. Every hold and every acknowledgement withdraws this permission.
+/// not count. Every hold and every acknowledgement withdraws the permission to move the robot.
 ///
 /// @secret Which set-points are neutral, and for how long a source has to order them.
 class Arming final : public OrderStageDecorator {
@@ -26,7 +26,7 @@ class Arming final : public OrderStageDecorator {
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
-  /// @brief Forwards set-points; holds the robot until they were neutral for long enough.
+  /// @brief Holds the robot until the set-points were neutral for long enough, then forwards them.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-280

@@ -7,12 +7,12 @@
 
 namespace wr {
 
-/// @brief Detects an opening of a contact that is shorter than a control cycle.
+/// @brief Detects a contact that opens for less than a control cycle.
 ///
-/// @function Samples the contact at each tick, and latches an opening at three successive ticks
-/// until the control cycle reads it.
+/// @function Samples the contact at each tick. Latches an opening that lasts three successive
+/// ticks, until the control cycle reads it.
 ///
-/// @secret How long a contact has to be open before that counts, and how an opening is latched.
+/// @secret How long a contact must be open until the opening counts, and how an opening is latched.
 class ContactWatch final {
  public:
   /// @brief Binds the watch to its contact.
@@ -29,7 +29,7 @@ class ContactWatch final {
 
   /// @brief Checks whether the contact is open, and clears an earlier opening.
   /// @return true if it is open now.
-  /// @post An opening before this call is forgotten.
+  /// @post The record of an earlier opening is cleared.
   /// @satisfies FR-291
   /// @isr{no}
   [[nodiscard]] bool open();
@@ -46,7 +46,7 @@ class ContactWatch final {
   std::uint8_t openTicks_ = 0;  // successive ticks up to now
   std::atomic<bool> latched_{false};
 
-  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait");
+  static_assert(std::atomic<bool>::is_always_lock_free, "an interrupt cannot wait for a lock");
 };
 
 }  // namespace wr

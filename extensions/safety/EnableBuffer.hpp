@@ -12,7 +12,7 @@ namespace wr {
 ///
 /// @function Stores the width of each pulse of the third channel of the remote control with its time.
 /// The second of two successive pulses that order a stop is also stored separately, so that a later
-/// pulse does not hide them.
+/// pulse does not hide the stop.
 ///
 /// @secret Where the position of the enable switch is stored, and how many pulses confirm a stop.
 ///
@@ -23,8 +23,8 @@ class EnableBuffer final : public RcBuffer {
   /// @param instants measures each pulse
   /// @param function computes the deflection of a pulse
   /// @param width receives the width of each pulse from 900 to 2100 us
-  /// @param stop receives the width of each pulse that orders a stop directly after another such
-  /// pulse
+  /// @param stop receives the width of each pulse that orders a stop directly after another pulse
+  /// that orders a stop
   EnableBuffer(InstantCollector& instants, const Function& function, Pipe<Microseconds>& width,
                Pipe<Microseconds>& stop);
 

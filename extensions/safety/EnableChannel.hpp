@@ -36,7 +36,7 @@ struct EnableChannel {
   WidthCollector collector;  ///< width of a pulse
   PulsePosition function;    ///< computes the position from a pulse
   EnableBuffer buffer;       ///< stores the position
-  RcPin pin;                 ///< its pin
+  RcPin pin;                 ///< pin of the channel
   ReadRcPin readPin;         ///< command of its edges
 };
 

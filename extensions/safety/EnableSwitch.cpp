@@ -14,11 +14,11 @@ constexpr Microseconds kMinPcPulse(1350);
 constexpr Microseconds kMaxPcPulse(1650);
 constexpr Microseconds kMinDrivePulse(1750);
 
-constexpr Microseconds kLifetime = milliseconds(200);  // of a pulse
+constexpr Microseconds kLifetime = milliseconds(200);  // lifetime of a pulse
 
 constexpr std::uint8_t kAcknowledgements = 3;  // orders that acknowledge
 
-constexpr std::int32_t kFullDeflection = 500;  // [us] of a stick
+constexpr std::int32_t kFullDeflection = 500;  // [us] full deflection of a stick
 
 bool fresh(Instant at, Instant now) {
   return now - at <= kLifetime;
@@ -92,8 +92,8 @@ bool EnableSwitch::stopConfirmed() {
   return confirmed;
 }
 
-// A receiver whose radio link returns goes from stop to drive at once. Only an operator leaves the
-// switch at PC.
+// When its radio link returns, a receiver changes from stop to drive at once. Only an operator
+// leaves the switch in the position PC.
 void EnableSwitch::advanceSequence() {
   if (position_ == Position::Stop) {
     sequence_ = Sequence::Stopped;

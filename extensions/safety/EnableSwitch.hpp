@@ -14,7 +14,7 @@ namespace wr {
 ///
 /// @function Reads the enable switch in every cycle. In its position "stop", or without its pulses, a stop
 /// is latched until the switch leaves that position while the velocity stick is centred. A stop
-/// between two cycles acts in the second one. In the position "PC" the remote control has no
+/// between two cycles acts in the second cycle. In the position "PC" the remote control has no
 /// orders. The sequence stop, PC, drive acknowledges latched faults. When the remote control moves
 /// the robot and its pulses do not change, the robot is stopped.
 ///
@@ -23,17 +23,17 @@ namespace wr {
 /// @role{mode-extensions, Concrete Decorator}
 class EnableSwitch final : public ModeDecorator {
  public:
-  /// @brief Signals of the remote control. Each lives as long as the mode.
+  /// @brief Signals of the remote control. Each exists as long as the mode.
   /// @datatype
   struct Signals {
     Pipe<Velocity>& velocity;    ///< position of the velocity stick
     Pipe<Angle>& direction;      ///< position of the direction stick
     Pipe<Microseconds>& enable;  ///< width of the pulses of the enable switch
     Pipe<Microseconds>& stop;    ///< width of its pulses that confirm a stop
-    const Timebase& timebase;    ///< gives the time
+    const Timebase& timebase;    ///< returns the time
   };
 
-  /// @brief Shortest pulse of the switch that orders no stop.
+  /// @brief Shortest pulse of the switch that does not order a stop.
   static constexpr Microseconds kMinNoStopPulse{1250};
 
   /// @brief Binds the switch to the mode that it extends. It begins with a stop.
@@ -60,7 +60,7 @@ class EnableSwitch final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect: the mode that wraps this one changes the mode.
+  /// @brief Has no effect: the mode that wraps this mode changes the reading mode.
   /// @param mCtrl controller whose mode does not change
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;

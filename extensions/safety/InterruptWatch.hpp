@@ -10,7 +10,7 @@ namespace wr {
 /// @brief Finds interrupts that the processor does not serve.
 ///
 /// @function Measures the time between ticks, and counts the successive ticks at which a Hall edge
-/// waits for its interrupt. Ends the program when a tick or an edge is late: after the reset every
+/// waits for its interrupt. Ends the program when a tick or an edge is late. After the reset every
 /// device is set up again.
 ///
 /// @secret How late an interrupt may be.
@@ -31,7 +31,7 @@ class InterruptWatch final {
   void tick(Instant now, bool edgeWaits);
 
  private:
-  std::optional<Instant> before_;  // time of the tick before
+  std::optional<Instant> before_;  // time of the previous tick
   std::uint8_t waitingTicks_ = 0;  // successive ticks with an edge that waits
 };
 

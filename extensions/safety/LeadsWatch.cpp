@@ -13,17 +13,18 @@ namespace {
 // contain their variances before the first cycle, and the limits of the learned values.
 constexpr std::array<float, 3> kInitialVariances{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
 constexpr float kMaxVariance = 0.5F;
-constexpr float kVarianceDrift = 1e-6F;  // growth of a variance in a cycle: temperature and battery
+constexpr float kVarianceDrift =
+    1e-6F;  // growth of a variance in a cycle, by temperature and battery
 
 // Standard deviations of the voltage that the model does not explain.
 constexpr float kNoise = 0.1F;  // [V] always
 constexpr float kVelocityNoise =
-    0.3F;  // of the change of the induced voltage since the previous cycle
-constexpr float kTensionNoise = 0.2F;   // of the change of the voltage since the previous cycle
-constexpr float kCurrentNoise = 0.02F;  // of the voltage across the winding
+    0.3F;  // share of the change of the induced voltage since the previous cycle
+constexpr float kTensionNoise = 0.2F;   // share of the change of the voltage in a cycle
+constexpr float kCurrentNoise = 0.02F;  // share of the voltage across the winding
 
-// Evidence: logarithm of the probability of these measurements with swapped leads, divided by the
-// probability with correct leads.
+// The evidence is the logarithm of a ratio: the probability of these measurements with swapped
+// leads, divided by their probability with correct leads.
 constexpr float kSwappedThreshold = 12.0F;
 constexpr float kMaxRisePerCycle = 6.0F;  // two cycles are needed
 constexpr float kMaxFallPerCycle = 3.0F;  // reduction by a cycle without a swap

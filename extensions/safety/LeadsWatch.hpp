@@ -9,10 +9,10 @@
 
 namespace wr {
 
-/// @brief Watch over the polarity of one motor.
+/// @brief Supervision of the polarity of one motor.
 ///
-/// @function Learns the resistance, the constant and the offset of a motor while it turns, and
-/// detects leads that are swapped later: the induced voltage changes its sign in one cycle.
+/// @function Learns the resistance, the constant and the offset of a motor while it turns. Detects
+/// leads that are swapped later: the induced voltage then changes its sign in one cycle.
 ///
 /// @secret How the model of a motor is learned, and how strongly the measurements must contradict
 /// the model.
@@ -58,8 +58,8 @@ class LeadsWatch final {
   float evidence_ = 0;                        // evidence for swapped leads, a logarithm of
                                               // probabilities
   Tension tension_{};                         // voltage of the previous cycle
-  Velocity velocity_{};                       // of the previous cycle
-  std::optional<HallCount> position_;         // of the previous cycle
+  Velocity velocity_{};                       // velocity of the previous cycle
+  std::optional<HallCount> position_;         // position of the previous cycle
 };
 
 }  // namespace wr

@@ -13,9 +13,9 @@ namespace wr {
 /// @brief The algorithms of a wheel, with their limits.
 /// @datatype
 struct LimitedAlgorithms {
-  VelocityAlgorithm velocity;                  ///< for orders of velocity
-  TensionAlgorithm tension;                    ///< for orders of voltage
-  CurrentAlgorithm current;                    ///< for orders of current
+  VelocityAlgorithm velocity;                  ///< algorithm for orders of velocity
+  TensionAlgorithm tension;                    ///< algorithm for orders of voltage
+  CurrentAlgorithm current;                    ///< algorithm for orders of current
   SpeedLimited slowTension{tension};           ///< orders of voltage, limited at the speed limit
   SpeedLimited slowCurrent{current};           ///< orders of current, limited at the speed limit
   CurrentLimited limitedVelocity{velocity};    ///< orders of velocity, limited

@@ -39,7 +39,7 @@ class OrderStage {
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 
-  /// @brief Writes the measurements and outputs of the cycle over those of an earlier cycle.
+  /// @brief Replaces the measurements and outputs of an earlier cycle by the values of this cycle.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @isr{no}

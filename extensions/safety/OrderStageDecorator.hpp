@@ -8,9 +8,8 @@ namespace wr {
 
 /// @brief A stage that extends another stage.
 ///
-/// @function Forwards the operations that it does not extend to the wrapped stage. Derived classes
-/// change the
-/// orders that they extend.
+/// @function Forwards each operation to the wrapped stage, unless a subclass extends it. Subclasses
+/// change the orders that they extend.
 ///
 /// @secret Which calls of the wrapped stage are forwarded unchanged.
 class OrderStageDecorator : public OrderStage {

@@ -31,13 +31,14 @@ class PersistentStop final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect: the mode that wraps this one changes the mode.
+  /// @brief Has no effect: the mode that wraps this mode changes the reading mode.
   /// @param mCtrl controller whose mode stays
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 
   /// @brief Checks whether the source orders a stop.
-  /// @return true if it does, or if its stop from before the reset is still in force.
+  /// @return true if the source orders a stop, or if its stop from before the reset is still in
+  /// force.
   /// @satisfies FR-290
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;

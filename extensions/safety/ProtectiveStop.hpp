@@ -74,7 +74,7 @@ class ProtectiveStop final : public OrderStageDecorator {
   RetainedProtection& memory_;
   std::array<WheelSupervision, kWheelCount> wheels_;
   WheelComparison comparison_;
-  Measurements measurements_;  // of the present cycle
+  Measurements measurements_;  // measurements of the present cycle
   Outputs outputs_;
   StopCause cause_;
   std::uint8_t wheel_;

@@ -10,11 +10,11 @@ namespace wr {
 
 /// @brief Detects a remote control whose pulses no longer change.
 ///
-/// @function Compares the pulses of all channels with those at the last change, and measures how
-/// long the remote control has moved the robot without a change.
+/// @function Compares the pulses of all channels with the pulses at the last change, and measures
+/// how long the remote control has moved the robot without a change.
 ///
 /// @secret The change of a pulse that shows that a person holds the remote control, and how often
-/// such a change is expected.
+/// this change is expected.
 class RcVigilance final {
  public:
   static constexpr std::size_t kChannels = 3;  ///< velocity, direction, enable

@@ -10,10 +10,9 @@ namespace wr {
 /// @brief The latched protective stop in memory that a reset does not change.
 ///
 /// @function Stores the cause of the protective stop and its wheel, with a check word. After
-/// power-on there is no protective stop. After a loss of the clock there is one. After any
-/// other
-/// reset, content that fails its check counts as a protective stop because of a missing
-/// measurement.
+/// power-on there is no protective stop. After a loss of the clock there is a protective stop.
+/// After any other reset, content that fails its check counts as a protective stop because of a
+/// missing measurement.
 ///
 /// @secret How a protective stop is encoded, and how damaged memory is detected.
 class RetainedProtection final {
@@ -22,13 +21,13 @@ class RetainedProtection final {
   /// @datatype
   struct Cells {
     std::uint32_t value;  ///< the encoded protective stop
-    std::uint32_t check;  ///< its complement
+    std::uint32_t check;  ///< complement of the value
   };
 
   /// @brief A protective stop.
   /// @datatype
   struct Stop {
-    StopCause cause = StopCause::None;          ///< its cause; None: no protective stop
+    StopCause cause = StopCause::None;          ///< cause of the stop; None: no protective stop
     std::uint8_t wheel = Protection::kNoWheel;  ///< wheel that the cause concerns, 0 to 3
 
     /// @brief Compares two protective stops.
@@ -42,8 +41,8 @@ class RetainedProtection final {
   RetainedProtection(const RetainedProtection&) = delete;
   RetainedProtection& operator=(const RetainedProtection&) = delete;
 
-  /// @brief Checks why the firmware started: after power-on there is no protective stop, after a loss of
-  /// the clock there is one.
+  /// @brief Checks the cause of the start. After power-on there is no protective stop. After a loss of
+  /// the clock there is a protective stop.
   /// @param start cause of the last reset, and the fault before it
   /// @satisfies FR-291
   /// @isr{no}

@@ -19,7 +19,7 @@ class RetainedStop final : public StopMemory {
   /// @datatype
   struct Cells {
     std::uint32_t value;  ///< number of the state
-    std::uint32_t check;  ///< its complement
+    std::uint32_t check;  ///< complement of the value
   };
 
   /// @brief Binds the object to its memory.

@@ -25,7 +25,7 @@ class RobotStage final : public OrderStage {
   RobotStage() = default;
 
   /// @brief Adds a control system.
-  /// @param system control system of the robot; it lives as long as this object
+  /// @param system control system of the robot; it exists as long as this object
   /// @errors Beyond the capacity the program ends with the assertion PoolFull.
   /// @satisfies FR-293
   /// @isr{no}

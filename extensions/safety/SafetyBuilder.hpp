@@ -32,7 +32,7 @@ namespace wr {
 /// @role{steering-system-construction, Concrete Builder}
 class SafetyBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief Builders of the robot and devices of its safety functions. Each lives as long as this builder.
+  /// @brief Builders of the robot and devices of its safety functions. Each exists as long as this builder.
   /// @datatype
   struct Parts {
     std::span<WheelSystemBuilder> wheels;            ///< builders of the wheels

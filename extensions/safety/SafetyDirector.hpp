@@ -27,10 +27,10 @@ namespace wr {
 /// @role{rc-pin-interrupt, Client}
 class SafetyDirector final {
  public:
-  /// @brief Devices of the safety functions. Each lives as long as the director.
+  /// @brief Devices of the safety functions. Each exists as long as the director.
   /// @datatype
   struct Devices {
-    const Timebase& timebase;  ///< gives the time
+    const Timebase& timebase;  ///< returns the time
     const Timebase& edgeTime;  ///< returns the time of an edge of the remote control
     StopMemory& memory;        ///< memory of the PC's stop
     EdgeInput& enablePin;      ///< pin of the enable switch

@@ -31,8 +31,8 @@ constexpr std::int32_t kStraight =
 constexpr std::int32_t kCurveAngle = 500;  // [0.01 degree]
 constexpr std::int32_t kTightestAngle = SystemConstants::instance().steeringLimit().count();
 constexpr std::int32_t kFastStraight = SystemConstants::instance().velocityLimit().count();
-constexpr std::int32_t kCurveVelocity = 2600;     // [0.1 rpm] at kCurveAngle
-constexpr std::int32_t kTightestVelocity = 2400;  // [0.1 rpm] at kTightestAngle
+constexpr std::int32_t kCurveVelocity = 2600;     // [0.1 rpm] greatest velocity at kCurveAngle
+constexpr std::int32_t kTightestVelocity = 2400;  // [0.1 rpm] greatest velocity at kTightestAngle
 
 bool isVelocity(const WheelSetPoint& setPoint) {
   return setPoint.quantity == WheelQuantity::Velocity;
@@ -57,7 +57,7 @@ std::int32_t unloadedVelocity(Tension tension) {
   return tension.count() * kFullScale / SystemConstants::instance().motorConstant().count();
 }
 
-// Returns the next voltage on the way to the ordered one.
+// Returns the next voltage on the way to the ordered voltage.
 Tension ramped(Tension order, Tension applied) {
   const Tension most =
       applied < Tension() ? applied + kMaxFallPerCycle : applied + kMaxRisePerCycle;
@@ -107,9 +107,8 @@ void SetPointRamp::recover(std::uint32_t cycle) {
   wrapped().recover(cycle);
 }
 
-// A ramp that begins after an order of voltage or current begins at the measured velocity, or at
-// the velocity that the present voltage makes without load if this is lower, so that the voltage
-// does not jump.
+// After an order of voltage or current, a ramp begins at the lower of two velocities: the measured
+// velocity, and the velocity without load at the present voltage. The voltage then does not jump.
 void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements& measurements,
                                   const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -123,7 +122,7 @@ void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements
   }
 }
 
-// A wheel that is too fast, or will be in two cycles, lowers the set-points of all wheels.
+// A wheel that is too fast, or will be too fast in two cycles, lowers the set-points of all wheels.
 void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t most) {
   bool fast = false;
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

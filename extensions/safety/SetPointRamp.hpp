@@ -54,7 +54,7 @@ class SetPointRamp final : public OrderStageDecorator {
   void limit(SetPoints& setPoints, std::int32_t most) const;
   [[nodiscard]] std::int32_t greatestChange(const SetPoints& setPoints) const;
 
-  Measurements measurements_;  // of the present cycle
+  Measurements measurements_;  // measurements of the present cycle
   Outputs outputs_;
   std::array<std::int32_t, kWheelCount> ramped_{};      // [0.1 rpm] set-point of each wheel
   std::array<std::int32_t, kWheelCount> velocities_{};  // [0.1 rpm] magnitudes of the previous

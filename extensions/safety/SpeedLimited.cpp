@@ -9,7 +9,7 @@ namespace wr {
 namespace {
 
 // Change of the voltage in a cycle, as in the control of velocity.
-constexpr std::int32_t kPerVelocity = 21;      // [mV] for 1 rpm below the limit
+constexpr std::int32_t kPerVelocity = 21;      // [mV] change for 1 rpm below the limit
 constexpr std::int32_t kPerAcceleration = 47;  // [mV] per rpm of change in a cycle
 constexpr std::int32_t kTenths = 10;
 

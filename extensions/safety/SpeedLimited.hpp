@@ -44,7 +44,7 @@ class SpeedLimited final : public WheelAlgorithm {
 
  private:
   WheelAlgorithm& wrapped_;
-  std::optional<Velocity> before_;  // of the previous cycle
+  std::optional<Velocity> before_;  // velocity of the previous cycle
   std::optional<Tension> applied_;  // voltage of the wheel
 };
 

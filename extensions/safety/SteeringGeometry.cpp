@@ -38,7 +38,7 @@ consteval double root(double square) {
   return value;
 }
 
-// Computed by its continued fraction, which is exact to 10 digits up to 45 degrees.
+// Returns the tangent, computed by its continued fraction. Up to 45 degrees 10 digits are exact.
 consteval double tangent(double angle) {
   double fraction = 0;
   for (int odd = 21; odd > 0; odd -= 2) {
@@ -47,7 +47,7 @@ consteval double tangent(double angle) {
   return fraction / angle;
 }
 
-// Returns part of whole in thousandths, rounded; the part is not negative.
+// Returns a share [1/kFullShare], rounded. The share must not be negative.
 consteval std::int32_t shareOf(double part) {
   return (static_cast<std::int32_t>(2 * kFullShare * part) + 1) / 2;
 }

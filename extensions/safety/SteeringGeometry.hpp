@@ -7,9 +7,9 @@ namespace wr {
 
 /// @brief Computes the velocity of each wheel from the circle on which it rolls.
 ///
-/// @function Changes the set-points of a source that orders one velocity for all wheels: each wheel
-/// gets a velocity proportional to its circle at the ordered steering angle, and the fastest wheel
-/// gets the ordered velocity.
+/// @function Changes the set-points of a source that orders one velocity for all wheels. Each wheel
+/// gets a velocity proportional to its circle at the ordered steering angle. The fastest wheel gets
+/// the ordered velocity.
 ///
 /// @secret The geometry of the steering: wheelbase, track, and which wheel turns on which circle.
 ///
@@ -26,7 +26,7 @@ class SteeringGeometry final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect: the mode that wraps this one changes the mode.
+  /// @brief Has no effect: the mode that wraps this mode changes the reading mode.
   /// @param mCtrl controller whose mode stays
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;

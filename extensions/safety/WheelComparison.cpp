@@ -15,12 +15,12 @@ constexpr std::int32_t kComparedWay = 20;  // [edges] 0.057 m
 constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 
 // On a straight line no wheel needs this current for longer than 1 s. In a curve the set-points of
-// a source can make the wheels work against each other for a while: there the limit is 5 s.
+// a source can make the wheels work against each other for some time, so the limit is 5 s there.
 constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;
-constexpr std::uint8_t kStraightCycle = 5;  // number of cycles in a curve that count as one
-                                            // straight on
+constexpr std::uint8_t kStraightCycle = 5;  // one cycle straight on counts as this number
+                                            // of cycles in a curve
 
 bool isGreat(std::optional<Current> current) {
   const Current measured = current.value_or(Current());
@@ -78,7 +78,7 @@ void WheelComparison::add(const Measurements& measurements) {
   }
 }
 
-// The mean of the two wheels in the middle: one failed wheel does not change it much.
+// Returns the mean of the two middle wheels. One failed wheel does not change it much.
 std::int32_t WheelComparison::common() const {
   const auto [least, greatest] = std::ranges::minmax(ways_);
   std::int32_t sum = 0;

@@ -12,8 +12,8 @@ namespace wr {
 
 /// @brief Comparison of the wheels of one robot.
 ///
-/// @function Adds the Hall edges of each wheel until the robot has driven 0.057 m, and returns a
-/// wheel that in two successive comparisons moved at most half as far as the others. Returns a
+/// @function Adds the Hall edges of each wheel until the robot has driven 0.057 m. Returns a wheel
+/// that moved at most half as far as the other wheels in two successive comparisons. Returns a
 /// wheel that has a great current although the robot drives straight on.
 ///
 /// @secret How far the wheels of one robot can differ, and the distance and the time of a
@@ -27,7 +27,7 @@ class WheelComparison final {
 
   /// @brief Compares the wheels. Each cycle in which they follow set-points calls it.
   /// @param measurements measurements of the cycle that ends
-  /// @return number of the wheel that stays behind, 0 to 3; nothing if there is none.
+  /// @return number of the wheel that moved too little, 0 to 3; nothing if there is none.
   /// @satisfies FR-297
   /// @isr{no}
   [[nodiscard]] std::optional<std::uint8_t> behind(const Measurements& measurements);
@@ -50,11 +50,11 @@ class WheelComparison final {
   void add(const Measurements& measurements);
   [[nodiscard]] std::int32_t common() const;
 
-  std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the cycle before
+  std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the previous cycle
   std::array<std::int32_t, kWheelCount> ways_{};                // [edges]
   std::array<std::uint8_t, kWheelCount> greatCycles_{};         // successive cycles with a great
                                                                 // current
-  std::optional<std::uint8_t> late_;                            // at the last comparison
+  std::optional<std::uint8_t> late_;  // wheel that moved too little at the last comparison
 };
 
 }  // namespace wr

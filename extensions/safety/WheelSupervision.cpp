@@ -15,14 +15,14 @@ constexpr Velocity kMaxVelocity(3300);  // 10 % above the velocity limit
 // A wheel turns against its voltage.
 constexpr Tension kDriving(1000);
 constexpr Velocity kOpposingVelocity(50);
-constexpr std::int32_t kOpposingPercent = 50;  // of the induced voltage
-constexpr std::int32_t kDrivingPercent = 40;   // of the voltage, to allow for supply, winding and
-                                               // delay
+constexpr std::int32_t kOpposingPercent = 50;  // share of the induced voltage
+constexpr std::int32_t kDrivingPercent = 40;   // share of the voltage, to allow for supply, winding
+                                              // and delay
 constexpr std::uint8_t kOpposingCycles = 2;
 
 // A wheel is faster than its set-point.
 constexpr Velocity kMargin(400);
-constexpr std::int32_t kMarginShare = 4;  // and a quarter of the set-point
+constexpr std::int32_t kMarginShare = 4;  // a quarter of the set-point is added
 constexpr Velocity kSlower(10);  // decrease of the velocity in a cycle when the control brakes the
                                  // wheel
 constexpr std::uint8_t kTooFastCycles = 3;
@@ -37,10 +37,10 @@ constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-constexpr std::uint8_t kMissingCycles = 3;  // in the third, a value is missing for over 0.2 s
+constexpr std::uint8_t kMissingCycles = 3;  // in the third cycle, a value is missing for over 0.2 s
 
-constexpr std::uint8_t kEqualCycles = 7;  // changes of cycle in which a current is equal to the
-                                          // milliampere
+constexpr std::uint8_t kEqualCycles = 7;  // successive cycles in which a current does not
+                                          // change by a milliampere
 
 // Implausible edges, counted in halves: each cycle subtracts half an edge.
 constexpr std::int32_t kRejectedEdges = 18;

@@ -14,11 +14,12 @@ namespace wr {
 
 /// @brief Plausibility checks of one wheel.
 ///
-/// @function Compares the measurements of a wheel with its voltage, its set-point and the model of
-/// its motor once per cycle, and returns the cause of a protective stop when one of them is
+/// @function Once per cycle, compares the measurements of a wheel with its voltage, its set-point
+/// and the model of its motor. Returns the cause of a protective stop when a measurement is
 /// implausible.
 ///
-/// @secret Which measurements of a wheel are implausible, and for how long this is tolerated.
+/// @secret Which measurements of a wheel are implausible, and how long implausible measurements are
+/// tolerated.
 class WheelSupervision final {
  public:
   /// @brief Begins without measurements.
@@ -51,9 +52,9 @@ class WheelSupervision final {
  private:
   static constexpr std::size_t kReferences = 10;  // number of stored set-points
 
-  // The voltage of a wheel: the part that the velocity causes, the part that the current causes,
-  // and the rest. All values are 0 while the voltage or a measurement is missing: they then show no
-  // fault.
+  // The parts of the voltage of a wheel: the part that the velocity causes, the part that the
+  // current causes, and the rest. All values are 0 while the voltage or a measurement is missing,
+  // so they show no fault.
   struct Balance {
     Velocity velocity{};
     Tension tension{};
@@ -72,11 +73,11 @@ class WheelSupervision final {
 
   std::optional<Tension> tension_;         // voltage during the cycle that ends
   std::optional<std::uint16_t> rejected_;  // implausible Hall edges up to the previous cycle
-  Velocity velocity_{};                    // of the previous cycle
-  std::optional<Current> current_;         // of the previous cycle
+  Velocity velocity_{};                    // velocity of the previous cycle
+  std::optional<Current> current_;         // current of the previous cycle
   std::uint8_t equalCycles_ = 0;
   std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
-  std::size_t oldest_ = 0;  // place of the oldest one, which the next one replaces
+  std::size_t oldest_ = 0;  // index of the oldest set-point, which the next set-point replaces
   bool following_ = false;
   std::uint8_t opposing_ = 0;  // half cycles
   std::uint8_t tooFast_ = 0;

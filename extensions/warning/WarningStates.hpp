@@ -25,7 +25,7 @@ struct WarningStates {
         waitingN(working, reconnecting),
         reconnecting(working) {}
 
-  /// @brief Which failed read sets the state that warns.
+  /// @brief Number of the failed read that sets the state that warns.
   static constexpr std::uint8_t kFailedReads = SystemConstants::instance().waitingCycles() - 1;
   static_assert(kFailedReads >= 2, "the first failed read sets a waiting state that does not warn");
 

@@ -26,7 +26,7 @@ inline constexpr Register<std::uint32_t, 0x40024004> CTRL1;
 inline constexpr Register<std::uint32_t, 0x40024008, Access::Read> TIMER;
 inline constexpr Register<std::uint32_t, 0x40024028> IMASK1;
 inline constexpr Register<std::uint32_t, 0x40024030, Access::Flags> IFLAG1;
-inline constexpr std::uint32_t kBuffer = 0x10;  // from one message buffer to the next [byte]
+inline constexpr std::uint32_t kBuffer = 0x10;  // distance between two message buffers [byte]
 inline constexpr Register<std::uint32_t, 0x40024080, Access::Flags> CS;
 inline constexpr Register<std::uint32_t, 0x40024084, Access::Flags> ID;
 inline constexpr Register<std::uint32_t, 0x40024088, Access::Flags> DATA;  // two words
@@ -39,7 +39,8 @@ constexpr auto CS_CODE_EMPTY = CS.field(0x4, kCodeAt);
 constexpr auto CS_CODE_OVERRUN = CS.field(0x6, kCodeAt);
 constexpr auto CS_CODE_DATA = CS.field(0xC, kCodeAt);
 
-// Buffer 0 stays unused: erratum 5829 of the controller is about the first buffer that sends.
+// Buffer 0 is not used, because erratum 5829 of the controller concerns the first buffer that
+// sends.
 constexpr unsigned kReceiver = 1;
 constexpr unsigned kSender = 2;
 constexpr std::uint32_t kBuffers = 3;
@@ -54,8 +55,8 @@ constexpr auto kClockOfBus = CTRL1.bit(13);  // CLKSRC
 constexpr auto kTiming = CTRL1.field(kDivider - 1, 24) | CTRL1.field(2, 22) | CTRL1.field(7, 19) |
                          CTRL1.field(2, 16) | kClockOfBus | CTRL1.field(7, 0);
 
-// The controller confirms a change of its mode within a few bit times. Without an answer it stays
-// silent, and the connection of the PC ends.
+// The controller confirms a change of its mode within a few bit times. Without this confirmation
+// the port sends nothing, and the connection of the PC ends.
 constexpr int kMostReads = 10'000;
 
 void await(decltype(MCR)::Bits flag, bool wanted) {
@@ -80,7 +81,7 @@ CanPort::CanPort(const Timebase& clock) : clock_(clock) {}
 
 void CanPort::start() {
   SCGC6.set(SCGC6_FLEXCAN0);
-  CTRL1.write(kClockOfBus);  // while the controller is disabled
+  CTRL1.write(kClockOfBus);  // written while the controller is disabled
   MCR.write(MCR_FRZ | MCR_HALT | MCR_SRXDIS | MCR.field(kBuffers - 1, 0));
   await(MCR_FRZACK, true);
   CTRL1.write(kTiming);
@@ -107,7 +108,7 @@ void CanPort::serve() {
   }
 }
 
-// The read of the control word locks the buffer, the read of the timer unlocks it.
+// The read of the control word locks the buffer, and the read of the timer unlocks the buffer.
 void CanPort::receive() {
   const auto control = CS.at(bufferAt(kReceiver)).read();
   const std::array<std::uint32_t, 2> words{DATA.at(bufferAt(kReceiver)).read().value,
@@ -140,7 +141,7 @@ void CanPort::send() {
       .write(CS_CODE_DATA | CS.field(static_cast<std::uint32_t>(length), kLengthAt));
 }
 
-// The interrupt sends too.
+// The interrupt calls send() too, so it is blocked here.
 void CanPort::beginSending() {
   const InterruptLock lock;
   send();

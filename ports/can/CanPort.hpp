@@ -17,7 +17,7 @@ class CanPort final : public BufferedPort {
   /// @brief Identifier of the frames with bytes of the robot.
   static constexpr std::uint32_t kFromRobot = 0x102;
 
-  /// @brief Makes the port of CAN0.
+  /// @brief Constructs the port of CAN0.
   /// @param clock time of the received zero bytes
   explicit CanPort(const Timebase& clock);
 

@@ -33,7 +33,7 @@ class CmsdkTimebase final : public Timebase {
     return Instant(ticks_ / kTicksPerMicrosecond);
   }
 
-  /// @return always 0: the board does not count them
+  /// @return always 0: the board does not count cycles
   [[nodiscard]] std::uint32_t awakeCycles() const override { return 0; }
 
  private:

@@ -8,7 +8,7 @@ namespace wr::mps2 {
 /// @brief The first serial port of the board, at 115200 baud. It has no FIFO.
 class CmsdkUart final : public BufferedPort {
  public:
-  /// @brief Makes the port.
+  /// @brief Constructs the port.
   /// @param clock time of the received zero bytes
   explicit CmsdkUart(const Timebase& clock);
 

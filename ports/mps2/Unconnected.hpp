@@ -12,14 +12,14 @@
 
 namespace wr::mps2 {
 
-/// @brief An output that ends nowhere.
+/// @brief An output without a connection.
 class NoOutput final : public DigitalOutput {
  public:
   constexpr NoOutput() = default;
   void set(bool /*on*/) override {}
 };
 
-/// @brief A voltage that ends nowhere.
+/// @brief A voltage output without a connection.
 class NoPwm final : public PwmOutput {
  public:
   constexpr NoPwm() = default;

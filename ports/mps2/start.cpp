@@ -1,4 +1,5 @@
-// From the reset of the board to runRobot(), and the ends of the firmware.
+// The start of the firmware, from the reset of the board to runRobot(), and the functions that end
+// the firmware.
 
 #include <algorithm>
 #include <array>
@@ -40,7 +41,7 @@ void unexpected() {
 
 namespace {
 
-// The watchdog warns before it resets.
+// The handler of the NMI that the watchdog requests before it resets the board.
 void warning() {}
 
 }  // namespace
@@ -67,7 +68,7 @@ void assertionFailed(AssertId /*id*/) {
 
 namespace {
 
-constexpr std::size_t kExceptions = 16;  // of the core; the interrupt lines follow
+constexpr std::size_t kExceptions = 16;  // number of core exceptions; the interrupt lines follow
 constexpr std::size_t kHandlers = kExceptions - 1 + mps2::kLines;
 
 using Handler = void (*)();

@@ -34,7 +34,7 @@ class BoardSession final : public scenario::RobotSession {
   void setExternalClock(bool present) override;
   [[nodiscard]] std::optional<scenario::SessionFinding> finding() const override;
 
-  /// @brief Sets the callback with each event of the board.
+  /// @brief Sets the callback for each event of the board.
   /// @param call the callback
   void onEvent(std::function<void(const emulator::Event&)> call);
 

@@ -11,7 +11,7 @@ class BoardWires {
  public:
   /// @brief Connects pins and physics. From now on the physics advance by a step at each ms of
   /// board time.
-  /// @param board the board; it lives as long as the wires
+  /// @param board the board; it exists as long as the wires
   explicit BoardWires(emulator::VirtualBoard& board);
   BoardWires(const BoardWires&) = delete;
   BoardWires& operator=(const BoardWires&) = delete;

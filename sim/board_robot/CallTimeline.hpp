@@ -23,10 +23,10 @@ class CallTimeline {
   };
 
   /// @brief Replaces the observer of the line. Construct it before the first run.
-  /// @param robot the image in its robot; it lives as long as the timeline
+  /// @param robot the image in its robot; it exists as long as the timeline
   /// @param elf file of the image with its symbols
   /// @param window the recorded part of the run
-  /// @param output receives the lines; it lives as long as the timeline
+  /// @param output receives the lines; it exists as long as the timeline
   CallTimeline(BoardSession& robot, const std::filesystem::path& elf, Window window,
                std::ostream& output);
   CallTimeline(const CallTimeline&) = delete;

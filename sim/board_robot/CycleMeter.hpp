@@ -33,8 +33,8 @@ class CycleMeter {
 
   /// @brief Costs of one control cycle.
   struct Cycle {
-    Cost toReport;  ///< from the clock pulse until the report is handed over
-    Cost whole;     ///< without the cycles in which the processor sleeps
+    Cost toReport;  ///< costs from the clock pulse until the report is handed over
+    Cost whole;     ///< costs without the cycles in which the processor sleeps
     std::uint64_t pulseLatency =
         0;                         ///< cycles from the clock pulse to the first step of its handler
     std::uint64_t startDelay = 0;  ///< cycles from the clock pulse to the main thread's first step
@@ -44,19 +44,19 @@ class CycleMeter {
   /// @brief Costs of one exception in all measured control cycles; 0: outside of exceptions.
   struct Exception {
     unsigned priority = 0;            ///< 0 to 15; 0 is the highest
-    std::uint64_t entries = 0;        ///< times it was entered
-    Cost whole;                       ///< costs without those of its interrupts
+    std::uint64_t entries = 0;        ///< number of entries
+    Cost whole;                       ///< costs without the costs of its interrupts
     Cost toReport;                    ///< the part from the clock pulses to the reports
-    std::uint64_t requests = 0;       ///< times a device raised its line
+    std::uint64_t requests = 0;       ///< number of times that a device raised its line
     std::uint64_t worstLatency = 0;   ///< greatest number of cycles from a request to its first
                                       ///< instruction
     std::optional<std::uint64_t> at;  ///< cycle of a pending request
   };
 
   /// @brief Replaces the observer of the line and the observer of the board's writes.
-  /// @param robot the image in its robot; it lives as long as the meter
+  /// @param robot the image in its robot; it exists as long as the meter
   /// @param from time of the beginning; the next clock pulse begins the first control cycle
-  /// @param profiled whether to count how often each instruction is executed
+  /// @param profiled true to count the executions of each instruction
   CycleMeter(BoardSession& robot, std::chrono::nanoseconds from, bool profiled);
   CycleMeter(const CycleMeter&) = delete;
   CycleMeter& operator=(const CycleMeter&) = delete;
@@ -79,7 +79,7 @@ class CycleMeter {
   /// @return bytes of the stack
   [[nodiscard]] std::size_t stackBytes() const;
 
-  /// @brief Writes all as JSON.
+  /// @brief Writes all measurements as JSON.
   void write(std::ostream& output) const;
 
  private:
@@ -103,7 +103,7 @@ class CycleMeter {
   std::chrono::nanoseconds from_;
   bool profiled_;
   bool begun_ = false;
-  bool toReport_ = false;  ///< between a clock pulse and its report
+  bool toReport_ = false;  ///< true between a clock pulse and its report
   Instant pulseAt_;
   Instant chargedAt_;  ///< cycle up to which costs are assigned to exceptions
   Cycle cycle_;
@@ -113,7 +113,7 @@ class CycleMeter {
   std::map<unsigned, Exception> exceptions_;
   std::array<emulator::ExecutedCode, 2> profile_;  ///< executions at other times, and between clock
                                                    ///< pulse and report
-  emulator::ExecutedCode rest_;                    ///< after the measured cycles
+  emulator::ExecutedCode rest_;                    ///< executions after the measured cycles
 };
 
 }  // namespace wr::board_robot

@@ -87,7 +87,8 @@ void Adc::update() {
   board_.setLine(line_, (at(kSc1a) & both) == both);
 }
 
-// Bus clocks in a clock of the conversion, ADCK: CFG1.ADIV, and the bus clock as its source.
+// Returns the number of bus clocks in a clock of the conversion, ADCK. CFG1.ADIV divides the bus
+// clock.
 std::uint32_t Adc::busClocksOfClock() const {
   return 1U << (at(kCfg1) >> 5 & 3U);
 }
@@ -244,7 +245,7 @@ void Adc::setControl3(std::uint32_t value) {
   if ((value & kContinuous) != 0) {
     unmodelled(name_ + "_SC3 with ADCO", kSc3);
   }
-  const std::uint32_t failed = at(kSc3) & ~value & kFailed;  // cleared by a one
+  const std::uint32_t failed = at(kSc3) & ~value & kFailed;  // cleared by writing 1
   at(kSc3) = failed | (value & (kAverages | 3U));
   if ((value & kCalibrates) != 0) {
     at(kSc3) = (at(kSc3) & ~kFailed) | kCalibrates;

@@ -15,10 +15,9 @@ namespace wr::emulator {
 /// K64P144M120SF5, 16-bit ADC operating conditions.
 ///
 /// A conversion uses the voltage at its beginning. An open input keeps the charge of the previous
-/// conversion on the capacitor of the converter. Modelled are single-ended
-/// conversions that the program starts, and the calibration. Not modelled: hardware triggers,
-/// differential inputs, continuous conversions, the compare function, DMA, other clocks than the
-/// bus clock.
+/// conversion on the capacitor of the converter. Modelled: single-ended conversions that the
+/// program starts, and the calibration. Not modelled: hardware triggers, differential inputs,
+/// continuous conversions, the compare function, DMA, other clocks than the bus clock.
 class Adc final : public Peripheral {
  public:
   /// @brief State of the pin of a channel.

@@ -14,7 +14,8 @@ namespace wr::emulator {
 /// calls as an earlier interrupt is not recorded again.
 ///
 /// The file has one little-endian number of 64 bits for each event: the address of the function,
-/// with bit 63 set when it is left, like the traces of the tests on the host.
+/// with bit 63 set when the function is left. The traces of the tests on the host have the same
+/// format.
 class CallRecorder {
  public:
   /// @brief Reads the addresses of the functions.

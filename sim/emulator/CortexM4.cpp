@@ -18,7 +18,7 @@ constexpr unsigned kUsageFault = 6;
 constexpr unsigned kSupervisorCall = 11;
 constexpr unsigned kFirstLine = 16;
 
-// Entries for one rise of a line from which an interrupt cannot recover.
+// An interrupt that is entered so often for one rise of its line does not end.
 constexpr unsigned kStorm = 1000;
 
 constexpr std::uint32_t kAlignedBit = 1U << 9;
@@ -295,14 +295,15 @@ bool CortexM4::enterNext() {
   }
   const int wanted = nvic_.group(nvic_.priority(next));
   if (wanted >= nvic_.activePriority()) {
-    return false;  // until an exception returns or a register of the NVIC is written
+    return false;  // the exception waits until an exception returns or a register of the NVIC is
+                   // written
   }
   // WFI ends also for an interrupt that only PRIMASK blocks: ARMv7-M ARM, B1.5.18.
   if (sleeping_) {
     sleeping_ = wanted >= executionPriority(false);
   }
   if (wanted >= executionPriority()) {
-    core_.maskedPending = true;  // until the program changes a mask
+    core_.maskedPending = true;  // the exception waits until the program changes a mask
     return false;
   }
   enter(next, pc());

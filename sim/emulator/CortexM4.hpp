@@ -20,21 +20,21 @@ namespace wr::emulator {
 /// Time is counted in cycles, according to Timing. All runs of a program are equal.
 ///
 /// Not modelled: bit-banding, the memory protection unit, lazy stacking of the floating-point
-/// registers (they are stacked at entry), LDM and STM that an interrupt divides.
+/// registers (they are stacked at entry), and interrupts during LDM and STM.
 class CortexM4 {
  public:
   using Access = Memory::Access;
   using Read = Memory::Read;
   using Write = Memory::Write;
 
-  /// @brief Action of the program that stopped it.
+  /// @brief Action of the program that stopped the processor.
   struct Problem {
     std::string id;        ///< kind of finding
     std::string what;      ///< description
     std::uint32_t pc = 0;  ///< instruction that caused it
   };
 
-  /// @brief Why run() returned.
+  /// @brief Reason for the return of run().
   enum class Stop {
     Limit,    ///< the limit was reached, or stop() was called
     Sleep,    ///< the program waits for an interrupt
@@ -83,10 +83,10 @@ class CortexM4 {
   /// @return reason of the return
   Stop run(std::uint64_t limit);
 
-  /// @brief Makes run() return at a cycle earlier than its limit. Used in the calls of windows.
+  /// @brief Makes run() return at a cycle earlier than its limit. The calls of windows use it.
   void limitTo(std::uint64_t cycle);
 
-  /// @brief Makes run() return before the next instruction. Used in the calls of windows.
+  /// @brief Makes run() return before the next instruction. The calls of windows use it.
   void stop() { limitTo(0); }
 
   /// @brief Makes run() return Stop::Exit before the next instruction.
@@ -121,7 +121,8 @@ class CortexM4 {
   /// @param exception number, 2 NMI, 3 HardFault, ... 16 interrupt line 0
   void raise(unsigned exception);
 
-  /// @brief An access to a window causes a bus fault, or a problem when faults are problems.
+  /// @brief Rejects the present access to a window with a bus fault, or with a problem if faults
+  /// are problems.
   /// @param id kind of finding
   /// @param event description
   void refuse(std::uint32_t address, std::string id, std::string event);
@@ -132,24 +133,26 @@ class CortexM4 {
   /// @brief The problem that stopped the program.
   [[nodiscard]] const std::optional<Problem>& problem() const;
 
-  /// @brief Faults stop the program as problems (true), or are passed to its handlers (false, at
-  /// first).
+  /// @brief Sets whether faults stop the program as problems (true), or are passed to its handlers
+  /// (false, at first).
   void setFaultsAreProblems(bool problems);
 
   /// @brief Sets the callback at BKPT 0xAB. The call sets register 0, and the program continues
   /// after it.
   void onSemihosting(std::function<void(CortexM4&)> call);
 
-  /// @brief Sets the callback when an exception was entered or left.
+  /// @brief Sets the callback for each exception that was entered or left.
   void onException(std::function<void(Step, unsigned exception)> call);
 
   /// @brief Sets the callback for reset requests of the program.
   void onResetRequest(std::function<void()> call);
 
-  /// @brief Sets the callback when a fault has no handler that can run. Without it: a problem.
+  /// @brief Sets the callback for a fault whose handler cannot run. Without a callback the fault is
+  /// a problem.
   void onLockup(std::function<void()> call);
 
-  /// @brief Sets the callback before an access that is not modelled is a problem.
+  /// @brief Sets the callback for an access that is not modelled. Without a callback the access is
+  /// a problem.
   /// @param call gets a description of the access; returns true if the program continues: a load
   /// then returns 0, a store has no effect
   void onUnmodelled(std::function<bool(const std::string& what)> call);
@@ -157,7 +160,7 @@ class CortexM4 {
   /// @brief Sets the callback before the first instruction after a reset and after each branch.
   void onBlock(std::function<void(std::uint32_t address)> call);
 
-  /// @brief Sets the callback before each instruction. For a debugger, which may change the
+  /// @brief Sets the callback before each instruction. A debugger uses it; it may change the
   /// registers, and memory with load().
   void onInstruction(std::function<void()> call) { core_.onInstruction(std::move(call)); }
 
@@ -227,7 +230,7 @@ class CortexM4 {
   std::uint64_t limit_ = 0;
   bool running_ = false;  ///< inside the core
   bool sleeping_ = false;
-  std::vector<bool> blockWaits_;  ///< for each entered exception, whether it came before a block
+  std::vector<bool> blockWaits_;  ///< whether each entered exception came before a block
   bool exit_ = false;
   bool faultsAreProblems_ = false;
   unsigned raised_ = 0;

@@ -22,7 +22,7 @@ constexpr std::size_t kFirstDouble = 23;
 constexpr std::size_t kDoubles = 16;
 constexpr std::size_t kFpscr = kFirstDouble + kDoubles;
 
-// The order in which they are sent to the debugger.
+// The registers in the order in which they are sent to the debugger.
 constexpr auto kRegisters = std::to_array<DebugPort::Register>({
     {"r0", 32},  {"r1", 32},     {"r2", 32},     {"r3", 32},       {"r4", 32},     {"r5", 32},
     {"r6", 32},  {"r7", 32},     {"r8", 32},     {"r9", 32},       {"r10", 32},    {"r11", 32},
@@ -109,7 +109,7 @@ std::optional<std::uint32_t> DebugPort::inspect(std::uint32_t address, unsigned 
 }
 
 // The registers of a block differ in size: an access of the wrong size is rejected, and a narrower
-// one is tried.
+// access is tried.
 std::size_t DebugPort::readMemory(std::uint32_t address, std::span<std::uint8_t> bytes) const {
   std::size_t done = 0;
   while (done < bytes.size()) {

@@ -19,7 +19,7 @@ class DebugPort {
  public:
   /// @brief A register that a debugger sees.
   struct Register {
-    std::string_view name;  ///< as GDB names it
+    std::string_view name;  ///< name in GDB
     unsigned bits;          ///< 8, 32 or 64
   };
 

@@ -25,7 +25,7 @@ class EventTrace {
   /// @return the number
   [[nodiscard]] std::uint64_t events() const { return events_; }
 
-  /// @brief FNV-1a of all events: runs that differ have different hashes.
+  /// @brief Hash of all events by FNV-1a. Runs that differ have different hashes.
   /// @return the hash
   [[nodiscard]] std::uint64_t hash() const { return hash_; }
 

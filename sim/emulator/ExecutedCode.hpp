@@ -34,7 +34,7 @@ class ExecutedCode {
     return place < kRamSize ? kRam + place : place - kRamSize;
   }
 
-  /// @brief Forgets all.
+  /// @brief Clears all counts.
   void clear() { std::ranges::fill(counts_, std::uint64_t{0}); }
 
   /// @brief The executed instructions: one bit for each half-word, first the bits of the lower RAM,
@@ -49,7 +49,7 @@ class ExecutedCode {
   }
 
  private:
-  static constexpr std::uint32_t kRam = 0x1FFF0000;      // where the lower RAM begins
+  static constexpr std::uint32_t kRam = 0x1FFF0000;      // first address of the lower RAM
   static constexpr std::uint32_t kRamSize = 0x10000;     // [byte]
   static constexpr std::uint32_t kFlashSize = 0x100000;  // [byte]; it begins at 0
 

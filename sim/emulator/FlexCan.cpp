@@ -96,7 +96,7 @@ std::uint32_t FlexCan::mode() const {
 
 Time FlexCan::endOf(const CanFrame& frame, Time begin) const {
   const std::uint64_t quanta =
-      4 + (timing_ & 7) + (timing_ >> 19 & 7) + (timing_ >> 16 & 7);  // with the first one
+      4 + (timing_ & 7) + (timing_ >> 19 & 7) + (timing_ >> 16 & 7);  // with the first quantum
   const std::uint64_t clocks =
       ((timing_ >> 24) + 1) * quanta * (kFrameBits + 8 * frame.data.size());
   const Clock& clock = board_.busClock();
@@ -117,7 +117,7 @@ std::uint32_t FlexCan::read(std::uint32_t offset, unsigned size) {
     case kCtrl1:
       return timing_;
     case kTimer:
-      return 0;  // unlocks the buffer that was read; nothing comes between in this model
+      return 0;  // unlocks the buffer that was read; in this model the buffer cannot change before
     case kRxmgmask:
       return mask_;
     case kImask1:
@@ -239,7 +239,7 @@ std::vector<CanFrame> FlexCan::takeSent() {
   return std::exchange(sent_, {});
 }
 
-// When the bus gets free, the frame with the smaller identifier is sent first.
+// When the bus becomes free, the frame with the smaller identifier is sent first.
 void FlexCan::nextFrame(Time from) {
   if (busy_) {
     return;

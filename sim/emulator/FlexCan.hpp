@@ -20,7 +20,7 @@ namespace wr::emulator {
 /// A frame takes the bits of ISO 11898-1 without stuff bits.
 ///
 /// Not modelled: the receive FIFO, individual masks, remote and extended frames, errors on the bus,
-/// loop-back, listen-only, wake-up, time stamps. Their bits are a misuse.
+/// loop-back, listen-only, wake-up, time stamps. A write of their bits is a finding.
 class FlexCan final : public Peripheral {
  public:
   explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }
@@ -35,13 +35,13 @@ class FlexCan final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override { return busy_ ? end_ : kNever; }
   void advance() override;
 
-  /// @brief The other node sends a frame as soon as the bus is free.
+  /// @brief Lets the other node send a frame as soon as the bus is free.
   void arrive(CanFrame frame);
 
   /// @brief Frames sent since the last call.
   [[nodiscard]] std::vector<CanFrame> takeSent();
 
-  /// @brief Returns whether no frame is on the bus or waits for it.
+  /// @brief Returns true when no frame is on the bus and no frame waits for the bus.
   [[nodiscard]] bool idle() const { return !busy_ && arriving_.empty(); }
 
  private:
@@ -75,8 +75,8 @@ class FlexCan final : public Peripheral {
   std::deque<CanFrame> arriving_;
   std::vector<CanFrame> sent_;
   bool busy_ = false;
-  bool sends_ = false;      // the frame on the bus is one of the controller
-  std::size_t sender_ = 0;  // its buffer
+  bool sends_ = false;      // the controller sends the frame on the bus
+  std::size_t sender_ = 0;  // buffer of the frame
   Time end_ = kNever;
 };
 

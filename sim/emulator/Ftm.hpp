@@ -15,7 +15,8 @@ namespace wr::emulator {
 /// K64P144M120SF5RM, chapter FlexTimer Module (FTM).
 ///
 /// Not modelled: all other modes, interrupts, the flags of channels (they read 0), and MODE.FTMEN
-/// with the registers that it enables: those can only be written with their values after a reset.
+/// with the registers that it enables. These registers can only be written with their values after
+/// a reset.
 class Ftm final : public Peripheral {
  public:
   /// @param number 0 to 3

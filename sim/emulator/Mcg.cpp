@@ -272,7 +272,7 @@ void Mcg::checkPll() {
 void Mcg::follow() {
   const Time now = board_.time();
   const bool wantsInternal = (c1_ & 0x04U) != 0;
-  const bool oscillator = (c2_ & 0x04U) != 0;  // EREFS: no crystal is there
+  const bool oscillator = (c2_ & 0x04U) != 0;  // EREFS: there is no crystal
   const bool externalUsable = external_ && !oscillator;
   reference_.ask(wantsInternal ? 1 : 0,
                  wantsInternal || externalUsable ? now + kReferenceDelay : kNever);

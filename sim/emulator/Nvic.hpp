@@ -12,29 +12,30 @@ namespace wr::emulator {
 /// Exceptions are numbered as in the architecture: 2 NMI, 3 HardFault, ... 16 interrupt line 0.
 class Nvic {
  public:
-  /// @brief Lower than the priority of each exception.
+  /// @brief A priority that is lower than the priority of each exception.
   static constexpr int kThreadPriority = 256;
 
   Nvic(unsigned lines, unsigned priorityBits);
 
-  /// @brief Nothing is enabled, pending or active; levels of the lines do not change.
+  /// @brief Makes all exceptions disabled, not pending and not active. The levels of the lines do
+  /// not change.
   void reset();
 
   void pend(unsigned exception) { pending_.set(exception); }
   void unpend(unsigned exception);
   [[nodiscard]] bool isPending(unsigned exception) const { return pending_[exception]; }
   [[nodiscard]] bool isActive(unsigned exception) const { return active_[exception]; }
-  /// @brief Returns how many exceptions are active.
+  /// @brief Returns the number of active exceptions.
   [[nodiscard]] unsigned activeCount() const { return activeCount_; }
 
-  /// @brief A pending exception becomes active.
+  /// @brief Makes a pending exception active.
   void activate(unsigned exception);
 
-  /// @brief An exception has returned; a line that is still high triggers it again.
+  /// @brief Ends an active exception. A line that is still high triggers it again.
   void deactivate(unsigned exception);
 
-  /// @brief Sets the level of an interrupt line; a rising level triggers it.
-  /// @return true when it did.
+  /// @brief Sets the level of an interrupt line. A rising level triggers its exception.
+  /// @return true when the exception was triggered.
   bool setLine(unsigned line, bool high);
 
   /// @brief Number of entries of an interrupt since its line rose.
@@ -62,7 +63,7 @@ class Nvic {
   void setPriorityGroup(unsigned group) { priorityGroup_ = group; }
   [[nodiscard]] unsigned priorityGroup() const { return priorityGroup_; }
 
-  /// @brief Enables an exception; those below 16 except 4, 5 and 6 are always enabled.
+  /// @brief Enables an exception. The exceptions below 16, except 4, 5 and 6, are always enabled.
   void enable(unsigned exception, bool enabled) { enabled_.set(exception, enabled); }
   [[nodiscard]] bool isEnabled(unsigned exception) const { return enabled_[exception]; }
 

@@ -34,7 +34,7 @@ class Microcontroller {
   /// @brief Answers the present access with a bus fault.
   virtual void refuse(std::string id, std::string what) = 0;
 
-  /// @brief Resets the microcontroller; a finding when resets are findings.
+  /// @brief Resets the microcontroller, or stops the run with a finding if resets are findings.
   virtual void requestReset(Reset cause, std::string id, std::string what) = 0;
 
   /// @brief Reports an event.
@@ -79,7 +79,7 @@ class Peripheral {
   /// @brief Last result of nextEvent().
   [[nodiscard]] Time due() const { return due_; }
 
-  /// @brief Asks nextEvent() again. The board calls it after each possible change.
+  /// @brief Calls nextEvent() again. The board calls it after each possible change.
   void renewDue() { due_ = nextEvent(); }
 
  protected:

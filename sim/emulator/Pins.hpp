@@ -48,10 +48,9 @@ struct PinState {
 /// @brief Pin control and interrupts of one port.
 /// K64P144M120SF5RM, chapter Port Control and Interrupts (PORT).
 ///
-/// Only port D has digital filters, with the bus clock: the filtered level is 0 when the filter is
-/// switched on, and changes to the level of the pin when this has differed for the width plus 3
-/// clocks. The
-/// passive filters have no effect in the model.
+/// Only port D has digital filters, with the bus clock. The filtered level is 0 when the filter is
+/// switched on. It changes to the level of the pin when this level has differed for the width plus
+/// 3 clocks. The passive filters have no effect in the model.
 class Port final : public Peripheral {
  public:
   /// @param number 0 for port A

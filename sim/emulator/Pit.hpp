@@ -20,7 +20,7 @@ class Pit final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief The clock gate was opened.
+  /// @brief Reports that the clock gate was opened.
   void gateOpened() { controlRead_ = false; }
 
  private:
@@ -30,7 +30,7 @@ class Pit final : public Peripheral {
     bool flag = false;
     std::uint32_t reload = 0;    ///< value from which the channel counts at present
     std::uint64_t loadedAt = 0;  ///< count of the bus clock; for a channel that is not chained
-    std::uint32_t value = 0;     ///< for a chained channel or a stopped one
+    std::uint32_t value = 0;     ///< value of a chained channel or of a stopped channel
     [[nodiscard]] bool enabled() const { return (control & 1U) != 0; }
     [[nodiscard]] bool chained() const { return (control & 4U) != 0; }
   };

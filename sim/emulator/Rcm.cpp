@@ -61,7 +61,7 @@ void Rcm::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
   if (offset == kRpfc || offset == kRpfw) {
     registers_[offset] = value;
   } else if (offset == kSrs0 || offset == kSrs1 || offset == kMr) {
-    misuse("store to a register of the RCM that is only read");
+    misuse("store to a read-only register of the RCM");
   } else {
     unmodelled("RCM", offset);
   }

@@ -78,7 +78,7 @@ void Rnga::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     }
     control_ = value & kWritable;
   } else if (offset == kStatus || offset == kOutput) {
-    misuse("store to a register of the RNG that is only read");
+    misuse("store to a read-only register of the RNG");
   } else if (offset != kEntropy) {
     unmodelled("RNG", offset);
   }

@@ -11,12 +11,12 @@ namespace wr::emulator {
 class Symbols {
  public:
   struct Function {
-    std::uint32_t address;  ///< without the bit that marks Thumb code
+    std::uint32_t address;  ///< address without the bit that marks Thumb code
     std::uint32_t size;
-    std::string name;  ///< as the linker has it
+    std::string name;  ///< name as the linker wrote it
   };
 
-  /// @brief Reads an ELF file of 32 bits, little-endian. Throws std::runtime_error when it cannot.
+  /// @brief Reads an ELF file of 32 bits, little-endian. Throws std::runtime_error when this fails.
   explicit Symbols(const std::filesystem::path& elf);
 
   /// @brief All functions, by rising address.

@@ -9,7 +9,7 @@ namespace wr::emulator {
 class Nvic;
 
 /// @brief Registers of the system control space: system control block, SysTick, cycle counter.
-/// Those of ARMv7-M ARM, B3.2 (SCB), B3.3 (SysTick), C1.6.5 (DEMCR) and C1.8 (DWT).
+/// Registers of ARMv7-M ARM, B3.2 (SCB), B3.3 (SysTick), C1.6.5 (DEMCR) and C1.8 (DWT).
 class SystemControl {
  public:
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
@@ -97,7 +97,7 @@ class SystemControl {
   std::uint64_t tickZeroAt_ = 0;  ///< cycle at which SysTick reaches 0
   std::uint32_t tickValue_ = 0;   ///< value of SysTick while it is stopped
   std::uint32_t traceControl_ = 0;
-  std::uint64_t cyclesFrom_ = 0;  ///< CYCCNT is the cycle minus this
+  std::uint64_t cyclesFrom_ = 0;  ///< CYCCNT is the cycle minus this value
   std::uint32_t cyclesHeld_ = 0;  ///< CYCCNT value of SysTick while it is stopped
 };
 

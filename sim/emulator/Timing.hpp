@@ -11,18 +11,18 @@ enum class Timing : std::uint8_t {
 };
 
 // Cortex-M4 TRM (ARM DDI 0439), table 3-1 (processor) and table 7-1 (floating-point unit). Where
-// the manual gives a range, it is the upper end. An instruction begins with one cycle; these are
-// the additional cycles.
+// the manual gives a range, the value here is the upper end. An instruction begins with one cycle;
+// these are the additional cycles.
 
 /// @brief P of the manual, 1 to 3: the pipeline is filled again after each branch that is taken.
 inline constexpr std::uint32_t kRefillCycles = 3;
 /// @brief Load or store of one register; neighbouring accesses do not overlap.
 inline constexpr std::uint32_t kAccessCycles = 1;
-/// @brief SDIV and UDIV, 2 to 12 with the numbers.
+/// @brief SDIV and UDIV, 2 to 12, depending on the numbers.
 inline constexpr std::uint32_t kDivideCycles = 11;
 /// @brief CPS, MRS and MSR, 1 or 2.
 inline constexpr std::uint32_t kSpecialCycles = 1;
-/// @brief B of the manual for ISB; DMB and DSB need none, because no access is pending.
+/// @brief B of the manual for ISB; DMB and DSB need no more cycles, because no access is pending.
 inline constexpr std::uint32_t kBarrierCycles = kRefillCycles;
 /// @brief VDIV and VSQRT.
 inline constexpr std::uint32_t kFpDivideCycles = 13;

@@ -149,7 +149,7 @@ void Uart::received(const Arriving& arriving) {
   }
   if (receivedBytes_.size() >= receiveDepth()) {
     errors_ |= kOverrun;
-    board_.report("uart-overrun", name_ + " received a byte before the last one was read");
+    board_.report("uart-overrun", name_ + " received a byte before the previous byte was read");
   } else {
     receivedBytes_.push_back(arriving.byte);
     board_.tell(Event::Kind::ByteReceived, kind_.number, arriving.byte);

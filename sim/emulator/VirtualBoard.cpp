@@ -260,7 +260,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   std::bitset<128> held_;  ///< lines that are hidden from the processor
   std::optional<Reset> wantedReset_;
   bool debugs_ = false;        ///< the present access is from a debugger and causes no finding
-  bool debugRefused_ = false;  ///< and was refused
+  bool debugRefused_ = false;  ///< the access was refused
   DebugPort debugPort_{
       cpu_,
       {.read = [this](std::uint32_t address, unsigned size,

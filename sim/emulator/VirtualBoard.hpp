@@ -50,18 +50,18 @@ class VirtualBoard {
   VirtualBoard& operator=(const VirtualBoard&) = delete;
 
   /// @brief Runs to a time.
-  /// @return true when it was reached; false when a finding stopped the run.
+  /// @return true when the time was reached; false when a finding stopped the run.
   bool runUntil(nanoseconds time);
 
   /// @brief Runs until an interrupt has been entered.
   /// @param irq its line
   /// @param limit greatest time
-  /// @return true when it was entered; false: see finding(), or the limit was reached.
+  /// @return true when the interrupt was entered; false: see finding(), or the limit was reached.
   bool runToInterrupt(int irq, nanoseconds limit);
 
   /// @brief Runs until the program waits for an interrupt.
   /// @param limit greatest time
-  /// @return true when it waits; false: see finding(), or the limit was reached.
+  /// @return true when the program waits; false: see finding(), or the limit was reached.
   bool runToSleep(nanoseconds limit);
 
   /// @brief Time since the board was switched on.
@@ -101,13 +101,13 @@ class VirtualBoard {
   /// @brief Changes the speed of the device at a serial port; 115200 at first.
   void setLineBaudOn(int uart, std::uint32_t baud);
 
-  /// @brief Another node of the bus at CAN0 sends a frame as soon as the bus is free.
+  /// @brief Lets another node of the bus at CAN0 send a frame as soon as the bus is free.
   void receiveCan(CanFrame frame);
 
   /// @brief Frames that the board has sent at CAN0 since the last call.
   [[nodiscard]] std::vector<CanFrame> takeSentCan();
 
-  /// @brief Returns whether no frame is on the bus at CAN0 or waits for it.
+  /// @brief Returns true when no frame is on the bus at CAN0 and no frame waits for this bus.
   [[nodiscard]] bool canIdle() const;
 
   /// @brief Returns whether no byte is being transferred to or from the PC.
@@ -150,7 +150,8 @@ class VirtualBoard {
   /// @brief Raises an exception by hardware before the next instruction, e.g. 3 HardFault.
   void raise(int exception);
 
-  /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument where neither is.
+  /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument if the address is in
+  /// neither of them.
   /// @param address of the byte
   /// @param bit 0 to 7
   void flipBit(std::uint32_t address, unsigned bit);
@@ -205,7 +206,7 @@ class VirtualBoard {
   /// @brief The access of a debugger to the board.
   [[nodiscard]] DebugPort& debugPort();
 
-  /// @brief Records calls from now on. Set before the first run.
+  /// @brief Records calls from now on. It is set before the first run.
   void record(CallRecorder& recorder);
 
   /// @brief Records each instruction that is executed from now on.

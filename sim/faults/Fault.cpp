@@ -10,7 +10,7 @@ namespace wr::faults {
 
 namespace {
 
-using plant::Fault;  // of a sensor
+using plant::Fault;  // faults of sensors
 using Injected = wr::faults::Fault;
 
 struct Share {
@@ -53,7 +53,7 @@ constexpr std::array<SensorFault, 10> kSensorFaults{{
 
 constexpr std::uint32_t kCoreRegisters = 16;
 constexpr int kForEver = 0;
-constexpr std::uint32_t kHeld = 0;  // the other interrupt fault: an interrupt that nothing caused
+constexpr std::uint32_t kHeld = 0;  // the other interrupt fault is an interrupt without a cause
 constexpr std::uint32_t kFirstException = 16;
 constexpr std::uint32_t kNominalBaud = 115'200;
 
@@ -66,7 +66,8 @@ Injected chooseInterrupt(Random& random, const Places& places) {
   const std::uint32_t line = random.below(static_cast<std::uint32_t>(places.interrupts.size()));
   Injected fault{Kind::Interrupt, static_cast<std::uint32_t>(places.interrupts[line]),
                  random.below(2)};
-  // Held for up to 100 ms, the time of the slowest interrupt; each tenth time for ever.
+  // The interrupt is held for up to 100 ms, the period of the slowest interrupt. On average one of
+  // ten faults has no end.
   fault.value = random.below(10) == 0 ? kForEver : random.between(1, 100);
   return fault;
 }
@@ -78,7 +79,7 @@ Injected chooseSensor(Random& random) {
   return {Kind::Sensor, number, wheel, random.between(chosen.least, chosen.most)};
 }
 
-// Whether a sensor is wrong by more and more, or each time by a little.
+// Returns whether the error of a sensor adds up, because it grows or occurs repeatedly.
 bool addsUp(Fault fault) {
   return fault == Fault::AngleDrift || fault == Fault::HallLosses;
 }

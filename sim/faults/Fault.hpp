@@ -35,10 +35,10 @@ inline constexpr std::uint32_t kKinds = 10;
 /// @brief Memory of the image that faults can hit.
 struct Places {
   std::uint32_t codeBegin;
-  std::uint32_t codeEnd;  ///< of the program in RAM
+  std::uint32_t codeEnd;  ///< end of the program in RAM
   std::uint32_t dataBegin;
-  std::uint32_t dataEnd;   ///< of .data and .bss
-  std::uint32_t stackEnd;  ///< the stack begins there and grows downwards
+  std::uint32_t dataEnd;   ///< end of .data and .bss
+  std::uint32_t stackEnd;  ///< begin of the stack, which grows downwards
   std::uint32_t flashEnd;
   std::vector<int> interrupts;  ///< lines that the firmware uses
 };
@@ -70,7 +70,8 @@ inline constexpr int kLongestWindow = 7000;
 /// have reported the fault. A wheel without Hall edges is reported 1 s after it has voltage.
 [[nodiscard]] int windowOf(const Fault& fault);
 
-/// @brief Chooses a kind; bits of RAM, of objects and of the program, are the most frequent.
+/// @brief Chooses a kind of fault. The most frequent kinds are changed bits of RAM, in objects and
+/// in the program.
 [[nodiscard]] Kind chooseKind(Random& random);
 
 /// @brief Chooses a fault of a kind.
@@ -88,7 +89,8 @@ void inject(const Fault& fault, board_robot::BoardSession& robot);
 /// @param ms time since the injection
 void endIfDue(const Fault& fault, int ms, board_robot::BoardSession& robot);
 
-/// @brief Wrong bits in a thousand of the line from the PC; 0 without noise.
+/// @brief Returns the number of wrong bits per thousand bits of the line from the PC; 0 without
+/// noise.
 [[nodiscard]] int noiseOf(const Fault& fault);
 
 }  // namespace wr::faults

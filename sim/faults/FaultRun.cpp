@@ -23,7 +23,7 @@ using std::chrono::nanoseconds;
 
 constexpr int kOrderPeriod = 100;   // ms
 constexpr int kFirstOrder = 60;     // ms: 30 ms or more before the clock pulse
-constexpr int kNeutralOrders = 10;  // they arm the robot
+constexpr int kNeutralOrders = 10;  // number of neutral orders that arm the robot
 constexpr int kStateEach = 100;     // ms
 constexpr int kEnd = FaultRun::kLast + kLongestWindow + 200;  // ms
 constexpr int kMissing = 300;                                 // ms without a report: three cycles
@@ -35,7 +35,8 @@ constexpr int kFirstException = 16;
 constexpr unsigned kStackPointer = 13;
 constexpr unsigned kProgramCounter = 15;
 
-// A line that stops nothing: the robot stays at low voltage, in the middle of its angle.
+// The orders move no part to its limit: the voltage stays low, and the steering stays near the
+// middle.
 std::vector<scenario::PcOrder> makeOrders(std::uint64_t seed) {
   Random random(seed);
   std::vector<scenario::PcOrder> orders;
@@ -73,7 +74,7 @@ bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& ref
          report.steeringState == kSteeringFault;
 }
 
-// Flash, RAM and fields of a result, as they pass through a pipe.
+// The fields of a result that a copy of the process sends through a pipe.
 struct Message {
   Fault fault;
   int at = 0;
@@ -82,7 +83,7 @@ struct Message {
   std::array<char, 160> stop{};
 };
 
-// Looks at the reports that have come since the last call.
+// Checks the reports that have come since the last call.
 struct Listener {
   std::size_t read;
 
@@ -109,7 +110,7 @@ class Hash {
 
 }  // namespace
 
-/// A robot with a PC that orders by the clock, whatever the robot does.
+/// A robot with a PC whose orders depend only on the time.
 class FaultRun::Robot {
  public:
   Robot(std::vector<std::uint8_t> image, std::uint64_t seed)
@@ -165,8 +166,8 @@ class FaultRun::Robot {
     return all;
   }
 
-  /// A hash of all that determines the next steps of the firmware: memory, registers, and the
-  /// plant.
+  /// Returns a hash of the state that determines the next steps of the firmware: memory, registers,
+  /// and the plant.
   [[nodiscard]] std::uint64_t state(const Places& places) {
     Hash hash;
     const emulator::VirtualBoard& board = session.board;
@@ -309,7 +310,7 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
     if (passes(fault.kind) && robot.now() % kStateEach == 0) {
       const auto number = static_cast<std::size_t>(robot.now() / kStateEach - 1);
       equal = robot.state(places_) == states_.at(number) ? equal + 1 : 0;
-      if (equal == 2) {  // the devices have the same state too, or it would differ by now
+      if (equal == 2) {  // equal twice: the devices have the same state too
         break;
       }
     }
@@ -336,8 +337,8 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
 Result FaultRun::observe(Robot& robot, const Choice& choice) const {
   Message message{};
   message.verdict.outcome = Outcome::Stopped;
-  // A byte that comes while the firmware starts again is lost on a real board too, but it is a
-  // finding of the virtual one: then the PC is silent in a second run.
+  // On a real board a byte is lost that comes while the firmware starts again. On the virtual board
+  // this byte is a finding, so the PC is silent in a second run.
   for (const bool silentPc : {false, true}) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) {

@@ -21,7 +21,7 @@ struct Result {
   int at = 0;            ///< ms since the drive began
   std::uint32_t pc = 0;  ///< instruction at the injection
   Verdict verdict;
-  std::string stop;  ///< finding of the virtual board, of an outcome Stopped
+  std::string stop;  ///< finding of the virtual board, if the outcome is Stopped
 };
 
 /// @brief A random drive of an image on the virtual board, and copies of it with one fault each.
@@ -66,8 +66,8 @@ class FaultRun {
   std::uint64_t seed_;
   Places places_;
   std::vector<Outputs> reference_;
-  std::vector<std::uint64_t> states_;        ///< of the reference, each 100 ms
-  std::vector<scenario::PcReport> reports_;  ///< of the reference
+  std::vector<std::uint64_t> states_;        ///< states of the reference, each 100 ms
+  std::vector<scenario::PcReport> reports_;  ///< reports of the reference
 };
 
 }  // namespace wr::faults

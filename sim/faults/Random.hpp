@@ -12,7 +12,7 @@ class Random {
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
   /// @brief Returns a random number that is 0 or more.
-  /// @param end the numbers are less than this, which is more than 0
+  /// @param end limit of the numbers, greater than 0; each number is less than the limit
   [[nodiscard]] std::uint32_t below(std::uint32_t end) {
     state_ += 0x9E3779B97F4A7C15U;
     std::uint64_t mixed = (state_ ^ state_ >> 30U) * 0xBF58476D1CE4E5B9U;

@@ -22,7 +22,7 @@ struct Wrong {
   int after = 0;   // ms with power after a reset
 };
 
-// A robot whose wheels have no voltage is safe, whatever the reference does.
+// A robot whose wheels have no voltage is safe, for any outputs of the reference.
 Wrong countWrong(const Observation& faulty, const Outputs* reference, int detectedAt) {
   Wrong wrong;
   int run = 0;

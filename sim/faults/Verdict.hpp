@@ -34,7 +34,7 @@ enum class Outcome : std::uint8_t {
   Late,      ///< a reset or a report, but the outputs were wrong for too long, or after the reset
   Silent,    ///< wrong outputs, no reset and no report
   Hung,      ///< no reports, no answers and no reset
-  Stopped    ///< the virtual board cannot continue: a real board does something unknown
+  Stopped    ///< the virtual board cannot continue: the behaviour of a real board is unknown
 };
 
 /// @brief Name of a class in the record.
@@ -47,10 +47,11 @@ struct Verdict {
   int wrongFor = 0;                     ///< ms with a wrong output
 };
 
-/// @brief Drives that differ by more than this share of the supply are wrong. The control loop itself
-/// changes the drive by less from cycle to cycle at constant velocity.
+/// @brief Voltages of wheels that differ by more than this share of the supply are wrong. At constant
+/// velocity the control loop changes the voltage by less from cycle to cycle.
 inline constexpr float kWrongDrive = 0.05F;
-/// @brief Angles that differ by more degrees are wrong: twice the greatest permanent error.
+/// @brief Angles that differ by more degrees than this are wrong. The value is twice the greatest
+/// permanent error.
 inline constexpr float kWrongAngle = 1.0F;
 /// @brief A wrong output of at most this duration [ms] does not move a wheel noticeably: the
 /// mechanical time constant of a wheel is longer.

@@ -35,7 +35,7 @@ class Debugger {
   /// @param asked returns whether the user requests a stop of the program
   Debugger(Serve serve, std::function<bool()> asked);
 
-  /// @brief A run begins. The first run stops before its first instruction.
+  /// @brief Begins a run. The first run stops before its first instruction.
   /// @param port the board that runs; must outlive the run
   void begin(emulator::DebugPort& port);
 
@@ -44,12 +44,11 @@ class Debugger {
   /// @param why as in Serve
   void end(const std::string& why);
 
-  /// @brief Stops the program at its present position. Used for a program that waits.
+  /// @brief Stops the program at its present position. It is used while the program waits.
   void stopHere(const std::string& why) { stop(why); }
 
-  // Orders for the time after a stop; without an order the program continues runs to the next stop.
-  // Those that
-  // go back throw BeginsAgain.
+  // Commands that the user can give at a stop. Without a command the program runs to the next stop.
+  // The commands that go back throw BeginsAgain.
   void step();
   void stepBack();
   void resumeBack();
@@ -77,7 +76,7 @@ class Debugger {
   enum class Mode {
     Forward,  ///< runs to the next stop
     Return,   ///< runs to the position target_
-    Search,   ///< runs runs to the position target_ to find the last stop before it
+    Search,   ///< runs to the position target_, to find the last stop before it
     Time      ///< runs to the time until_
   };
 

@@ -29,7 +29,7 @@ class PacketStream {
   /// @param content without `$`, `#`, `}` and `*`
   void send(std::string_view content);
 
-  /// @brief Ends the acknowledgements, as both ends agreed.
+  /// @brief Ends the acknowledgements, after both sides have agreed.
   void stopAcknowledging() { acknowledges_ = false; }
 
  private:

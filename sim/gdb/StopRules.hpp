@@ -36,7 +36,7 @@ class StopRules {
   /// e.g. `watch:20000004;`.
   [[nodiscard]] std::optional<std::string> takeHit();
 
-  /// @brief Removes all.
+  /// @brief Removes all breakpoints and watchpoints.
   void clear();
 
  private:

@@ -20,7 +20,7 @@ class HostEdgeInput final : public EdgeInput {
   /// @param vector command of the interrupt
   void connect(std::function<void()> vector);
 
-  /// @brief Puts a level on the pin. A change raises the interrupt, once the input was started.
+  /// @brief Puts a level on the pin. After the start of the input, a change raises the interrupt.
   /// @param level the level
   void drive(bool level);
 

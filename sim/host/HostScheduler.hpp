@@ -9,8 +9,8 @@ class HostThread;
 
 /// @brief Runs threads on the host in the order in which the interrupt controller would run them.
 ///
-/// A thread of higher priority than the running one runs at once, before pend() returns. The others
-/// run when the running one ends. No thread starts while an interrupt is served.
+/// A thread of higher priority than the running thread runs at once, before pend() returns. The
+/// other threads run when the running thread ends. No thread starts while an interrupt is served.
 class HostScheduler {
  public:
   HostScheduler() = default;
@@ -18,7 +18,7 @@ class HostScheduler {
   HostScheduler& operator=(const HostScheduler&) = delete;
 
   /// @brief Registers a thread.
-  /// @param thread thread that lives as long as the scheduler
+  /// @param thread thread that exists as long as the scheduler
   void add(HostThread& thread);
 
   /// @brief Sets the callback that is called just before a thread runs.

@@ -13,7 +13,7 @@ namespace wr::host {
 class HostWatchdog final : public Watchdog {
  public:
   /// @brief Starts the watchdog, as a reset does.
-  /// @param timebase gives the time
+  /// @param timebase returns the time
   explicit HostWatchdog(const Timebase& timebase);
 
   /// @brief The number of refreshes.

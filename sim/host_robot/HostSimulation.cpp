@@ -15,9 +15,9 @@ constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).coun
 // virtual K64: clock, calibration of the converters, construction.
 constexpr Microseconds kStartUp(5364);
 
-// Times from a tick to the start of the first wheel thread in its cycle, and from one wheel thread
-// to the next, as measured with the image on the virtual K64. All other code takes no time on the
-// host, so the clock pulse is at the start of the first wheel thread.
+// The time from a tick to the start of the first wheel thread in its cycle, and the time from one
+// wheel thread to the next. Both were measured with the image on the virtual K64. All other code
+// takes no time on the host, so the clock pulse is at the start of the first wheel thread.
 constexpr Microseconds kToWheels(9);
 constexpr Microseconds kOfWheel(51);
 

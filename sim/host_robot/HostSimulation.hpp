@@ -15,10 +15,10 @@ namespace wr::host_robot {
 
 /// @brief The firmware on the host in the simulated robot, in stepped time.
 ///
-/// Events are executed in the order of time: at each ms since power-on the physics advance by a
-/// step; at each ms since the firmware has started the second timer ticks, and each 100 ms the
-/// clock pulse comes; between, the edges of the Hall sensors and of the remote control are executed
-/// at the times at which they occur.
+/// Events are executed in the order of time. At each ms since power-on the physics advance by a
+/// step. At each ms since the start of the firmware the second timer ticks, and each 100 ms the
+/// clock pulse comes. The edges of the Hall sensors and of the remote control are executed at their
+/// times.
 class HostSimulation {
  public:
   /// @brief Constructs a robot that is at rest. Its firmware does not run yet.
@@ -35,7 +35,7 @@ class HostSimulation {
   /// @param cause cause that the firmware reads
   void reset(ResetCause cause);
 
-  /// @brief Advances to an instant, including events due at it.
+  /// @brief Advances to an instant, including the events of this instant.
   /// @param instant the instant
   void runUntil(Instant instant);
 

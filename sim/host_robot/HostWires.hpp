@@ -11,15 +11,14 @@ namespace wr::host_robot {
 class HostWires {
  public:
   /// @brief Connects pins and physics, and sets the pins to the present values of all sensors.
-  /// @param pins pins of the firmware; they live as long as the wires
-  /// @param physics the robot; it lives as long as the wires
+  /// @param pins pins of the firmware; they exist as long as the wires
+  /// @param physics the robot; it exists as long as the wires
   HostWires(host::HostPins& pins, plant::Robot& physics);
   HostWires(const HostWires&) = delete;
   HostWires& operator=(const HostWires&) = delete;
 
   /// @brief Passes the outputs of the firmware to the actuators. The step pulses need no call: each
-  /// one
-  /// acts at once.
+  /// pulse acts at once.
   void drive();
 
   /// @brief Sets the pins to the values of the sensors, except the sensors that are simulated as

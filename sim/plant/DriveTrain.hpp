@@ -29,10 +29,10 @@ struct Contact {
 class DriveTrain {
  public:
   static constexpr double kRatio = 10.0;            ///< turns of the motor per turn of the wheel
-  static constexpr double kEfficiency = 0.85;       ///< of the gear
-  static constexpr double kRadius = 0.272;          ///< of the wheel, m
+  static constexpr double kEfficiency = 0.85;       ///< efficiency of the gear
+  static constexpr double kRadius = 0.272;          ///< radius of the wheel, m
   static constexpr double kCoggingPeriods = 90.0;   ///< in a turn of the motor
-  static constexpr double kSlipStiffness = 3000.0;  ///< of the tyre, N for a slip of 1
+  static constexpr double kSlipStiffness = 3000.0;  ///< stiffness of the tyre, N for a slip of 1
   static constexpr double kRelaxation = 0.1;        ///< distance in which the tyre's force builds
                                                     ///< up, m
   static constexpr double kTyreDamping = 500.0;     ///< N s/m
@@ -74,7 +74,7 @@ class DriveTrain {
   [[nodiscard]] double current() const { return current_; }
 
   /// @brief Current in the driver, as its sensor measures it.
-  /// @return A, positive when the driver drives it forwards
+  /// @return A, positive when the driver drives the current forwards
   [[nodiscard]] double driverCurrent() const { return polarity_ * current_; }
 
   /// @brief Current that the driver draws from the supply.
@@ -108,7 +108,7 @@ class DriveTrain {
   MotorParameters motor_{};
   double inertiaDriving_ = 1;  // inertia of all rotating parts at the shaft, when the motor drives
                                // the wheel
-  double inertiaDriven_ = 1;   // the same when the wheel drives the motor
+  double inertiaDriven_ = 1;   // inertia when the wheel drives the motor
   WheelDrive drive_{};
   bool blocked_ = false;
   double polarity_ = 1;

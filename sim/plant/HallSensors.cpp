@@ -12,8 +12,8 @@ namespace {
 // At start the shaft is in the middle between two edges.
 constexpr double kStart = 0.5;
 
-// Sensor a is high from edge 1 of four to edge 3, sensor b from edge 2 to edge 4: with edge 1 +
-// sensor at position 0, high is 0 to 2, low 2 to 4, and so on.
+// Sensor a is high from edge 1 of four to edge 3, and sensor b from edge 2 to edge 4. If position 0
+// is edge 1 + sensor, the level is high from 0 to 2, low from 2 to 4, and so on.
 bool levelAt(double position) {
   return (wholePart(position) & 2) == 0;
 }

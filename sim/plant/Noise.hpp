@@ -8,7 +8,7 @@ namespace wr::plant {
 /// noise at the same time, even if one of them used more random numbers before.
 class Noise {
  public:
-  /// @brief Makes noise.
+  /// @brief Constructs the noise.
   /// @param seed chooses the numbers
   explicit Noise(std::uint32_t seed) : seed_(seed) {}
 

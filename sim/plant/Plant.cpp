@@ -49,7 +49,7 @@ void setRolling(Plant& plant, double share) {
 
 // Copper has 20 percent more resistance 50 K above the nominal temperature. Magnets lose a tenth of
 // their field when they are hot. A lead battery of 24 V has 21 V when it is empty, 29 V while it is
-// charged. The mass ranges from the robot without panels and sprayers to one with a load.
+// charged. The mass ranges from the robot without panels and sprayers to the robot with a load.
 Plant Plant::varied(const Noise& noise) {
   Bands bands(noise);
   Plant plant;

@@ -59,14 +59,14 @@ struct Plant {
 enum class Parameter : std::uint8_t {
   Supply,         ///< V
   Battery,        ///< ohm
-  Mass,           ///< factor of the nominal value, like the following ones
-  Inertia,        ///< of rotors, wheels and yaw
-  Resistance,     ///< of the motors
-  MotorConstant,  ///< of the motors
-  Friction,       ///< of the motors
+  Mass,           ///< factor of the nominal value, like the following values
+  Inertia,        ///< inertia of rotors, wheels and yaw
+  Resistance,     ///< resistance of the motors
+  MotorConstant,  ///< constant of the motors
+  Friction,       ///< friction of the motors
   Rolling,        ///< rolling resistance
-  CurrentGain,    ///< of the current sensors
-  AngleGain       ///< of the angle sensor
+  CurrentGain,    ///< gain of the current sensors
+  AngleGain       ///< gain of the angle sensor
 };
 
 /// @brief Sets a parameter.

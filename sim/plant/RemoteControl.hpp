@@ -23,8 +23,8 @@ enum class EnablePosition : std::uint8_t {
   Stop,    ///< the robot shall stop: 1.1 ms
   Pc,      ///< the remote control sends no orders: 1.5 ms
   Drive,   ///< the remote control drives: 1.9 ms
-  StopPc,  ///< between stop and pc: 1.3 ms
-  PcDrive  ///< between pc and drive: 1.7 ms
+  StopPc,  ///< the switch is between stop and pc: 1.3 ms
+  PcDrive  ///< the switch is between pc and drive: 1.7 ms
 };
 
 /// @brief Output of a receiver when its transmitter is off.
@@ -36,9 +36,9 @@ enum class FailSafe : std::uint8_t {
 
 /// @brief A change of the level of a pin of the remote control's receiver.
 struct RcEdge {
-  std::chrono::nanoseconds offset;  ///< since the start of the step, less than 1 ms
+  std::chrono::nanoseconds offset;  ///< time since the start of the step, less than 1 ms
   std::size_t channel;              ///< 0 velocity, 1 direction, 2 enable
-  bool level;                       ///< from now on
+  bool level;                       ///< level from now on
 };
 
 /// @brief Remote control and its receiver: 50 pulses in a second on each of three pins, 1.0 to 2.0 ms

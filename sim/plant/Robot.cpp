@@ -8,7 +8,7 @@ namespace wr::plant {
 
 namespace {
 
-constexpr int kParts = 5;  // of a step
+constexpr int kParts = 5;  // parts of a step
 constexpr double kPartSeconds = 2e-4;
 constexpr double kStepSeconds = 1e-3;
 

@@ -18,10 +18,11 @@ namespace wr::plant {
 
 /// @brief A change of the level of a Hall sensor.
 struct HallEdge {
-  std::chrono::nanoseconds offset;  ///< since the start of the step, more than 0 and at most 1 ms
-  std::size_t wheel;                ///< 0 to 3
-  std::size_t sensor;               ///< 0 for a, 1 for b
-  bool level;                       ///< from now on
+  std::chrono::nanoseconds
+      offset;          ///< time since the start of the step, more than 0 and at most 1 ms
+  std::size_t wheel;   ///< 0 to 3
+  std::size_t sensor;  ///< 0 for a, 1 for b
+  bool level;          ///< level from now on
 };
 
 /// @brief The ground on which the robot drives.
@@ -89,7 +90,8 @@ class Robot {
   /// @param plant its parameters
   void setPlant(const Plant& plant);
 
-  /// @brief Lets the seed choose the properties of the robot's parts, or sets the nominal ones.
+  /// @brief Lets the seed choose the properties of the robot's parts, or sets the nominal
+  /// properties.
   /// @param varied true: the seed chooses
   void vary(bool varied);
 
@@ -102,8 +104,8 @@ class Robot {
   /// @param on true for on
   void setNoise(bool on);
 
-  /// @brief Sets the slope of the ground ahead. The robot reaches it axle by axle: its own slope
-  /// changes evenly over one wheelbase, and within 2 s if it drives slowly or is at rest.
+  /// @brief Sets the slope of the ground ahead. The robot reaches it axle by axle: the slope of the
+  /// robot changes evenly over one wheelbase, and within 2 s if it drives slowly or is at rest.
   /// @param percent positive uphill, in the direction in which the robot started
   void setSlope(double percent);
 

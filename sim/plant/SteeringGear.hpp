@@ -25,10 +25,10 @@ class SteeringGear {
   /// @return degrees, positive to the left
   [[nodiscard]] double degrees() const { return steps_ * kStep; }
 
-  /// @brief Whether the switch of the left end is closed.
+  /// @brief Returns whether the switch of the left end is closed.
   [[nodiscard]] bool leftEnd() const { return degrees() >= kSwitch; }
 
-  /// @brief Whether the switch of the right end is closed.
+  /// @brief Returns whether the switch of the right end is closed.
   [[nodiscard]] bool rightEnd() const { return degrees() <= -kSwitch; }
 
  private:

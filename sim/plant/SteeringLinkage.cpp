@@ -7,9 +7,9 @@ namespace wr::plant {
 
 namespace {
 
-// The tangent of at most 40 degrees, by the continued fraction of Lambert. std::tan differs in its
-// last digit from library to library; the native simulator and the WebAssembly module need equal
-// results.
+// Returns the tangent of at most 40 degrees, by the continued fraction of Lambert. std::tan differs
+// in its last digit from library to library; the native simulator and the WebAssembly module need
+// equal results.
 double tangent(double radians) {
   constexpr int kDepth = 21;  // the next term changes no digit of a double
   double rest = 0;

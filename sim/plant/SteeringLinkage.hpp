@@ -10,13 +10,13 @@ namespace wr::plant {
 /// @brief Position and direction of a wheel.
 struct WheelPose {
   double x = 0;       ///< m before the middle of the robot
-  double y = 0;       ///< m to the left of it
+  double y = 0;       ///< m to the left of the middle
   double cosine = 1;  ///< sine or cosine of the angle to the left
   double sine = 0;
 };
 
-/// @brief The four wheels under the robot: front left, front right, rear left, rear right. The front
-/// wheels turn about one point with the rear axle (Ackermann steering).
+/// @brief The four wheels under the robot: front left, front right, rear left, rear right. All
+/// wheels move on circles around one point on the line of the rear axle (Ackermann steering).
 class SteeringLinkage {
  public:
   static constexpr double kWheelbase = 1.582;  ///< m: the robot's public description

@@ -11,7 +11,7 @@ namespace wr::programs {
 /// @brief Options of a program that a campaign runs.
 struct CampaignOptions {
   std::string image;       ///< content of the flash
-  std::string elf;         ///< its file with symbols
+  std::string elf;         ///< file of the image with symbols
   std::uint64_t seed = 1;  ///< chooses the cases
   int count = 1;           ///< number of cases
 

@@ -41,7 +41,7 @@ class Pace final {
 
 /// @brief Prints how long the robot's time stood still, if it did.
 /// @param pace pace of the ended run
-/// @param output where to print
+/// @param output receives the text
 void printLost(const Pace& pace, std::FILE* output);
 
 }  // namespace wr::programs

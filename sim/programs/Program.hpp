@@ -34,7 +34,7 @@ void catchEndRequests();
 /// @brief Checks whether the end was requested.
 [[nodiscard]] bool endRequested();
 
-/// @brief Plays a scenario and prints how it ended.
+/// @brief Plays a scenario and prints its result.
 /// @param file the scenario
 /// @param reports file for the reports; empty for none
 /// @param robot a robot that was just switched on

@@ -19,7 +19,7 @@ class PseudoTerminal final : public SerialLine {
   /// @brief Bytes that can wait to be sent.
   static constexpr std::size_t kCapacity = 512;
 
-  /// @brief Opens a pseudo-terminal in raw mode. Throws std::system_error when it cannot.
+  /// @brief Opens a pseudo-terminal in raw mode. Throws std::system_error when this fails.
   PseudoTerminal();
   ~PseudoTerminal() override;
 

@@ -30,7 +30,7 @@ class SerialLine {
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
 };
 
-/// @brief Opens a line. Throws std::system_error when it cannot.
+/// @brief Opens a line. Throws std::system_error when this fails.
 /// @param kind "pty", "stdout" or "tcp:PORT"; see isLineKind()
 /// @return the line
 [[nodiscard]] std::unique_ptr<SerialLine> openLine(const std::string& kind);

@@ -13,8 +13,8 @@ namespace wr::programs {
 /// and connect.
 class TcpLine final : public SerialLine {
  public:
-  /// @brief Waits for clients. Throws std::system_error when it cannot.
-  /// @param port the port; 0: the system chooses a free one, see name()
+  /// @brief Waits for clients. Throws std::system_error when this fails.
+  /// @param port the port; 0: the system chooses a free port, see name()
   explicit TcpLine(std::uint16_t port);
   ~TcpLine() override;
 

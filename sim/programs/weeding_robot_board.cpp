@@ -96,7 +96,7 @@ void addImageOptions(CLI::App& app, Settings& settings) {
       ->check(CLI::IsMember({"stop", "warn"}))
       ->group(group);
   app.add_flag("--resets", settings.resets,
-               "continue after a reset that the program causes; without this option such a "
+               "continue after a reset that the program causes; without this option the "
                "reset is a finding")
       ->group(group);
   app.add_flag("--faults", settings.faults,
@@ -108,7 +108,7 @@ void addImageOptions(CLI::App& app, Settings& settings) {
 void addLineOptions(CLI::App& app, Settings& settings) {
   const std::string group = "UART0 and pins";
   app.add_option("--uart0", settings.uart,
-                 "connection of UART0: pty, stdout (sends only), or tcp:PORT at 127.0.0.1, 0 for a "
+                 "connection of UART0: pty, stdout (only sends), or tcp:PORT at 127.0.0.1, 0 for a "
                  "free port [pty]")
       ->type_name("LINE")
       ->check(CLI::Validator(
@@ -166,7 +166,8 @@ void addRunOptions(CLI::App& app, Settings& settings) {
 }
 
 void addRobotOptions(CLI::App& app, Settings& settings) {
-  const std::string group = "Simulated robot (each of these builds the board into the robot)";
+  const std::string group =
+      "Simulated robot (each of these options connects the board with the robot)";
   app.add_flag("--robot", settings.robot, "connect the pins with the simulated robot [bare board]")
       ->group(group);
   app.add_option("--control", settings.control,
@@ -347,7 +348,7 @@ class Outside {
   }
 
   Pace pace;
-  gdb::Commands* debugs = nullptr;  ///< none without a debugger
+  gdb::Commands* debugs = nullptr;  ///< null without a debugger
 
  private:
   std::unique_ptr<SerialLine> opened_;
@@ -459,7 +460,7 @@ Exit runDebugged(const Settings& settings) {
       if (endRequested()) {
         return exit;
       }
-      constexpr const char* kFinding = "0b";  // as a segmentation fault
+      constexpr const char* kFinding = "0b";  // GDB shows a finding as a segmentation fault
       commands.debugger().end(exit == Exit::Found ? kFinding : "05replaylog:end;");
       return exit;
     } catch (const gdb::BeginsAgain&) {

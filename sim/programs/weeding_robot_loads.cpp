@@ -26,10 +26,10 @@ using std::chrono::nanoseconds;
 
 constexpr std::uint32_t kPulse = 16 + board_robot::BoardSession::kPulseInterrupt;
 constexpr std::uint32_t kMainThread = 16 + 64;  // the interrupt of the main thread
-constexpr int kCycles = 60;                     // of a drive: 6 s
+constexpr int kCycles = 60;                     // cycles of a drive: 6 s
 constexpr int kConnected = 3;                   // cycles after which the PC is connected
 constexpr int kNeutral = 12;                    // cycles with neutral orders, which arm the robot
-constexpr int kLineBytes = 1152;                // that the line of the PC brings in 100 ms
+constexpr int kLineBytes = 1152;                // bytes that the line of the PC transfers in 100 ms
 constexpr int kMostPayload = 200;               // bytes of a frame
 constexpr int kUpsets = 6;
 
@@ -86,14 +86,14 @@ class LoadedRobot {
     listen();
   }
 
-  // The longest time from a clock pulse to the end of the main thread, in the drive.
+  // Returns the longest time of the drive from a clock pulse to the end of the main thread.
   [[nodiscard]] nanoseconds longest() const { return longest_; }
 
-  // Whether the inputs have noise in the drive.
+  // Returns whether the inputs have noise in the drive.
   [[nodiscard]] bool noisy() const { return noisy_; }
 
  private:
-  // How the PC loads its line.
+  // The bytes with which the PC loads its line.
   enum Style : std::uint32_t { Quiet, Hellos, KeepAlives, Orders, SmallFrames, BigFrames, Bytes };
   static constexpr std::uint32_t kStyles = Bytes + 1;
 
@@ -263,7 +263,8 @@ int main(int count, char** arguments) try {
   wr::programs::CampaignOptions settings;
   CLI::App app(
       "Runs random drives of a raw image of a K64 on the virtual board, with a PC that loads its\n"
-      "line. Prints for each a line of JSON with the longest time from a clock pulse to the end "
+      "line. For each drive, prints a line of JSON with the longest time from a clock pulse to the "
+      "end "
       "of\n"
       "the main thread.",
       "weeding_robot_loads");

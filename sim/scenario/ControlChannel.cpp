@@ -106,7 +106,7 @@ std::string ControlChannel::perform(const std::string& words) {
       return "an action has one line";
     }
     if (isRefused(words)) {
-      return "'" + words + "' is possible in a scenario only";
+      return "'" + words + "' is only possible in a scenario";
     }
     std::istringstream text("at 0 " + words + "\nat 0 end\n");
     const Scenario scenario(text, "control");

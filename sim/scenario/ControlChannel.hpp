@@ -14,7 +14,7 @@ namespace wr::scenario {
 /// Actions of the PC are refused, because the PC link is in use.
 class ControlChannel {
  public:
-  /// @brief Opens the socket. Throws std::system_error when it cannot.
+  /// @brief Opens the socket. Throws std::system_error when this fails.
   /// @param path path of the socket; an old socket there is replaced; empty for no socket
   /// @param robot robot on which the actions act
   ControlChannel(std::filesystem::path path, RobotSession& robot);

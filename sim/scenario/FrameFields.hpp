@@ -20,7 +20,8 @@ namespace wr::scenario {
 /// @return the value, in the unit of the protocol
 [[nodiscard]] std::int64_t valueOf(const Bytes& body, const FrameField& field);
 
-/// @brief The number that a word of a scenario means in a field, such as Working in state.
+/// @brief Returns the number of a word of a scenario in a field, such as Working in the field
+/// state.
 /// @param field the field
 /// @param word a number, or a name of one of the field's values
 /// @return the number; nothing if the word is invalid

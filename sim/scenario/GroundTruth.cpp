@@ -11,7 +11,7 @@ namespace {
 
 using plant::Robot;
 
-constexpr double kDegree = 180.0 / std::numbers::pi;  // of a radian
+constexpr double kDegree = 180.0 / std::numbers::pi;  // degrees of a radian
 constexpr double kStraight = 1000;                    // m
 
 template <std::size_t wheel>

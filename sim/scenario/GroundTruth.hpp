@@ -10,8 +10,8 @@ namespace wr::scenario {
 /// @brief A value of the simulated robot itself, which no sensor measures.
 struct TruthField {
   std::string_view name;
-  /// Reads the value, in the unit of the protocol where the protocol has such a value. The mark is
-  /// the distance [m] from which `way` is measured.
+  /// Reads the value, in the unit of the protocol if the protocol has this value. The mark is the
+  /// distance [m] from which `way` is measured.
   double (*valueOf)(const plant::Robot& robot, double mark);
 };
 

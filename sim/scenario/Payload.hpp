@@ -20,7 +20,7 @@ struct FrameField {
   enum class Form { U8, I8, U16, I16, U32, I32, Bit };
 
   std::string_view name;
-  std::uint8_t type = 0;   ///< of the frame
+  std::uint8_t type = 0;   ///< type of the frame
   std::size_t offset = 0;  ///< in the payload
   Form form = Form::U8;
   unsigned bit = 0;  ///< number of the bit, of a Bit
@@ -33,7 +33,7 @@ struct FrameWord {
   std::int64_t number = 0;
 };
 
-/// A field of a frame, as design/frames.toml has it.
+/// A field of a frame, as design/frames.toml defines it.
 struct FrameRow {
   std::string_view frame;
   std::string_view field;

@@ -55,7 +55,8 @@ class RobotSession {
   /// @return false if a finding has stopped the robot
   virtual bool runUntil(Time instant) = 0;
 
-  /// @brief Runs to the next clock pulse, through its cycle, and until all its bytes are sent.
+  /// @brief Runs to the next clock pulse, then to the end of its cycle, and then until all bytes
+  /// are sent.
   /// @return false if a finding has stopped the robot
   virtual bool runThroughPulse() = 0;
 

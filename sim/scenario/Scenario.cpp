@@ -14,7 +14,7 @@ namespace {
 using Time = Scenario::Time;
 
 constexpr Time kCycle{100};
-constexpr Time kToFirstOrder{200};  // from Hello: Welcome and Confirm take two cycles
+constexpr Time kToFirstOrder{200};  // time after Hello: Welcome and Confirm take two cycles
 constexpr int kNeutralOrders =
     13;  // seven cycles to the first read order, then five cycles of 0.1 s, and one more
 
@@ -69,12 +69,12 @@ Scenario::Action readBytes(Words& words) {
   return raw;
 }
 
-// The number that a word means in a field. A true value has no named values.
+// Returns the number of a word in a field. A true value has no named values.
 std::int64_t readNumber(Words& words, const std::string& name, const FrameField* field) {
   const std::string word = words.take("the value of " + name);
   const auto number = numberOf(field != nullptr ? *field : FrameField{}, word);
   if (!number) {
-    throw Scenario::Error("'" + word + "' is no value of " + name);
+    throw Scenario::Error("'" + word + "' is not a value of " + name);
   }
   return *number;
 }
@@ -168,7 +168,7 @@ Scenario::Action readAction(const std::string& word, Words& words) {
   throw Scenario::Error("there is no action '" + word + "'");
 }
 
-// A line of an hour, every 100 ms, has fewer times.
+// A line that acts for an hour every 100 ms has fewer times.
 constexpr int kMostTimes = 100'000;
 
 // The times at which a line acts: one time, or repeated times.
@@ -193,10 +193,10 @@ Times readTimes(Words& words) {
   words.skip("every");
   times.step = words.time();
   if (times.last < times.first || times.step == Time(0)) {
-    throw Scenario::Error("these times never come");
+    throw Scenario::Error("there are no times between these limits");
   }
   if ((times.last - times.first) / times.step >= kMostTimes) {
-    throw Scenario::Error("these times come more than " + std::to_string(kMostTimes) + " times");
+    throw Scenario::Error("the line acts more than " + std::to_string(kMostTimes) + " times");
   }
   return times;
 }
@@ -237,7 +237,7 @@ void Scenario::readLine(const std::string& line, int number, bool& ended) {
     readTimed(words, number, ended);
   }
   if (!words.done()) {
-    throw Error("'" + words.take("") + "' is too much");
+    throw Error("'" + words.take("") + "' is one word too many");
   }
 }
 

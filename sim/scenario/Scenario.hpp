@@ -41,13 +41,13 @@ namespace wr::scenario {
 /// are measured from this time.
 ///
 /// 'seed N' chooses the noise. 'plant varied' lets the seed choose the robot too, 'plant PARAMETER
-/// VALUE' fixes a parameter. These lines have no time and precede all lines that have one.
+/// VALUE' fixes a parameter. These lines have no time, and are before all lines with a time.
 ///
 /// Expectations: expect FIELD VALUE and expect FIELD between LOW HIGH check the last Report or
 /// Welcome, or the robot itself (the fields of GroundTruth.hpp). With 'within N ms' or 'within N
 /// mm' after it, the expectation must become true at least once within this time or distance after
 /// the time of the line. expect-silence MS (no report came for this time); expect-finding ID (the
-/// simulated board stops before with this finding). The last line is 'end'.
+/// simulated board stops with this finding before this time). The last line is 'end'.
 class Scenario {
  public:
   using Time = std::chrono::milliseconds;
@@ -87,7 +87,7 @@ class Scenario {
 
   struct Step {
     Time at;
-    int line;  ///< of the text
+    int line;  ///< line of the text
     Action action;
   };
 

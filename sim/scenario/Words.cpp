@@ -61,7 +61,7 @@ std::chrono::milliseconds Words::time() {
   const std::string word = take("a time in ms");
   const auto number = parse<std::int32_t>(word);
   if (!number || *number < 0) {
-    throw ScenarioError("'" + word + "' is no time in ms");
+    throw ScenarioError("'" + word + "' is not a time in ms");
   }
   return std::chrono::milliseconds(*number);
 }
@@ -70,7 +70,7 @@ std::int16_t Words::value() {
   const std::string word = take("a number");
   const auto number = parse<std::int16_t>(word);
   if (!number) {
-    throw ScenarioError("'" + word + "' is no number from -32768 to 32767");
+    throw ScenarioError("'" + word + "' is not a number from -32768 to 32767");
   }
   return *number;
 }
@@ -89,7 +89,7 @@ std::size_t Words::wheel() {
   const std::string word = take("the number of a wheel");
   const auto number = parse<std::size_t>(word);
   if (!number || *number >= plant::kWheels) {
-    throw ScenarioError("'" + word + "' is no wheel from 0 to 3");
+    throw ScenarioError("'" + word + "' is not a wheel from 0 to 3");
   }
   return *number;
 }

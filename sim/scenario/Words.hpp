@@ -38,7 +38,7 @@ class Words {
   /// @brief Returns the next word without reading it; empty when there is none.
   [[nodiscard]] std::string next() const { return done() ? "" : words_[next_]; }
 
-  /// @brief Takes a word.
+  /// @brief Reads a word.
   /// @param name name of the word in an error
   std::string take(const std::string& name);
 
@@ -55,7 +55,7 @@ class Words {
   /// @brief Reads a number of 16 bits.
   std::int16_t value();
 
-  /// @brief Takes a number.
+  /// @brief Reads a number.
   /// @param name name of the number in an error
   double number(const std::string& name);
 

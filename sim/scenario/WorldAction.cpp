@@ -95,7 +95,7 @@ std::string listOf(std::span<const Named<Value>> names) {
   return list;
 }
 
-// Reads a word with a value. For another word the error lists the known ones.
+// Reads a word with a value. For an unknown word the error lists the known words.
 template <class Value, std::size_t count>
 Value take(Words& words, const std::string& what, const std::array<Named<Value>, count>& names) {
   const std::string word = words.take(what);
@@ -246,7 +246,7 @@ WorldAction worldActionOf(const std::string& line) {
     throw ScenarioError("the world has no action '" + word + "'");
   }
   if (!words.done()) {
-    throw ScenarioError("'" + words.take("") + "' is too much");
+    throw ScenarioError("'" + words.take("") + "' is one word too many");
   }
   return *action;
 }

@@ -30,7 +30,7 @@ Scenario readScenario(const std::string& text, const std::string& name) {
 Scenario::Action actionOf(const std::string& text) {
   const Scenario scenario = readScenario("at 0 " + text + "\nat 0 end\n", "action");
   if (scenario.steps().empty()) {
-    throw Scenario::Error("'" + text + "' is no action");
+    throw Scenario::Error("'" + text + "' is not an action");
   }
   return scenario.steps().front().action;
 }

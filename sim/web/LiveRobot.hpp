@@ -109,7 +109,7 @@ class LiveRobot {
   std::optional<scenario::Scenario::Action> order_;
   scenario::RobotSession::Time orderAt_{};
   Cycle cycle_;
-  std::vector<Switch> switches_;  // since the begin of the present cycle
+  std::vector<Switch> switches_;  // switches since the begin of the present cycle
   std::chrono::nanoseconds pulseAt_{};
   std::uint64_t beganAt_ = 0;      // processor cycle
   std::uint64_t sleptBefore_ = 0;  // processor cycles

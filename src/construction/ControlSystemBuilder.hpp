@@ -27,24 +27,24 @@ class ControlSystemBuilder {
 
   /// @brief Builds the sensors.
   /// @pre The actuator is built.
-  /// @errors A missing part ends the program with the assertion PartMissing, a part that is built
-  /// twice with PartBuiltTwice.
+  /// @errors A missing part ends the program with the assertion PartMissing. A part that is built
+  /// twice ends it with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSensors() = 0;
 
   /// @brief Builds the controller.
   /// @pre The actuator and the sensors are built.
-  /// @errors A missing part ends the program with the assertion PartMissing, a part that is built
-  /// twice with PartBuiltTwice.
+  /// @errors A missing part ends the program with the assertion PartMissing. A part that is built
+  /// twice ends it with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildController() = 0;
 
   /// @brief Builds the system.
   /// @pre All its parts are built.
-  /// @errors A missing part ends the program with the assertion PartMissing, a part that is built
-  /// twice with PartBuiltTwice.
+  /// @errors A missing part ends the program with the assertion PartMissing. A part that is built
+  /// twice ends it with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSystem() = 0;
@@ -57,14 +57,14 @@ class ControlSystemBuilder {
   virtual void start() = 0;
 
   /// @brief Returns the system that was built.
-  /// @return the system; it lives as long as the builder
+  /// @return the system; it exists as long as the builder
   /// @pre buildSystem() was called.
   /// @errors Without a system the program ends with the assertion PartMissing.
   /// @isr{no}
   [[nodiscard]] virtual ControlSystem& system() = 0;
 
   /// @brief Returns the command that does the work of the system at each tick of the second timer.
-  /// @return the command; it lives as long as the builder
+  /// @return the command; it exists as long as the builder
   /// @pre All parts are built.
   /// @errors A missing part ends the program with the assertion PartMissing.
   /// @isr{no}

@@ -31,7 +31,7 @@ class ControlSystemPoolBuilder {
  public:
   /// @brief Binds the builder to the builders of the control systems. Nothing is built yet.
   /// @param tickTimer generates the ticks of the second timer
-  /// @param builders build the control systems, in the sequence of the pool; they live as long as
+  /// @param builders build the control systems, in the sequence of the pool; they exist as long as
   /// this builder
   ControlSystemPoolBuilder(PeriodicTimer& tickTimer,
                            std::span<ControlSystemBuilder* const> builders);
@@ -47,16 +47,16 @@ class ControlSystemPoolBuilder {
   /// @brief Builds the pool and puts all control systems into it.
   /// @pre The control systems are built.
   /// @post pool() can be called.
-  /// @errors A missing system ends the program with the assertion PartMissing, a second pool with
-  /// PartBuiltTwice.
+  /// @errors A missing system ends the program with the assertion PartMissing. A second pool ends
+  /// it with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildPool();
 
   /// @brief Builds the second timer and passes it the command of each control system.
   /// @pre The control systems are built.
-  /// @errors A missing system ends the program with the assertion PartMissing, a second timer with
-  /// PartBuiltTwice.
+  /// @errors A missing system ends the program with the assertion PartMissing. A second timer ends
+  /// it with PartBuiltTwice.
   /// @satisfies FR-100
   /// @satisfies FR-78
   /// @isr{no}
@@ -70,7 +70,7 @@ class ControlSystemPoolBuilder {
   void start();
 
   /// @brief Returns the pool that was built.
-  /// @return the pool; it lives as long as the builder.
+  /// @return the pool; it exists as long as the builder.
   /// @pre buildPool() was called.
   /// @errors Without a pool the program ends with the assertion PartMissing.
   /// @isr{no}
@@ -78,7 +78,7 @@ class ControlSystemPoolBuilder {
   [[nodiscard]] ControlSystemPool& pool();
 
   /// @brief Returns the second timer that was built.
-  /// @return the timer; it lives as long as the builder.
+  /// @return the timer; it exists as long as the builder.
   /// @pre buildTimer() was called.
   /// @errors Without a timer the program ends with the assertion PartMissing.
   /// @isr{yes}

@@ -31,8 +31,8 @@ namespace wr {
 /// @brief Builds the control system of the steering.
 ///
 /// @function Builds the steering device with its power states and commands, the sensor of its
-/// position, the controller with its states and its algorithm, and the system, with one step for
-/// each.
+/// position, the controller with its states and its algorithm, and the system. Each of these parts
+/// has one step.
 ///
 /// @secret Which parts the control system of the steering has, how they are bound to each other, and
 /// where they are stored.
@@ -48,16 +48,16 @@ namespace wr {
 /// another sensor.
 class DirSystemBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief Devices that the platform provides for the steering. Each device lives as long as the builder.
+  /// @brief Devices that the platform provides for the steering. Each device exists as long as the builder.
   /// @datatype
   struct Devices {
-    DigitalOutput& step;        ///< makes the motor step each time it is switched on
+    DigitalOutput& step;        ///< the motor makes a step each time this output is switched on
     DigitalOutput& direction;   ///< on: steps turn the steering to the left
     DigitalOutput& enable;      ///< on: the motor has current
     const EdgeInput& leftEnd;   ///< high: the left end stop is reached
     const EdgeInput& rightEnd;  ///< high: the right end stop is reached
     AnalogInput& angle;         ///< position of the steering
-    const Timebase& timebase;   ///< gives the time
+    const Timebase& timebase;   ///< returns the time
   };
 
   /// @brief Binds the builder to the devices of the steering.

@@ -50,8 +50,8 @@ namespace wr {
 ///
 /// @function Builds the link to the PC, the remote control, the reading modes, the operation
 /// states, the controller and its clock, with one step for each, and binds them. The sequence of
-/// the steps is the sequence of their declarations. A product without a part omits its step; modes
-/// and states can be built by an extension.
+/// the steps is the sequence of their declarations. A product without a part omits its step. An
+/// extension can build modes and states.
 ///
 /// @secret Which parts the main controller has, how they are bound to each other, and where they are
 /// stored.
@@ -68,7 +68,7 @@ namespace wr {
 /// the controller.
 class MainControllerBuilder {
  public:
-  /// @brief Devices that the platform provides for the remote control. Each device lives as long as the builder.
+  /// @brief Devices that the platform provides for the remote control. Each device exists as long as the builder.
   /// @datatype
   struct RemoteControlDevices {
     EdgeInput& velocityPin;    ///< pulses of the velocity lever
@@ -79,12 +79,12 @@ class MainControllerBuilder {
         nullptr;  ///< returns the time of an edge; null: the timebase of all devices returns it
   };
 
-  /// @brief Devices that the platform provides for the main controller. Each device lives as long as the builder.
+  /// @brief Devices that the platform provides for the main controller. Each device exists as long as the builder.
   /// @datatype
   struct Devices {
     ControlThread& thread;      ///< runs the control cycles
     PeriodicTimer& cycleTimer;  ///< generates the clock pulses
-    const Timebase& timebase;   ///< gives the time
+    const Timebase& timebase;   ///< returns the time
     SerialPort& pcPort;         ///< line to the PC
     Watchdog& watchdog;         ///< resets the system when cycles no longer complete
     const StartRecord& start;   ///< cause of the start of the firmware
@@ -108,8 +108,8 @@ class MainControllerBuilder {
   /// @brief Builds the remote control: its pins, their interrupt handlers, and the reader of its orders.
   /// The interrupts of the pins are enabled from now on.
   /// @pre The platform provides the devices of the remote control.
-  /// @errors Without devices the program ends with the assertion PartMissing, a second time with
-  /// PartBuiltTwice.
+  /// @errors Without devices the program ends with the assertion PartMissing. A second call ends it
+  /// with PartBuiltTwice.
   /// @satisfies FR-51
   /// @satisfies FR-78
   /// @isr{no}
@@ -117,8 +117,8 @@ class MainControllerBuilder {
 
   /// @brief Builds the reading modes PC and RC; each is the successor of the other. RC is the first.
   /// @pre The link and the remote control are built.
-  /// @errors A missing part ends the program with the assertion PartMissing, modes that are already
-  /// built with PartBuiltTwice.
+  /// @errors A missing part ends the program with the assertion PartMissing. Modes that are already
+  /// built end it with PartBuiltTwice.
   /// @satisfies FR-17
   /// @satisfies FR-78
   /// @isr{no}
@@ -127,15 +127,15 @@ class MainControllerBuilder {
   /// @brief Builds the reading mode PC for a product without other modes: a change of the mode
   /// leads to PC again.
   /// @pre The link is built.
-  /// @errors A missing part ends the program with the assertion PartMissing, modes that are already
-  /// built with PartBuiltTwice.
+  /// @errors A missing part ends the program with the assertion PartMissing. Modes that are already
+  /// built end it with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildPcMode();
 
   /// @brief Sets reading modes that an extension built.
   /// @param first mode at start
-  /// @param all every mode; storage and modes live as long as the builder
+  /// @param all every mode; storage and modes exist as long as the builder
   /// @errors Modes that are already built end the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
@@ -148,7 +148,7 @@ class MainControllerBuilder {
   void buildStates();
 
   /// @brief Sets operation states that an extension built.
-  /// @param first state at start; it lives as long as the builder
+  /// @param first state at start; it exists as long as the builder
   /// @errors States that are already built end the program with the assertion PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
@@ -157,8 +157,8 @@ class MainControllerBuilder {
   /// @brief Builds the controller; it begins in the first state and the first mode.
   /// @param systems the control systems of the controller
   /// @pre The link, the modes and the states are built.
-  /// @errors A missing part ends the program with the assertion PartMissing, a second controller with
-  /// PartBuiltTwice.
+  /// @errors A missing part ends the program with the assertion PartMissing. A second controller ends
+  /// it with PartBuiltTwice.
   /// @satisfies FR-10
   /// @satisfies FR-78
   /// @isr{no}
@@ -166,8 +166,8 @@ class MainControllerBuilder {
 
   /// @brief Builds the timer that begins the control cycles, and its command.
   /// @pre The controller is built.
-  /// @errors A missing part ends the program with the assertion PartMissing, a second timer with
-  /// PartBuiltTwice.
+  /// @errors A missing part ends the program with the assertion PartMissing. A second timer ends it
+  /// with PartBuiltTwice.
   /// @satisfies FR-1
   /// @satisfies FR-78
   /// @isr{no}
@@ -181,7 +181,7 @@ class MainControllerBuilder {
   void start();
 
   /// @brief Returns the controller that was built.
-  /// @return the controller; it lives as long as the builder.
+  /// @return the controller; it exists as long as the builder.
   /// @pre buildController() was called.
   /// @errors Without a controller the program ends with the assertion PartMissing.
   /// @isr{no}
@@ -189,7 +189,7 @@ class MainControllerBuilder {
   [[nodiscard]] MainController& controller();
 
   /// @brief Returns the timer that begins the control cycles.
-  /// @return the timer; it lives as long as the builder.
+  /// @return the timer; it exists as long as the builder.
   /// @pre buildClock() was called.
   /// @errors Without a timer the program ends with the assertion PartMissing.
   /// @isr{yes}
@@ -197,7 +197,7 @@ class MainControllerBuilder {
   [[nodiscard]] FirstTimer& clock();
 
   /// @brief Returns the reader of the PC's orders.
-  /// @return the reader; it lives as long as the builder.
+  /// @return the reader; it exists as long as the builder.
   /// @pre buildConnection() was called.
   /// @errors Without a reader the program ends with the assertion PartMissing.
   /// @isr{no}
@@ -205,7 +205,7 @@ class MainControllerBuilder {
   [[nodiscard]] Reader& pcReader();
 
   /// @brief Returns the reader of the remote control's orders.
-  /// @return the reader; it lives as long as the builder.
+  /// @return the reader; it exists as long as the builder.
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.
   /// @isr{no}
@@ -213,7 +213,7 @@ class MainControllerBuilder {
   [[nodiscard]] Reader& rcReader();
 
   /// @brief Returns the link to the PC.
-  /// @return the link; it lives as long as the builder.
+  /// @return the link; it exists as long as the builder.
   /// @pre buildConnection() was called.
   /// @errors Without a link the program ends with the assertion PartMissing.
   /// @isr{no}
@@ -221,7 +221,7 @@ class MainControllerBuilder {
   [[nodiscard]] PcConnection& connection();
 
   /// @brief Returns the handler of the interrupts of the velocity pin.
-  /// @return the pin; it lives as long as the builder.
+  /// @return the pin; it exists as long as the builder.
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.
   /// @isr{yes}
@@ -229,7 +229,7 @@ class MainControllerBuilder {
   [[nodiscard]] RcPin& velocityPin();
 
   /// @brief Returns the handler of the interrupts of the direction pin.
-  /// @return the pin; it lives as long as the builder.
+  /// @return the pin; it exists as long as the builder.
   /// @pre buildRemoteControl() was called.
   /// @errors Without a remote control the program ends with the assertion PartMissing.
   /// @isr{yes}

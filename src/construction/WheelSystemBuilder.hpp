@@ -50,8 +50,8 @@ namespace wr {
 /// @brief Builds the control system of one wheel.
 ///
 /// @function Builds the wheel with its commands, the sensors of its velocity and its current, the
-/// controller with its algorithms and behaviours, and the system with its orders, with one step for
-/// each.
+/// controller with its algorithms and behaviours, and the system with its orders. Each of these
+/// parts has one step.
 ///
 /// @secret Which parts the control system of a wheel has, how they are bound to each other, and where
 /// they are stored.
@@ -68,7 +68,7 @@ namespace wr {
 /// sensor or one more algorithm.
 class WheelSystemBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief Devices that the platform provides for a wheel. Each device lives as long as the builder.
+  /// @brief Devices that the platform provides for a wheel. Each device exists as long as the builder.
   /// @datatype
   struct Devices {
     PwmOutput& pwm;              ///< voltage of the wheel
@@ -78,7 +78,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
     EdgeInput& hallB;            ///< second Hall sensor
     AnalogInput& current;        ///< current of the motor
     ControlThread& thread;       ///< runs the control system
-    const Timebase& timebase;    ///< gives the time
+    const Timebase& timebase;    ///< returns the time
     std::size_t wheel;           ///< number of the wheel, 0 to 3
   };
 
@@ -96,7 +96,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
 
   /// @brief Sets the algorithms of the controller, instead of the algorithms of the builder.
   /// @param algorithms an algorithm for each WheelQuantity, in the order of the enumeration; they
-  /// live as long as the builder
+  /// exist as long as the builder
   /// @pre buildController() was not called.
   /// @errors With a controller the program ends with the assertion PartBuiltTwice.
   /// @isr{no}
@@ -104,7 +104,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   void useAlgorithms(const std::array<WheelAlgorithm*, 3>& algorithms);
 
   /// @brief Returns the handler of the interrupts of the Hall sensors.
-  /// @return the sensor; it lives as long as the builder
+  /// @return the sensor; it exists as long as the builder
   /// @pre buildSensors() was called.
   /// @errors Without a sensor the program ends with the assertion PartMissing.
   /// @isr{yes}
@@ -160,7 +160,7 @@ class WheelSystemBuilder final : public ControlSystemBuilder {
   Devices devices_;
   Pipe<Velocity> velocities_;
   Pipe<Current> currents_;
-  std::optional<std::array<WheelAlgorithm*, 3>> algorithms_;  // instead of those of the builder
+  std::optional<std::array<WheelAlgorithm*, 3>> algorithms_;  // instead of the builder's algorithms
   std::optional<Actuator> actuator_;
   std::optional<Sensors> sensors_;
   std::optional<Control> control_;

@@ -8,8 +8,8 @@
 namespace wr {
 
 /// @brief A calculation.
-/// @function Calculates one value from its arguments, in integers: the host and the microcontroller
-/// calculate equal numbers.
+/// @function Calculates one value from its arguments, with integers, so that the host and the
+/// microcontroller calculate equal numbers.
 /// @secret Which formula is used.
 /// @role{functions, Strategy}
 ///

@@ -8,8 +8,8 @@
 namespace wr {
 
 /// @brief Velocity of a wheel from its Hall edges.
-/// @function Calculates the velocity of a number of edges in a time: Raw * Scale / (Divisor *
-/// Elapsed).
+/// @function Calculates the velocity from a number of edges and their time: Raw * Scale / (Divisor
+/// * Elapsed).
 /// @secret The formula for a velocity from edges and time.
 /// @role{functions, Concrete Strategy}
 class HallVelocity final : public Function {

@@ -8,9 +8,10 @@
 namespace wr {
 
 /// @brief The steering angle from a pulse of the remote control.
-/// @function Calculates the steering angle from the width of a pulse. Around the middle it is 0.
-/// @secret The relation between the width of a pulse and the steering angle, and the width of the
-/// middle.
+/// @function Calculates the steering angle from the width of a pulse. Near the middle position of
+/// the lever the angle is 0.
+/// @secret The relation between the width of a pulse and the steering angle, and the range around
+/// the middle.
 /// @role{functions, Concrete Strategy}
 class RcDirection final : public Function {
  public:
@@ -18,7 +19,7 @@ class RcDirection final : public Function {
   RcDirection() = default;
 
   /// @brief Calculates the steering angle, rounded to the nearest number. Up to 20 us from the
-  /// middle it is 0: the robot shall go straight when its lever is released.
+  /// middle the angle is 0: the robot shall go straight when its lever is released.
   /// @param arguments Raw [width, us], Offset [middle, us], Divisor [full deflection, us] and Scale
   /// [steering angle at full deflection, 0.01 degree]; Lowest and Highest bound the width [us]
   /// @return steering angle [0.01 degree], positive to the left; beyond full deflection the angle

@@ -8,7 +8,7 @@
 namespace wr {
 
 /// @brief Current of a wheel motor from samples of its sensor.
-/// @function Calculates the current of a sum of samples: (Raw - Offset) * Scale / Divisor.
+/// @function Calculates the current from a sum of samples: (Raw - Offset) * Scale / Divisor.
 /// @secret The formula for a current from samples.
 /// @role{functions, Concrete Strategy}
 class SampledCurrent final : public Function {

@@ -11,7 +11,8 @@ namespace wr {
 /// @param dividend number to divide; with a divisor of 32 bits it may be a product of 33 and 32
 /// bits
 /// @param divisor the divisor
-/// @return the quotient; nothing unless the divisor is greater than 0 and the quotient has 32 bits
+/// @return the quotient; nothing when the divisor is 0 or less, or when the quotient needs more
+/// than 32 bits
 [[nodiscard]] std::optional<std::int32_t> quotient(std::int64_t dividend, std::int64_t divisor);
 
 /// @brief Returns whether a value is in the range that the values define. A missing bound does

@@ -23,7 +23,7 @@ class K64Adc final : public AnalogInput {
   /// @datatype
   struct Channel {
     std::uint8_t converter;  ///< 0 or 1
-    std::uint8_t number;     ///< of the input
+    std::uint8_t number;     ///< number of the input
   };
 
   /// @brief Returns the channel of a signal; a signal that is on no pin does not compile.
@@ -74,7 +74,7 @@ class K64Adc final : public AnalogInput {
   using Converters = std::array<Converter, kConverterCount>;
 
   /// @brief Binds an input to its converter.
-  /// @param converters the converters; they live as long as the input
+  /// @param converters the converters; they exist as long as the input
   /// @param channel the channel; nothing else uses it
   constexpr K64Adc(Converters& converters, Channel channel)
       : converter_(converters[channel.converter]), number_(channel.number) {}

@@ -28,7 +28,7 @@ constexpr auto divideBy(std::uint32_t divider, unsigned lowest) {
   return sim::CLKDIV1.field(divider - 1, lowest);
 }
 
-// The dividers after reset are 1, so they are set before the clock rises.
+// The dividers are 1 after reset, so they are set before the clock becomes faster.
 constexpr auto kDividers = divideBy(1, 28) | divideBy(2, 24) | divideBy(3, 20) | divideBy(5, 16);
 
 // Greatest number of reads of a status register before a step of the clock counts as failed. A read
@@ -261,7 +261,7 @@ FaultKind K64Board::faultOf(std::uint16_t exception) {
   if (exception > kHardFault) {
     return kFaults[exception - kHardFault];
   }
-  // The handlers of the other faults are not enabled: their faults are handled here.
+  // The handlers of the other faults are not enabled, so the hard fault includes these faults.
   const auto status = scb::CFSR.read();
   if ((status & scb::CFSR_MEMORY).any()) {
     return FaultKind::MemoryFault;

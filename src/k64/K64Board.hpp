@@ -8,8 +8,8 @@
 namespace wr {
 
 /// @brief The K64 as a whole, and the board FRDM-K64F around it.
-/// @function Brings the microcontroller from reset to full clock with safe outputs, and ends it safely
-/// after a fault. Keeps the fault over the reset.
+/// @function Brings the microcontroller from reset to full clock with safe outputs, and ends the
+/// firmware safely after a fault. Keeps the record of the fault over the reset.
 /// @secret How clocks, pins and resets of the K64 are controlled, and how a fault is stored.
 class K64Board {
  public:
@@ -27,7 +27,7 @@ class K64Board {
   /// @brief Ticks of a timer in a microsecond.
   static constexpr std::uint32_t kTicksPerMicrosecond = kBusClock / 1'000'000;
 
-  /// @brief Brings all outputs to their safe level. Touches no memory.
+  /// @brief Brings all outputs to their safe level. Accesses no memory.
   /// @isr{yes}
   /// @satisfies FR-71
   static void makeOutputsSafe();
@@ -38,7 +38,7 @@ class K64Board {
   /// @satisfies FR-141
   static void connectLateOutputs();
 
-  /// @brief Connects all pins that are not outputs. Touches no memory.
+  /// @brief Connects all pins that are not outputs. Accesses no memory.
   /// @pre makeOutputsSafe() was called.
   /// @isr{no}
   /// @satisfies FR-144
@@ -49,7 +49,7 @@ class K64Board {
   /// @isr{no}
   static void enableFloatingPoint();
 
-  /// @brief Makes a division by zero a fault, and makes a supply below 2.56 V a cause of a reset.
+  /// @brief Enables the fault for a division by zero, and the reset for a supply below 2.56 V.
   /// @isr{no}
   /// @satisfies FR-204
   /// @satisfies FR-206
@@ -61,11 +61,11 @@ class K64Board {
   static void moveVectors(const std::uint32_t* table);
 
   /// @brief Brings the core from the clock after reset to 120 MHz.
-  /// @return 0 when the clock runs, else the number of the step that failed: 1 the external clock does
-  /// not come, 2 the core does not change to it, 3 the PLL does not lock, 4 the core does not
-  /// change to the PLL
-  /// @post After a failure the core runs from a working clock, if there is one. After a success the
-  /// loss of the external clock or of the lock of the PLL causes a reset.
+  /// @return 0 when the clock runs, else the number of the step that failed. 1: the external clock
+  /// does not start. 2: the core does not change to the external clock. 3: the PLL does not lock.
+  /// 4: the core does not change to the PLL.
+  /// @post After a failure the core runs from a working clock, if a clock works. After a success
+  /// the loss of the external clock or of the lock of the PLL causes a reset.
   /// @isr{no}
   /// @satisfies FR-72
   /// @satisfies FR-203
@@ -78,7 +78,7 @@ class K64Board {
 
   /// @brief Reads a word from the random number generator. Reads its status at most 2,000 times.
   /// @return a word of 32 random bits, without meaning as a number; nothing when the generator delivers
-  /// none in time
+  /// no word in time
   /// @pre The clocks of the peripherals run.
   /// @isr{no}
   /// @satisfies FR-264
@@ -91,17 +91,19 @@ class K64Board {
   /// @satisfies FR-77
   [[nodiscard]] static StartRecord takeStartRecord();
 
-  /// @brief Ends the firmware: outputs safe, fault recorded, reset. Never returns.
+  /// @brief Ends the firmware: makes the outputs safe, records the fault, and resets. Never
+  /// returns.
   /// @param kind kind of the fault
   /// @param number number with a meaning that depends on the kind, 0 if it has none
-  /// @param address number of the byte of the instruction at which it happened, 0 when it is unknown
+  /// @param address byte address of the instruction at which the fault happened, 0 when it is
+  /// unknown
   /// @isr{yes}
   /// @satisfies FR-75
   [[noreturn]] static void endWithFault(FaultKind kind, std::uint16_t number,
                                         std::uint32_t address);
 
-  /// @brief Ends a start without a clock: outputs safe, fault recorded. The watchdog resets. Never
-  /// returns.
+  /// @brief Ends a start without a clock: makes the outputs safe and records the fault. Then the
+  /// watchdog resets the microcontroller. Never returns.
   /// @param step number of the step that failed
   /// @isr{no}
   /// @satisfies FR-73

@@ -26,7 +26,7 @@ static_assert(widthOf(DutyCycle(0)) == 0 && widthOf(kWholePeriod) == kPeriod);
 }  // namespace
 
 void K64Ftm::start() {
-  // The registers are written while the timer is stopped: so each value takes effect at once.
+  // The timer is stopped while the registers are written, so each value takes effect at once.
   ftm0::MODE.write(ftm0::MODE_WPDIS);
   ftm0::SC.write({0});
   ftm0::CONF.write(ftm0::CONF_BDMMODE_SAFE);

@@ -31,7 +31,7 @@ class K64Ftm final : public PwmOutput {
   static void start();
 
   /// @param dutyCycle share [0.01 %], 0 to 10000; a greater value counts as the limit. It becomes a
-  /// width of 0 to 3000 bus clocks, rounded to the nearest.
+  /// width of 0 to 3000 bus clocks, rounded to the nearest number.
   /// @post The new width takes effect at the next period.
   /// @isr{yes}
   /// @satisfies FR-140

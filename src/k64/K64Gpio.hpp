@@ -20,7 +20,7 @@ class K64Gpio final : public DigitalOutput {
   /// @param on level at which the output is on
   constexpr K64Gpio(const Pin& pin, Level on) : port_(pin.port), number_(pin.number), on_(on) {}
 
-  /// @brief Brings an output to its safe level and drives it. Touches no memory.
+  /// @brief Brings an output to its safe level and drives it. Accesses no memory.
   /// @param pin an output of the pin table
   /// @pre The clock of its port runs.
   /// @isr{yes}

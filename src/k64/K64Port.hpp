@@ -8,7 +8,8 @@
 namespace wr {
 
 /// @brief A pin of the K64 that is read.
-/// @function Reads the level of one pin, and causes interrupts at both its edges, up to a bound.
+/// @function Reads the level of one pin, and causes interrupts at both its edges, up to a limit in
+/// each tick.
 /// @secret How the ports detect edges, how one flag is cleared without the others, and how the
 /// interrupts of an input with too many edges are stopped.
 class K64Port final : public EdgeInput {
@@ -53,7 +54,7 @@ class K64Port final : public EdgeInput {
  private:
   Port port_;
   std::uint8_t number_;
-  std::uint8_t edges_ = 0;  // since the last tick
+  std::uint8_t edges_ = 0;  // edges since the last tick
 };
 
 }  // namespace wr

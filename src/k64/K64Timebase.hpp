@@ -11,9 +11,8 @@ namespace wr {
 /// the core, from the cycle counter of the core.
 /// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and
 /// returns the number of cycles in which it was awake.
-/// @secret How a 32-bit down counter becomes a time without overflow and without a 64-bit division,
-/// and how the cycles are counted independent of whether the counter of the core stops during
-/// sleep.
+/// @secret How the time is computed from a 32-bit down counter, without overflow and without a
+/// 64-bit division. How the cycles are counted, even if the counter of the core stops during sleep.
 class K64Timebase final : public Timebase {
  public:
   /// @brief One time for all signals that an interrupt serves. Its handler records the time at its
@@ -21,7 +20,7 @@ class K64Timebase final : public Timebase {
   class EntryTime final : public Timebase {
    public:
     /// @brief Binds the time to its clock.
-    /// @param clock the clock; it lives as long as this
+    /// @param clock the clock; it exists as long as this object
     explicit constexpr EntryTime(const K64Timebase& clock) : clock_(clock) {}
 
     /// @brief Records the present time.
@@ -64,7 +63,7 @@ class K64Timebase final : public Timebase {
 
   /// @brief Sleeps until an interrupt comes; the interrupt has been served when this method
   /// returns.
-  /// @pre No interrupt is being served, and none is blocked.
+  /// @pre No interrupt is being served, and no interrupt is blocked.
   /// @satisfies FR-160
   /// @satisfies FR-302
   /// @isr{no}
@@ -75,7 +74,7 @@ class K64Timebase final : public Timebase {
   /// @datatype
   struct Time {
     std::uint64_t microseconds = 0;
-    std::uint32_t ticks = 0;  ///< less than a microsecond
+    std::uint32_t ticks = 0;  ///< remaining ticks, less than a microsecond
 
     /// @brief Returns a later time.
     [[nodiscard]] constexpr Time after(std::uint32_t later) const {
@@ -91,7 +90,7 @@ class K64Timebase final : public Timebase {
 
   static constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from this value down to 0
 
-  mutable Time begin_;             // of the period of the counter
+  mutable Time begin_;             // begin of the period of the counter
   std::uint32_t sleptCycles_ = 0;  // written while interrupts are blocked
 };
 

@@ -41,8 +41,8 @@ constexpr std::size_t kFifo = 8;
 
 }  // namespace
 
-// Not in the header: with an object that the compiler initialises, its empty buffers would be in
-// flash.
+// The constructor is not in the header. Otherwise the compiler would initialise the object, and its
+// empty buffers would be in flash.
 K64Uart::K64Uart(Port port, const Timebase& clock) : port_(port), clock_(clock) {}
 
 void K64Uart::start() {
@@ -52,8 +52,8 @@ void K64Uart::start() {
   uart::BDL.at(offset()).write({static_cast<std::uint8_t>(divisor.divider)});
   uart::C4.at(offset()).write({static_cast<std::uint8_t>(divisor.fine)});
   if (port_ == Port::Uart0) {
-    // Written while receiver and transmitter are off. The watermarks keep their values after reset:
-    // each received byte requests the interrupt, and so does an empty transmit FIFO.
+    // These registers are written while receiver and transmitter are off. The watermarks keep their
+    // values after reset. Each received byte, and an empty transmit FIFO, requests the interrupt.
     uart::PFIFO.at(offset()).write(uart::PFIFO_RXFE | uart::PFIFO_TXFE);
     uart::CFIFO.at(offset()).write(uart::CFIFO_RXFLUSH | uart::CFIFO_TXFLUSH);
   }
@@ -69,7 +69,7 @@ void K64Uart::serve() {
 void K64Uart::receive() {
   std::uint32_t lost = 0;
   std::size_t untilBroken = 0;  // bytes up to the byte with a wrong stop bit
-  // As many as the FIFO holds, and as many again that may come meanwhile.
+  // The limit is twice the size of the FIFO, because more bytes may arrive during the loop.
   // bound: 1; on average an interrupt has one byte to take
   for (std::size_t i = 0; i < 2 * kFifo; ++i) {
     const auto status = uart::S1.at(offset()).read();
@@ -89,7 +89,7 @@ void K64Uart::receive() {
     if ((status & uart::S1_RDRF).any()) {
       lost += noisy || untilBroken == 1 || !store(byte) ? 1U : 0U;
     } else {
-      // The read of an empty FIFO makes its positions inconsistent.
+      // After a read of the empty FIFO, its positions are inconsistent.
       uart::CFIFO.at(offset()).write(uart::CFIFO_RXFLUSH);
     }
     untilBroken -= untilBroken != 0 ? 1U : 0U;

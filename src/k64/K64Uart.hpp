@@ -15,8 +15,8 @@ namespace wr {
 
 /// @brief A serial port of the K64. Port 0 is the USB debug port of the board.
 /// @function Receives and sends bytes in the background: 115200 baud, 8 bits, no parity, 1 stop bit.
-/// @secret How bytes are transferred between the registers of the port and the buffers, how the
-/// time of a zero byte is stored until it is read, and how errors of the line are handled.
+/// @secret How bytes are transferred between the registers of the port and the buffers. How the
+/// time of a zero byte is stored, and how errors of the line are handled.
 /// @hides{K64Uart::kBaud}
 class K64Uart final : public SerialPort {
  public:
@@ -37,7 +37,8 @@ class K64Uart final : public SerialPort {
   /// @satisfies FR-171
   void start();
 
-  /// @brief Stores received bytes and sends written ones. The vectors of the port's interrupts call it.
+  /// @brief Stores received bytes and sends written bytes. The vectors of the port's interrupts call
+  /// it.
   /// @isr{yes}
   /// @satisfies FR-171
   void serve();
@@ -58,7 +59,7 @@ class K64Uart final : public SerialPort {
       return load(written_) - load(read_);
     }
     [[nodiscard]] std::size_t free() const { return kSize - count(); }
-    void put(std::span<const Element> elements) {  // only with room
+    void put(std::span<const Element> elements) {  // only with enough space
       const std::size_t at = load(written_);
       const auto place = std::span(elements_).subspan(at % kSize);
       const auto ahead = elements.first(std::min(elements.size(), place.size()));
@@ -69,12 +70,12 @@ class K64Uart final : public SerialPort {
       std::memcpy(elements_.data(), rest.data(), rest.size_bytes());
       store(written_, at + elements.size());
     }
-    void put(Element element) {  // only with room
+    void put(Element element) {  // only with enough space
       const std::size_t at = load(written_);
       elements_[at % kSize] = element;
       store(written_, at + 1);
     }
-    Element take() {  // only with elements
+    Element take() {  // only if the buffer is not empty
       const Element element = at(next());
       drop(1);
       return element;
@@ -82,7 +83,7 @@ class K64Uart final : public SerialPort {
     // Returns the place of the next element that is read.
     [[nodiscard]] std::size_t next() const { return load(read_); }
     [[nodiscard]] Element at(std::size_t place) const { return elements_[place % kSize]; }
-    void drop(std::size_t number) {  // only with so many elements
+    void drop(std::size_t number) {  // only if the buffer has this many elements
       store(read_, load(read_) + number);
     }
 
@@ -99,7 +100,9 @@ class K64Uart final : public SerialPort {
       count.store(value, std::memory_order_relaxed);
     }
 
-    static_assert((kSize & (kSize - 1)) == 0, "the counts wrap together with the places");
+    static_assert(
+        (kSize & (kSize - 1)) == 0,
+        "the size is a power of 2, so that the positions stay correct when a count overflows");
 
     std::array<Element, kSize> elements_{};
     std::atomic<std::size_t> written_{0};

@@ -9,8 +9,8 @@ namespace wr {
 
 namespace {
 
-constexpr std::uint32_t kTicks = K64Watchdog::kTimeOut.count() / 1000;  // of the 1 kHz oscillator
-static_assert(kTicks > 4 && kTicks <= 0xFFFF, "the low half of the time-out is enough");
+constexpr std::uint32_t kTicks = K64Watchdog::kTimeOut.count() / 1000;  // counts of a 1 kHz clock
+static_assert(kTicks > 4 && kTicks <= 0xFFFF, "the time-out fits in the low half of its register");
 
 }  // namespace
 
@@ -23,8 +23,8 @@ void K64Watchdog::configure() {
   wdog::PRESC.write({0});
   wdog::TOVALH.write({0});
   wdog::TOVALL.write({static_cast<std::uint16_t>(kTicks)});
-  // Clock: the low-power oscillator. No window, no second update; it runs while the core sleeps or
-  // stops.
+  // The clock is the low-power oscillator. The watchdog has no window, allows no second update, and
+  // runs while the core sleeps or stops.
   wdog::STCTRLH.write(wdog::STCTRLH_WDOGEN | wdog::STCTRLH_STOPEN | wdog::STCTRLH_WAITEN |
                       wdog::STCTRLH_RESERVED);
 }

@@ -19,7 +19,7 @@ class K64Watchdog final : public Watchdog {
   /// @brief Returns the watchdog, for the module that refreshes it.
   constexpr K64Watchdog() = default;
 
-  /// @brief Configures the watchdog and locks it until the next reset. Touches no memory.
+  /// @brief Configures the watchdog and locks it until the next reset. Accesses no memory.
   /// @pre There is only one call. It comes within 256 bus clocks after the reset, and is not
   /// interrupted.
   /// @isr{no}

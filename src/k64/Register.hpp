@@ -10,7 +10,7 @@ enum class Access : std::uint8_t {
   Read,       ///< read only
   Write,      ///< write only
   ReadWrite,  ///< a read returns the written bits, so single bits can be changed
-  Flags       ///< read and write differ: it is only written as a whole
+  Flags       ///< reads and writes have different meanings: it is only written as a whole
 };
 
 /// @brief Register of the microcontroller.

@@ -29,7 +29,7 @@ inline void finishStores() {
   asm volatile("dsb" ::: "memory");
 }
 
-/// @brief Waits until all stores are done, and reads the instructions that follow again.
+/// @brief Waits until all stores are done, and fetches the following instructions again.
 inline void finishInstructions() {
   asm volatile("dsb\n\tisb" ::: "memory");
 }
@@ -57,11 +57,11 @@ inline std::uint16_t activeException() {
   return static_cast<std::uint16_t>(number);
 }
 
-/// @brief Blocks the interrupts of the firmware as long as it lives. Such locks may be nested.
+/// @brief Blocks the interrupts of the firmware as long as the object exists. Locks may be nested.
 /// @datatype
 class InterruptLock {
  public:
-  /// @brief Raises the priority up to which interrupts are blocked; it never lowers it.
+  /// @brief Blocks the interrupts. Interrupts that an outer lock blocks stay blocked.
   InterruptLock() {
     asm volatile("mrs %0, basepri" : "=r"(before_));
     constexpr std::uint32_t kMask = kPulsePriority << 4U;

@@ -29,10 +29,10 @@ enum class Mux : std::uint8_t { Alt0 = 0, Gpio = 1, Alt3 = 3, Alt4 = 4 };
 /// @brief A pin of the microcontroller.
 /// @datatype
 struct Pin {
-  Port port;            ///< its port
-  std::uint8_t number;  ///< its number in the port, 0 to 31
+  Port port;            ///< port of the pin
+  std::uint8_t number;  ///< number of the pin in the port, 0 to 31
   Mux mux;              ///< connection while the firmware runs
-  Role role;            ///< its role
+  Role role;            ///< role of the pin
 
   /// @brief Returns whether the firmware drives the pin.
   /// @return true for an output
@@ -46,17 +46,17 @@ struct Pin {
 struct PinRow {
   Pin pin;                  ///< the pin
   std::string_view signal;  ///< name of the signal on it
-  std::string_view header;  ///< its connector on the FRDM-K64F
-  std::string_view text;    ///< its task
+  std::string_view header;  ///< connector of the pin on the FRDM-K64F
+  std::string_view text;    ///< task of the pin
 };
 
 // The pins that the firmware uses, one per line. A signal of a peripheral has its name in the
-// manual. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the
-// data line of the accelerometer, which is not used. Left alone: J2-2, which is PTC12 from revision
-// E of the board on only; before, it is PTA0, a pin of the debugger.
+// manual. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the data line
+// of the accelerometer, which is not used. J2-2 is not used: up to revision D of the board it is
+// PTA0, a pin of the debugger; from revision E on it is PTC12.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
-    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset the pin is the NMI; an input pin is not."},
+    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset the pin is the NMI; the firmware makes it an input."},
     {{Port::A, 18, Mux::Alt0, Role::Peripheral}, "EXTAL0", "50 MHz of the Ethernet chip", "Clock of the microcontroller."},
     {{Port::B, 16, Mux::Alt3, Role::PulledUp}, "UART0_RX", "USB debug port", "Bytes from the PC."},
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},
@@ -127,7 +127,7 @@ consteval bool allExist() {
   });
 }
 
-/// @brief Returns whether no pin and no signal is used twice.
+/// @brief Returns whether each pin and each signal is used only once.
 consteval bool noneTwice() {
   for (const PinRow& a : kPinTable) {
     for (const PinRow& b : kPinTable) {

@@ -1,8 +1,8 @@
 #pragma once
 
-// The registers of the MK64FN1M0VLL12 that the firmware uses: one namespace for each block, names
-// as in the reference manual of the part (K64P144M120SF5RM), those of the core as in the ARMv7-M
-// architecture manual. Only the used bits have names.
+// The registers of the MK64FN1M0VLL12 that the firmware uses. Each block has a namespace. The names
+// are the names of the reference manual (K64P144M120SF5RM), and for the core the names of the
+// ARMv7-M architecture manual. Only the used bits have names.
 
 #include <cstdint>
 
@@ -106,8 +106,8 @@ inline constexpr auto SRS1_MDM_AP = SRS1.bit(3);
 
 /// @brief Port control: the connection of each pin, and the edges that cause interrupts.
 namespace port {
-inline constexpr std::uint32_t kPortDistance = 0x1000;  // from one port to the next [byte]
-inline constexpr std::uint32_t kPinDistance = 4;        // from one pin to the next [byte]
+inline constexpr std::uint32_t kPortDistance = 0x1000;  // distance between two ports [byte]
+inline constexpr std::uint32_t kPinDistance = 4;        // distance from one pin to the next [byte]
 inline constexpr Register<std::uint32_t, 0x40049000, Access::Flags> PCR;
 inline constexpr auto PCR_PS = PCR.bit(0);
 inline constexpr auto PCR_PE = PCR.bit(1);
@@ -122,7 +122,7 @@ inline constexpr Register<std::uint32_t, 0x400490C8> DFWR;
 
 /// @brief General purpose input and output.
 namespace gpio {
-inline constexpr std::uint32_t kPortDistance = 0x40;  // from one port to the next [byte]
+inline constexpr std::uint32_t kPortDistance = 0x40;  // distance between two ports [byte]
 inline constexpr Register<std::uint32_t, 0x400FF004, Access::Write> PSOR;
 inline constexpr Register<std::uint32_t, 0x400FF008, Access::Write> PCOR;
 inline constexpr Register<std::uint32_t, 0x400FF010, Access::Read> PDIR;
@@ -132,7 +132,7 @@ inline constexpr Register<std::uint32_t, 0x400FF014> PDDR;
 /// @brief Periodic interrupt timer.
 namespace pit {
 inline constexpr Register<std::uint32_t, 0x40037000> MCR;
-inline constexpr std::uint32_t kChannelDistance = 0x10;  // from one channel to the next [byte]
+inline constexpr std::uint32_t kChannelDistance = 0x10;  // distance between two channels [byte]
 inline constexpr Register<std::uint32_t, 0x40037100> LDVAL;
 inline constexpr Register<std::uint32_t, 0x40037104, Access::Read> CVAL;
 inline constexpr Register<std::uint32_t, 0x40037108> TCTRL;
@@ -148,7 +148,7 @@ inline constexpr Register<std::uint32_t, 0x40038000> SC;
 inline constexpr auto SC_CLKS_BUS = SC.field(1, 3);
 inline constexpr Register<std::uint32_t, 0x40038004> CNT;
 inline constexpr Register<std::uint32_t, 0x40038008> MOD;
-inline constexpr std::uint32_t kChannelDistance = 8;  // from one channel to the next [byte]
+inline constexpr std::uint32_t kChannelDistance = 8;  // distance between two channels [byte]
 inline constexpr Register<std::uint32_t, 0x4003800C> CnSC;
 inline constexpr auto CnSC_ELSB = CnSC.bit(3);
 inline constexpr auto CnSC_MSB = CnSC.bit(5);
@@ -160,9 +160,9 @@ inline constexpr Register<std::uint32_t, 0x40038084> CONF;
 inline constexpr auto CONF_BDMMODE_SAFE = CONF.field(1, 6);
 }  // namespace ftm0
 
-/// @brief Converters; the first one is converter 0.
+/// @brief Converters; the first converter is converter 0.
 namespace adc {
-inline constexpr std::uint32_t kConverterDistance = 0x80000;  // from converter 0 to 1 [byte]
+inline constexpr std::uint32_t kConverterDistance = 0x80000;  // distance between converters [byte]
 inline constexpr Register<std::uint32_t, 0x4003B000, Access::Flags> SC1A;
 inline constexpr auto SC1A_ADCH_NONE = SC1A.field(0x1F, 0);
 inline constexpr auto SC1A_AIEN = SC1A.bit(6);
@@ -186,14 +186,14 @@ inline constexpr Register<std::uint32_t, 0x4003B02C> PG;
 inline constexpr Register<std::uint32_t, 0x4003B030> MG;
 inline constexpr std::uint32_t kCalibrationResults = 6;  // results of a calibration, in sequence,
                                                          // for each side
-inline constexpr std::uint32_t kResultDistance = 4;      // from one result to the next [byte]
+inline constexpr std::uint32_t kResultDistance = 4;      // distance between two results [byte]
 inline constexpr Register<std::uint32_t, 0x4003B038, Access::Read> CLPS;  // then CLP4 to CLP0
 inline constexpr Register<std::uint32_t, 0x4003B058, Access::Read> CLMS;  // then CLM4 to CLM0
 }  // namespace adc
 
-/// @brief Serial ports; the first one is port 0.
+/// @brief Serial ports; the first port is port 0.
 namespace uart {
-inline constexpr std::uint32_t kPort4Distance = 0x80000;  // from port 0 to port 4 [byte]
+inline constexpr std::uint32_t kPort4Distance = 0x80000;  // distance from port 0 to port 4 [byte]
 inline constexpr Register<std::uint8_t, 0x4006A000> BDH;
 inline constexpr Register<std::uint8_t, 0x4006A001> BDL;
 inline constexpr Register<std::uint8_t, 0x4006A003> C2;

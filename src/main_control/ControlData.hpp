@@ -45,7 +45,7 @@ class ControlData {
   /// @isr{no}
   void saveReported(std::uint32_t end);
 
-  /// @brief Records the current source; it applies to the next set-points and later.
+  /// @brief Records the source of the set-points that are set from now on.
   /// @param source number of the reading mode
   /// @satisfies FR-19
   /// @isr{no}
@@ -128,7 +128,7 @@ class ControlData {
 
   std::optional<SetPoints> setPoints_;
   ModeId readSource_ = ModeId::None;
-  ReportData report_;                   // of the present cycle
+  ReportData report_;                   // values of the present cycle
   std::optional<std::uint32_t> pulse_;  // count of processor cycles at the clock pulse
   std::uint32_t reported_ = 0;          // cycles from the clock pulse to the report
 };

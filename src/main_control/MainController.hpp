@@ -24,7 +24,7 @@ namespace wr {
 /// that the cycle completed. It stores the present state and the present reading mode, and executes
 /// the orders of the states: apply control, hold, send a report.
 ///
-/// @secret The sequence of steps in a control cycle, and that a stop has priority over every state.
+/// @secret The sequence of steps in a control cycle, and the priority of a stop over every state.
 ///
 /// @role{operation-states, Context}
 /// @role{reading-modes, Context}
@@ -32,7 +32,7 @@ namespace wr {
 /// @role{main-controller-construction, Product}
 class MainController {
  public:
-  /// @brief Parts of the controller. Each part lives as long as the controller.
+  /// @brief Parts of the controller. Each part exists as long as the controller.
   /// @datatype
   struct Parts {
     ControlThread& thread;         ///< runs the cycles
@@ -56,7 +56,7 @@ class MainController {
   MainController(const MainController&) = delete;
   MainController& operator=(const MainController&) = delete;
 
-  /// @brief Starts the cycles: the thread runs one for each clock pulse.
+  /// @brief Starts the cycles: the thread runs one cycle for each clock pulse.
   /// @isr{no}
   /// @satisfies FR-1
   void start();
@@ -75,13 +75,13 @@ class MainController {
   /// @isr{no}
   void read();
 
-  /// @brief Orders the control systems, as the present state defines it.
+  /// @brief Sends the orders of the present state to the control systems.
   /// @satisfies FR-2
   /// @satisfies FR-3
   /// @isr{no}
   void control();
 
-  /// @brief Reports, as the present state defines it.
+  /// @brief Sends the report of the present state.
   /// @satisfies FR-2
   /// @satisfies FR-3
   /// @isr{no}

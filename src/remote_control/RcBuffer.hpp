@@ -30,7 +30,7 @@ class RcBuffer {
 
   /// @brief Processes an edge. A falling edge ends a pulse: when its period is 15 to 30 ms and the
   /// function accepts its width, the value is stored.
-  /// @param rising the level is high after the edge
+  /// @param rising true when the level is high after the edge
   /// @param at time of the edge
   /// @isr{yes}
   /// @satisfies FR-52

@@ -46,8 +46,8 @@ class ControlThread {
   ~ControlThread() = default;
 
   /// @brief Runs one activation, and triggers the thread again when another activation is pending.
-  /// The platform calls it at the priority of the thread, as its answer to pend(). Without a
-  /// pending activation it does nothing.
+  /// The platform calls it at the priority of the thread, after a call of pend(). Without a pending
+  /// activation it does nothing.
   void run();
 
  private:
@@ -60,7 +60,8 @@ class ControlThread {
   std::atomic<std::uint32_t> ended_{0};     // number of activations, incremented only by run()
   std::atomic<std::uint32_t> overruns_{0};
 
-  static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "an interrupt cannot wait");
+  static_assert(std::atomic<std::uint32_t>::is_always_lock_free,
+                "an interrupt cannot wait for a lock");
 };
 
 }  // namespace wr

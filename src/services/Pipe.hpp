@@ -19,9 +19,9 @@ struct Stamped {
 
 /// @brief Transfers the newest value from one writer to one reader.
 /// @function Connects a writer and a reader that run at different priorities and do not depend on
-/// each other. Neither ever waits. A value has the time of its writing, so that a reader detects a
-/// stale one.
-/// @secret That writer and reader exchange three slots by one atomic operation.
+/// each other. Neither of them waits. Each value has the time at which it was written, so that a
+/// reader detects a stale value.
+/// @secret The exchange of three slots between writer and reader by one atomic operation.
 template <class T>
 class Pipe {
  public:
@@ -78,7 +78,8 @@ class Pipe {
   std::uint32_t read_ = 2;                // slot of the reader
   bool filled_ = false;
 
-  static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "an interrupt cannot wait");
+  static_assert(std::atomic<std::uint32_t>::is_always_lock_free,
+                "an interrupt cannot wait for a lock");
 };
 
 }  // namespace wr

@@ -38,8 +38,8 @@ struct StartRecord {
   FaultKind fault = FaultKind::None;       ///< fault recorded before the reset
   std::uint16_t number = 0;   ///< number with a meaning that depends on the kind of fault, 0 if it
                               ///< has none
-  std::uint32_t address = 0;  ///< address of the instruction at which it ended, 0 when it is
-                              ///< unknown
+  std::uint32_t address = 0;  ///< address of the instruction at which the firmware ended, 0 when it
+                              ///< is unknown
 
   /// @brief Returns whether two records are equal.
   friend constexpr bool operator==(const StartRecord&, const StartRecord&) = default;

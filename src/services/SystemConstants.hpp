@@ -57,7 +57,7 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds linkTimeout() const { return milliseconds(1000); }
 
-  /// @brief Returns the longest time without a cycle that completed. Three cycles: a late cycle
+  /// @brief Returns the longest time without a completed cycle. It is three cycles: a late cycle
   /// does not cause a reset, and a stuck cycle ends before the robot has moved 0.3 m.
   /// @return time-out of the watchdog [us]
   /// @satisfies FR-70
@@ -70,8 +70,8 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr Microseconds tickPeriod() const { return milliseconds(1); }
 
-  /// @brief Returns the time for which a measured value can be used. One and a half cycles: a value
-  /// of the previous cycle is still valid, an older value is missing.
+  /// @brief Returns the time for which a measured value can be used. It is 1.5 cycles: a value of
+  /// the previous cycle is still valid, an older value is missing.
   /// @return greatest age of a measurement [us]
   /// @satisfies FR-127
   /// @isr{yes}
@@ -100,8 +100,9 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t winding() const { return 1500; }
 
-  /// @brief Returns the velocity below which a wheel is slow: its motor induces 2.1 V, which drive
-  /// 1.4 A. A short-circuited wheel is slow on slopes of up to 11 %.
+  /// @brief Returns the velocity below which a wheel is slow. At this velocity its motor induces
+  /// 2.1 V, which cause a current of 1.4 A. A short-circuited wheel is slow on slopes of up to 11
+  /// %.
   /// @return velocity at the motor shaft [0.1 rpm]
   /// @satisfies FR-87
   /// @satisfies FR-89
@@ -109,14 +110,14 @@ class SystemConstants {
   [[nodiscard]] constexpr Velocity slow() const { return Velocity(400); }
 
   /// @brief Returns the number of edges of the two Hall sensors in one turn of the motor shaft of a wheel.
-  /// Assumption: a motor with 15 pairs of poles, two sensors, two edges each.
+  /// Assumption: a motor with 15 pairs of poles, and two sensors with two edges for each pair.
   /// @return number of edges
   /// @satisfies FR-120
   /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t hallEdgesPerTurn() const { return 60; }
 
   /// @brief Returns the angle by which one step turns the steering. Assumption: 400 half steps in a turn of the
-  /// motor, and a gear that reduces 18 to 1.
+  /// motor, and a gear ratio of 18 to 1.
   /// @return angle of a step [0.01 degree]
   /// @satisfies FR-101
   /// @isr{yes}
@@ -144,8 +145,8 @@ class SystemConstants {
   [[nodiscard]] constexpr Angle steeringLimit() const { return Angle(3200); }
 
   /// @brief Returns the greatest velocity that can be ordered, forwards and backwards. Assumption: the
-  /// gear between motor shaft and wheel reduces 10 to 1. With a wheel radius of 0.272 m, 300 rpm
-  /// at the shaft are 0.85 m/s.
+  /// gear between motor shaft and wheel has a ratio of 10 to 1. With a wheel radius of 0.272 m, 300
+  /// rpm at the shaft are 0.85 m/s.
   /// @return greatest velocity at the motor shaft [0.1 rpm]
   /// @satisfies FR-46
   /// @isr{yes}

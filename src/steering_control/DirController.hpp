@@ -32,7 +32,7 @@ struct DirStatus {
   StepRate rate{};                           ///< speed of the motor [steps/s], positive to the left
   bool leftEnd = false;                      ///< the left end stop is reached
   bool rightEnd = false;                     ///< the right end stop is reached
-  std::optional<Stamped<Angle>> position{};  ///< newest position, and when it was measured
+  std::optional<Stamped<Angle>> position{};  ///< newest position, and the time of its measurement
 };
 
 /// @brief State of the motor at the beginning of a tick.
@@ -47,8 +47,8 @@ struct TurnFeedback {
 
 /// @brief Controls the steering: computes the turn from target and position.
 ///
-/// @function Each time a measurement of the position ends, lets the state of the steering act on
-/// the newest target, the newest position and the state of the motor, and publishes the result. It
+/// @function At the end of each measurement of the position, lets the state of the steering act on
+/// the newest target, the newest position and the state of the motor. Then publishes the result. It
 /// controls the motor through commands, and does not name the sensor or the device.
 ///
 /// @secret The greatest age of a target and a position, and how a contradiction between angle and
@@ -60,13 +60,13 @@ struct TurnFeedback {
 /// @role{steering-timer-interrupt, Receiver}
 class DirController final {
  public:
-  /// @brief Parts of the controller. Each part lives as long as the controller.
+  /// @brief Parts of the controller. Each part exists as long as the controller.
   /// @datatype
   struct Parts {
     Pipe<DirTarget>& target;       ///< the newest order; the main thread writes it
     Pipe<Angle>& position;         ///< the position of the steering; the same interrupt writes it
     Pipe<DirStatus>& status;       ///< state of the steering; the main thread reads it
-    const Timebase& timebase;      ///< for the age of a value
+    const Timebase& timebase;      ///< returns the time, for the age of a value
     SteeringAlgorithm& algorithm;  ///< computes the turn
     SteeringCommand& enable;       ///< switches the motor on
     SteeringCommand& disable;      ///< switches the motor off
@@ -96,7 +96,7 @@ class DirController final {
   [[nodiscard]] bool following() const;
 
   /// @brief Returns whether orders have ceased. States call it.
-  /// @return true when there is no target, or the newest one is older than 300 ms
+  /// @return true when there is no target, or the newest target is older than 300 ms
   /// @isr{yes}
   /// @satisfies FR-109
   [[nodiscard]] bool abandoned() const;
@@ -108,16 +108,15 @@ class DirController final {
   [[nodiscard]] bool released() const;
 
   /// @brief Returns whether the position of the steering is unknown. States call it.
-  /// @return true when there is no position, or the newest one is older than 20 ms
+  /// @return true when there is no position, or the newest position is older than 20 ms
   /// @isr{yes}
   /// @satisfies FR-110
   [[nodiscard]] bool lost() const;
 
-  /// @brief Checks whether the inputs of the steering contradict each other: both end stops are
-  /// reached, or the position differs by more than 3 degrees from the position that results from
-  /// the steps of the motor since it was switched on. The difference is reduced by 0.05 degrees in
-  /// a second. States
-  /// call it.
+  /// @brief Checks whether the inputs of the steering contradict each other. This is true when both
+  /// end stops are reached. It is also true when the position differs by more than 3 degrees from
+  /// the position that results from the steps of the motor since it was switched on. The difference
+  /// is reduced by 0.05 degrees in a second. States call it.
   /// @return true when they contradict each other
   /// @pre The position is not lost.
   /// @isr{yes}
@@ -131,10 +130,9 @@ class DirController final {
   /// @satisfies FR-111
   void watch();
 
-  /// @brief Checks whether the steering fails to follow the steps of the motor. It decides when 200
-  /// ms have passed and the steps amount to 0.6 degrees, and then starts the next window. States
-  /// call
-  /// it.
+  /// @brief Checks whether the steering fails to follow the steps of the motor. The check ends when
+  /// 200 ms have passed and the steps amount to 0.6 degrees. Then the next window starts. States
+  /// call it.
   /// @return true when the steering moved less than half of the angle of the steps
   /// @pre watch() was called, and the position is not lost.
   /// @isr{yes}
@@ -197,7 +195,7 @@ class DirController final {
   SteeringCommand& disable_;
   SteeringCommand& setTurn_;
   std::reference_wrapper<DirState> state_;
-  Instant changedAt_{};  // when the present state began
+  Instant changedAt_{};  // time at which the present state began
   // values of this tick
   Instant now_{};
   TurnFeedback motor_{};

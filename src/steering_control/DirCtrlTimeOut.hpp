@@ -15,8 +15,8 @@ class SteeringDevice;
 /// controller and sensor do not
 /// depend on each other.
 ///
-/// @secret The sequence of sensor, controller and motor in a tick, and that the controller runs
-/// only when a measurement has ended.
+/// @secret The sequence of sensor, controller and motor in a tick, and the rule that the controller
+/// runs only when a measurement has ended.
 ///
 /// @role{steering-timer-interrupt, Concrete Command}
 ///

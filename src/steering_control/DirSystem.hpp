@@ -23,12 +23,13 @@ namespace wr {
 /// @role{steering-system-construction, Product}
 class DirSystem final : public ControlSystem {
  public:
-  /// @brief Parts of the system. Each part lives as long as the system.
+  /// @brief Parts of the system. Each part exists as long as the system.
   /// @datatype
   struct Parts {
-    Pipe<DirTarget>& target;   ///< takes the orders
-    Pipe<DirStatus>& status;   ///< pipe of the state of the steering
-    const Timebase& timebase;  ///< for the time of an order and the age of a value
+    Pipe<DirTarget>& target;  ///< receives the orders
+    Pipe<DirStatus>& status;  ///< pipe of the state of the steering
+    const Timebase&
+        timebase;  ///< returns the time of an order, and the time for the age of a value
   };
 
   /// @brief Binds the system to its parts.
@@ -67,7 +68,7 @@ class DirSystem final : public ControlSystem {
   /// @satisfies FR-115
   void halt() override;
 
-  /// @brief Makes the next target release a fault.
+  /// @brief Marks the next target as an order to release a fault.
   /// @satisfies FR-112
   void release() override;
 
@@ -80,7 +81,7 @@ class DirSystem final : public ControlSystem {
   Pipe<DirStatus>& statuses_;
   const Timebase& timebase_;
   DirTarget target_{};
-  DirStatus status_{};  // as it was measured in this cycle
+  DirStatus status_{};  // status that was measured in this cycle
   bool ticks_ = false;  // the status was recent when it was read
   std::uint32_t cycle_ = 0;
 };

@@ -13,8 +13,8 @@ constexpr std::int32_t kFastest = SystemConstants::instance().steeringRate().cou
 constexpr std::int32_t kTicksPerSecond =
     static_cast<std::int32_t>(1000000 / SystemConstants::instance().tickPeriod().count());
 
-// In each tick the rate in steps/s is added to the part of a step. A whole step is the number of
-// ticks in a second.
+// In each tick the rate in steps/s is added to a sum. The motor makes a step when the sum reaches
+// the number of ticks in a second.
 constexpr std::int32_t kWholeStep = kTicksPerSecond;
 
 constexpr std::int32_t kRateChange =

@@ -12,8 +12,8 @@ namespace wr {
 
 /// @brief The motor of the steering, with its driver and its end stops.
 ///
-/// @function Switches the motor on and off, and turns it step by step: with the demanded rate,
-/// within the limits of the motor, and never further towards an end stop that is reached.
+/// @function Switches the motor on and off, and turns it step by step with the demanded rate,
+/// within the limits of the motor. Never turns it further towards an end stop that is reached.
 ///
 /// @secret The pulses for a step of the motor, the limits of the motor, and the levels of its end
 /// stops.
@@ -22,10 +22,10 @@ namespace wr {
 /// @role{steering-commands, Receiver}
 class SteeringDevice final {
  public:
-  /// @brief Parts of the device. Each part lives as long as the device.
+  /// @brief Parts of the device. Each part exists as long as the device.
   /// @datatype
   struct Parts {
-    DigitalOutput& step;        ///< makes the motor step each time it is switched on
+    DigitalOutput& step;        ///< the motor makes a step each time this output is switched on
     DigitalOutput& direction;   ///< on for steps to the left
     DigitalOutput& enable;      ///< on when the motor has current
     const EdgeInput& leftEnd;   ///< high when the left end stop is reached, or its wire is broken

@@ -16,13 +16,13 @@ struct WheelMeasurements {
   std::optional<Velocity> velocity;   ///< velocity at the motor shaft
   std::optional<Current> current;     ///< current of the motor
   std::optional<HallCount> position;  ///< position of the wheel
-  bool cutOff = false;                ///< its overcurrent trip has acted
+  bool cutOff = false;                ///< the overcurrent trip of the wheel has acted
   bool blind = false;                 ///< the wheel has voltage, and its Hall sensors show no
                                       ///< motion
   bool reversalLate = false;          ///< the wheel could not change its orientation in time
   std::uint16_t rejectedEdges = 0;    ///< implausible Hall edges since start, at most 65535
 
-  /// @brief Clears each value in its place: this takes less time than a new object.
+  /// @brief Clears each value in its place, which takes less time than a new object.
   constexpr void clear() {
     velocity.reset();
     current.reset();
@@ -40,16 +40,16 @@ struct WheelMeasurements {
 /// @brief State of the steering.
 /// @datatype
 enum class SteeringState : std::uint8_t {
-  Off = 0,      ///< its motor is switched off
-  Holding = 1,  ///< it keeps its position
-  Turning = 2,  ///< it turns towards the target
-  Fault = 3     ///< it does not move as ordered, or its position is missing; its motor is off
+  Off = 0,      ///< the motor of the steering is switched off
+  Holding = 1,  ///< the steering keeps its position
+  Turning = 2,  ///< the steering turns towards the target
+  Fault = 3     ///< the steering does not move as ordered or has no position; its motor is off
 };
 
 /// @brief Reason why the robot does not follow its set-points.
 /// @datatype
 enum class Inhibit : std::uint8_t {
-  None = 0,           ///< it follows them
+  None = 0,           ///< the robot follows them
   NoOrder = 1,        ///< no source sends orders
   Stop = 2,           ///< a source orders stop
   NotArmed = 3,       ///< the source has not yet sent neutral set-points for long enough

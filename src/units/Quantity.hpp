@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief A number with a unit. Numbers of different units do not mix.
+/// @brief A number with a unit. Numbers of different units cannot be combined.
 /// @tparam Tag names the unit
 /// @tparam Rep type of the number
 /// @datatype

@@ -70,7 +70,7 @@ struct SetPoints {
   bool repeated = false;     ///< read in an earlier cycle, and still in force
   std::uint32_t sentAt = 0;  ///< time of the sender's clock when the order was sent [ms]
 
-  /// @brief Checks whether the value of each wheel is 0, whatever its quantity.
+  /// @brief Checks whether the value of each wheel is 0, for any quantity.
   /// @return true when no wheel shall move
   [[nodiscard]] constexpr bool neutral() const {
     return std::ranges::all_of(wheels, [](const WheelSetPoint& wheel) { return wheel.value == 0; });

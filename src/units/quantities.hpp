@@ -31,7 +31,7 @@ using DutyCycle = Quantity<struct DutyCycleTag, std::int32_t>;
 /// @datatype
 using StepRate = Quantity<struct StepRateTag, std::int32_t>;
 
-/// @brief Position of a wheel [Hall edges since start], rising forwards.
+/// @brief Position of a wheel [Hall edges since start], increasing forwards.
 /// @datatype
 using HallCount = Quantity<struct HallCountTag, std::int32_t>;
 
@@ -46,7 +46,7 @@ using Microseconds = Quantity<struct MicrosecondsTag, std::int64_t>;
   return Microseconds(count * 1000);
 }
 
-/// @brief Point in time [us since start]. It does not overflow in the life of a robot.
+/// @brief Point in time [us since start]. It does not overflow while a robot is in use.
 /// @datatype
 class Instant {
  public:

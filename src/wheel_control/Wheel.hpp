@@ -36,9 +36,9 @@ class Wheel final {
   Wheel& operator=(const Wheel&) = delete;
 
   /// @brief Removes all voltage from the motor: it is short-circuited and brakes. During an
-  /// overcurrent trip it is called once in each control cycle: the second call, when the current
-  /// has decayed, enables the driver for braking.
-  /// @post The driver is enabled, unless its overcurrent trip is younger than a cycle or has acted twice.
+  /// overcurrent trip the caller calls it once in each control cycle. The second call, when the
+  /// current has decayed, enables the driver for braking.
+  /// @post The driver is enabled, unless its overcurrent trip acted less than a cycle ago or acted twice.
   /// @satisfies FR-88
   /// @satisfies FR-89
   /// @satisfies FR-221
@@ -107,7 +107,7 @@ class Wheel final {
   DigitalOutput& enable_;
   std::atomic<Trip> trip_{Trip::None};  // shared by an interrupt and the thread of the wheel
 
-  static_assert(std::atomic<Trip>::is_always_lock_free, "an interrupt cannot wait");
+  static_assert(std::atomic<Trip>::is_always_lock_free, "an interrupt cannot wait for a lock");
 };
 
 }  // namespace wr

@@ -15,9 +15,9 @@ constexpr std::int32_t kMaxEffort = 45000;  // [mV cycles] 4.5 V s: 6 V for 0.75
 constexpr Tension kMovingTension(3200);     // an order of this voltage moves the robot on the flat
 constexpr Tension kStartingTension(14000);  // a voltage that starts a wheel on any slope
 constexpr std::int32_t kWeakShare = 16;     // counted part of a voltage that the current explains
-constexpr std::int32_t kStrongShare = 8;    // the same above kStartingTension
+constexpr std::int32_t kStrongShare = 8;    // the same part above kStartingTension
 constexpr std::int32_t kThousand = 1000;
-constexpr std::int32_t kJitter = 1;  // edges to and fro that one working sensor causes
+constexpr std::int32_t kJitter = 1;  // edges forwards and backwards that one working sensor causes
 constexpr Tension kReversal(500);    // a demand below this does not change the orientation
 constexpr std::uint8_t kMaxReversalWait = 20;  // cycles that a reversal may wait for a slow wheel
 constexpr Microseconds kSameCycle = milliseconds(50);
@@ -96,8 +96,8 @@ bool WheelController::reversalLate() const {
   return reversalLate_;
 }
 
-// A wheel that is ordered to stand still may keep its voltage without motion, on a slope. A motor
-// that turns undetected draws less current than a motor that its load keeps at rest.
+// On a slope, a wheel with the order to stand still may have voltage without motion. A motor that
+// turns undetected draws less current than a motor that its load keeps at rest.
 void WheelController::watchMotion(const WheelSetPoint& setPoint,
                                   const WheelMeasurements& measured) {
   const HallCount position = measured.position.value_or(HallCount());

@@ -30,12 +30,12 @@ namespace wr {
 /// @role{wheel-commands, Invoker}
 class WheelController final {
  public:
-  /// @brief Parts of the controller. Each part lives as long as the controller.
+  /// @brief Parts of the controller. Each part exists as long as the controller.
   /// @datatype
   struct Parts {
-    Pipe<Velocity>& velocity;                   ///< pipe of the measured velocity
-    Pipe<Current>& current;                     ///< pipe of the measured current
-    const Timebase& timebase;                   ///< for the age of a measured value
+    Pipe<Velocity>& velocity;  ///< pipe of the measured velocity
+    Pipe<Current>& current;    ///< pipe of the measured current
+    const Timebase& timebase;  ///< returns the time, for the age of a measured value
     std::array<WheelAlgorithm*, 3> algorithms;  ///< one for each WheelQuantity, in the order of the
                                                 ///< enumeration
     WheelBehaviour& advance;                    ///< applies the demand of an algorithm
@@ -50,9 +50,8 @@ class WheelController final {
   WheelController(const WheelController&) = delete;
   WheelController& operator=(const WheelController&) = delete;
 
-  /// @brief Controls the wheel towards its set-point for one cycle. A wheel whose velocity or
-  /// current is
-  /// missing, that shows no motion or whose reversal is late is stopped.
+  /// @brief Controls the wheel towards its set-point for one cycle. Stops the wheel when its
+  /// velocity or current is missing, when it shows no motion, or when its reversal is late.
   /// @param setPoint target of the wheel
   /// @param measured measured values of the wheel in this cycle
   /// @satisfies FR-80
@@ -71,8 +70,8 @@ class WheelController final {
   void halt();
 
   /// @brief Stops a wheel whose overcurrent trip has acted: no voltage is applied, and control
-  /// starts without memory after the release. A wheel that is controlled and halted in one cycle
-  /// counts one cycle.
+  /// starts again without memory after the release. A cycle in which the wheel is controlled and
+  /// halted counts as one cycle.
   /// @satisfies FR-89
   /// @satisfies FR-221
   /// @isr{no}

@@ -17,17 +17,17 @@ namespace wr {
 /// @function Records the orders of the main controller for its wheel, executes them in the thread
 /// of the wheel, and returns the measured and applied values.
 ///
-/// @secret How orders of the main controller are converted to orders of a wheel, and that each
-/// wheel has a thread.
-/// The thread has a higher priority than the main thread, which therefore never runs while the
-/// wheel's thread is active: each thread finds the work of the other thread complete.
+/// @secret How orders of the main controller are converted to orders of a wheel, and the use of one
+/// thread for each wheel. This thread has a higher priority than the main thread. The main thread
+/// never runs while a wheel's thread is active, so each thread finds the work of the other thread
+/// complete.
 ///
 /// @role{control-system-orders, Concrete Class}
 /// @role{wheel-orders, Context}
 /// @role{wheel-system-construction, Product}
 class WheelSystem final : public ControlSystem {
  public:
-  /// @brief Parts of the system. Each part lives as long as the system.
+  /// @brief Parts of the system. Each part exists as long as the system.
   /// @datatype
   struct Parts {
     std::size_t wheel;             ///< number of the wheel, 0 to 3
@@ -44,7 +44,7 @@ class WheelSystem final : public ControlSystem {
   explicit WheelSystem(const Parts& parts);
 
   /// @brief Sets the body of the thread.
-  /// @pre It was not called before.
+  /// @pre The method was not called before.
   /// @errors Assertion ThreadStartedTwice at the second call.
   /// @satisfies FR-92
   /// @isr{no}
@@ -90,7 +90,7 @@ class WheelSystem final : public ControlSystem {
   Parts parts_;
   std::array<WheelOrder*, 4> orders_{};  // the main thread writes the orders, the wheel's thread
                                          // executes them
-  std::size_t count_ = 0;                // orders noted
+  std::size_t count_ = 0;                // number of orders
   WheelWork work_;                       // the wheel's thread writes the results, the main thread
                                          // reads them
   std::uint32_t cycle_ = 0;              // cycle of the written orders

@@ -90,7 +90,7 @@ constexpr auto kNumbers = std::to_array<Number>({
 #include "sim/scenario/FirmwareNumbers.inc"
 });
 
-/// @brief The CRC-32 of the nine digits is its check value.
+/// @brief The CRC-32 of the digits 1 to 9 is the known check value.
 /// @verifies FR-246
 TEST(Layout, CheckValueOfTheHash) {
   EXPECT_EQ(crc32("123456789"), 0xCBF43926U);
@@ -123,7 +123,7 @@ TEST(Layout, FR170_EachNameHasTheNumberOfTheTable) {
   }
 }
 
-/// @brief The limits of orders in the table are those that the firmware checks.
+/// @brief The limits of orders in the table are the limits that the firmware checks.
 /// @verifies FR-170
 TEST(Layout, FR170_LimitsOfOrdersAreThoseOfTheTable) {
   EXPECT_EQ(SystemConstants::instance().steeringLimit().count(), limitOf("steering_set_point"));

@@ -290,7 +290,7 @@ TEST_F(BuilderDeathTest, FR78_SystemNeedsItsSensors) {
   }
 }
 
-/// @brief Wheel and steering cannot be built without one of their parts.
+/// @brief Wheel and steering cannot be built when one of their parts is missing.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_SystemNeedsItsParts) {
   EXPECT_DEATH(wheelBuilder.buildSensors(), "assertion 1 failed");
@@ -307,7 +307,7 @@ TEST_F(BuilderDeathTest, FR78_SystemNeedsItsParts) {
   EXPECT_DEATH(steeringBuilder.buildSystem(), "assertion 1 failed");
 }
 
-/// @brief A robot whose platform has no remote control cannot get one.
+/// @brief The remote control cannot be built on a platform that has no remote control.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_RemoteControlNeedsItsDevices) {
   devices.remoteControl.reset();

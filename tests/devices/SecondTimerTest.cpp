@@ -66,7 +66,7 @@ TEST_F(SecondTimerTest, FR100_BeatWithoutCommands) {
   EXPECT_EQ(events, std::vector<std::string>{"acknowledge"});
 }
 
-/// @brief The timer accepts its maximum number of commands; one more ends the program.
+/// @brief The timer accepts its maximum number of commands; one more command ends the program.
 /// @verifies FR-100
 /// @verifies FR-176
 TEST_F(SecondTimerTest, FR100_OneCommandTooMany) {

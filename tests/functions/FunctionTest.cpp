@@ -22,7 +22,7 @@ namespace {
 constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
 constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
 
-/// Arguments of which each may be missing.
+/// Arguments, each of which may be missing.
 struct Given : Arguments {
   virtual ~Given() = default;
 
@@ -222,7 +222,7 @@ TEST(Function, FR120_NoOverflow) {
   }
 }
 
-/// @brief A quotient is rounded to the nearest number, a half away from zero.
+/// @brief A quotient is rounded to the nearest number, and a half is rounded away from zero.
 /// @verifies FR-125
 TEST(Scaling, FR125_RoundsToNearest) {
   EXPECT_EQ(quotient(7, 2), 4);
@@ -239,7 +239,7 @@ TEST(Scaling, FR125_RoundsToNearest) {
   EXPECT_EQ(quotient(-1, 2), -1);
 }
 
-/// @brief A divisor of more than 31 bits is not cut.
+/// @brief A divisor of more than 31 bits keeps all its bits.
 /// @verifies FR-120
 TEST(Scaling, FR120_LargeDivisor) {
   constexpr std::int64_t kDivisor = (std::int64_t{1} << 32) - 2;

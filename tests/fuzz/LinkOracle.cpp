@@ -21,7 +21,7 @@ constexpr std::size_t kCommands = 20;
 constexpr LinkOracle::Time kSecond = 1'000'000;
 constexpr LinkOracle::Time kOrderLife = 200'000;
 constexpr int kSteeringLimit = 3200;
-constexpr std::array kWheelLimits{3000, 24000, 10000};  // of velocity, voltage and current
+constexpr std::array kWheelLimits{3000, 24000, 10000};  // limits of velocity, voltage and current
 constexpr unsigned kMostCount = 65535;
 
 void count(unsigned& counter) {

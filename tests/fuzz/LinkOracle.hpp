@@ -35,7 +35,7 @@ class LinkOracle {
 
   /// @brief Receives a byte.
   /// @param byte the byte
-  /// @param at when its stop bit ended [us]
+  /// @param at time at which its stop bit ended [us]
   void receive(std::uint8_t byte, Time at);
 
   /// @brief Ends the work of a cycle on the received bytes.
@@ -78,7 +78,7 @@ class LinkOracle {
 
   Counts counts_;
   State state_ = State::Disconnected;
-  Bytes line_;  // since the last zero byte
+  Bytes line_;  // bytes since the last zero byte
   std::optional<std::uint8_t> offered_;
   bool welcomeDue_ = false;
   Time welcomed_ = 0;

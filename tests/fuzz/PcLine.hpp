@@ -67,7 +67,7 @@ class PcLine {
     return good(kOrder, payload(0, {velocity, velocity, velocity, velocity}, {}, commands));
   }
 
-  std::uint8_t session = 0;  ///< of the newest Welcome
+  std::uint8_t session = 0;  ///< session of the newest Welcome
 
  private:
   test::Bytes order(FuzzedDataProvider& input) {

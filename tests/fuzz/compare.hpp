@@ -37,14 +37,15 @@ inline void compare(const PcConnection& connection, const SerialReader& reader,
   const LinkOracle::Counts found{counts.damaged,     counts.tooLong,      counts.unknownVersion,
                                  counts.unknownType, counts.wrongLength,  counts.outOfRange,
                                  counts.unexpected,  counts.sequenceGaps, counts.staleOrders};
-  expect(found == oracle.counts(), "the counts of dropped frames are those of the protocol");
-  expect(connection.connected() == oracle.connected(), "the connection has its state");
+  expect(found == oracle.counts(), "the counts of dropped frames agree with the protocol");
+  expect(connection.connected() == oracle.connected(),
+         "the connection has the state of the protocol");
   expect(reader.stopOrdered() == oracle.stop(), "a stop is in force as the protocol demands");
   expect(reader.available() == oracle.order(now).has_value(),
          "an order can be read exactly when the protocol accepts it");
 }
 
-/// @brief Reads the order that is available, and compares it with that of the oracle.
+/// @brief Reads the order that is available, and compares it with the order of the oracle.
 /// @param reader the orders
 /// @param oracle the oracle
 /// @param now clock pulse of the cycle [us]
@@ -53,13 +54,13 @@ inline void readAndCompare(SerialReader& reader, LinkOracle& oracle, LinkOracle:
   OrderMessage order;
   expect(order.readFrom(reader), "an accepted order is in range");
   const SetPoints& found = order.setPoints();
-  expect(found.orderId == (wanted[0] | wanted[1] << 8U), "the order has its id");
+  expect(found.orderId == (wanted[0] | wanted[1] << 8U), "the order has the id that was sent");
   for (std::size_t wheel = 0; wheel < found.wheels.size(); ++wheel) {
     const std::size_t at = 8 + 3 * wheel;
     const auto value = static_cast<std::int16_t>(wanted[at + 1] | wanted[at + 2] << 8U);
     expect(static_cast<std::uint8_t>(found.wheels[wheel].quantity) == wanted[at] &&
                found.wheels[wheel].value == value,
-           "the wheel has its set-point");
+           "the wheel has the set-point that was sent");
   }
   oracle.orderRead();
   expect(!reader.available(), "an order is read once");

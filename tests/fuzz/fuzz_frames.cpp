@@ -40,7 +40,7 @@ constexpr std::array<std::int64_t, 8> kTimes{1'000,    // [us] around the limits
                                              999'999,  //
                                              1'000'000, 1'000'001};
 constexpr std::array<std::uint8_t, 8> kAhead{1, 1, 1, 0, 2, 127, 128, 255};  // sequence numbers
-constexpr std::array<std::size_t, 4> kLengths{21, 21, 20, 24};               // of an order
+constexpr std::array<std::size_t, 4> kLengths{21, 21, 20, 24};               // lengths of an order
 constexpr std::size_t kMostPending = 900;  // bytes: one cycle reads them all
 constexpr std::size_t kMostEnds = 30;      // zero bytes of these
 constexpr std::uint64_t kStart = 0x0123456789abcdef;
@@ -146,7 +146,7 @@ class SignedOracle {
     line_.clear();
   }
 
-  int challenges = 0;  // since they were last sent
+  int challenges = 0;  // challenges that are due
 
  private:
   [[nodiscard]] bool accepts() {
@@ -193,7 +193,7 @@ class Link {
     }
   }
 
-  // Whatever happened: Hello, Confirm and Order work again.
+  // After any input, Hello, Confirm and Order work again.
   void recover() {
     port_.room = true;
     damage_ = 0;
@@ -313,7 +313,8 @@ class Link {
     port_.clear();
     ends_ = 0;
     const std::optional<std::uint8_t> session = takeSent();
-    expect(session.has_value() == (due && port_.room), "each Hello is answered when there is room");
+    expect(session.has_value() == (due && port_.room),
+           "each Hello is answered when there is space");
     oracle_.serviceEnded();
     if (session) {
       oracle_.welcomeSent(*session, now_);
@@ -384,11 +385,11 @@ class Link {
   std::span<const std::uint8_t> input_;
   Time now_ = kCycle;
   std::size_t ends_ = 0;        // zero bytes that were not read yet
-  std::uint8_t sequence_ = 0;   // of the next frame to the robot
-  std::uint8_t session_ = 0;    // of the newest Welcome
+  std::uint8_t sequence_ = 0;   // sequence number of the next frame to the robot
+  std::uint8_t session_ = 0;    // session of the newest Welcome
   std::uint8_t sent_ = 0;       // number of the next frame of the robot
-  std::uint32_t counter_ = 0;   // of the newest signed frame to the robot
-  std::uint32_t answered_ = 0;  // of the newest signed frame of the robot
+  std::uint32_t counter_ = 0;   // counter of the newest signed frame to the robot
+  std::uint32_t answered_ = 0;  // counter of the newest signed frame of the robot
   Bytes last_;                  // the newest frame to the robot
   std::uint8_t damage_ = 0;     // place and bit of the next frame that is wrong; 0: it is right
 };
@@ -396,14 +397,15 @@ class Link {
 }  // namespace
 }  // namespace wr::fuzz
 
-// The firmware allocates no memory, so that the fuzzer needs no stack of each allocation.
+// The firmware allocates no memory, so that the fuzzer does not need the call stack of each
+// allocation.
 extern "C" const char* __asan_default_options() {
   return "malloc_context_size=0:quarantine_size_mb=1:detect_stack_use_after_return=0";
 }
 
 namespace wr {
 
-// The targets have their own; a fuzzer keeps the input.
+// Each target defines this function. Here it ends the program, so that the fuzzer keeps the input.
 void assertionFailed(AssertId /*id*/) {
   std::fputs("the fuzzer found an assertion that fails\n", stderr);
   std::abort();

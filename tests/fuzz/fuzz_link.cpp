@@ -87,7 +87,7 @@ class Link {
     connection_.service();
     const std::optional<std::uint8_t> session = takeSent(kWelcome);
     expect(due || !session, "a Welcome is sent only as the answer to a Hello");
-    expect(!due || session || room < kRoomForWelcome, "a Hello is answered when there is room");
+    expect(!due || session || room < kRoomForWelcome, "a Hello is answered when there is space");
     oracle_.serviceEnded();
     if (session) {
       oracle_.welcomeSent(*session, now_);
@@ -112,7 +112,7 @@ class Link {
     const bool sent = connection_.sendReport(ReportMessage(data));
     expect(!sent || oracle_.connected(), "only a connected PC gets reports");
     reportsLost_ += !sent && oracle_.connected() ? 1U : 0U;
-    expect(takeSent(kReport).has_value() == sent, "a report is sent whole or not at all");
+    expect(takeSent(kReport).has_value() == sent, "a report is sent as a whole or not at all");
   }
 
   // Checks that the firmware sent only whole frames of one type, with consecutive numbers; returns
@@ -167,7 +167,7 @@ void fuzz(FuzzedDataProvider& input) {
         link.arrive(link.pc.next(input));
     }
   }
-  // Whatever happened: Hello, Confirm and Order work again, each in one cycle.
+  // After any input, Hello, Confirm and Order work again, each in one cycle.
   constexpr int kMostCycles = 100;
   for (int i = 0; i < kMostCycles && !link.port.received.empty(); ++i) {
     link.cycle(false);

@@ -1,6 +1,6 @@
 // Fuzzes the whole firmware with its safety functions, in the simulated robot. The input chooses
 // the bytes of the PC, the remote control, extra edges of Hall sensors, faults of sensors, the
-// emergency stop, resets, and the time at which each of these occurs.
+// emergency stop and resets, and the time of each event.
 
 #include <fuzzer/FuzzedDataProvider.h>
 
@@ -24,7 +24,7 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr int kMostCycles = 120;           // of a run
+constexpr int kMostCycles = 120;           // greatest number of cycles of a run
 constexpr int kRecoveryCycles = 10;        // one second
 constexpr int kMostBetween = 4;            // events of a cycle
 constexpr int kMostStopped = 12;           // cycles until a stop has lowered every voltage to 0
@@ -201,9 +201,9 @@ class FuzzedRobot {
     if (data().setPoints() && data().setPoints()->neutral()) {
       stopBefore_ = false;
     }
-    expect(!stopBefore_ || data().stopped(), "a stop of the PC outlives a reset");
+    expect(!stopBefore_ || data().stopped(), "a stop of the PC lasts over a reset");
     if (resetNow_ && protectedBefore_) {
-      expect(latched() || data().stopped(), "a protective stop outlives a reset");
+      expect(latched() || data().stopped(), "a protective stop lasts over a reset");
     }
     resetNow_ = false;
   }

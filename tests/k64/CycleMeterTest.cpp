@@ -40,7 +40,7 @@ struct Drive {
 
   BoardRobot robot;
   std::optional<board_robot::CycleMeter> meter;
-  std::vector<scenario::PcReport> reports;  ///< the first is that of the third cycle
+  std::vector<scenario::PcReport> reports;  ///< the first measurement is of the third cycle
 };
 
 /// @brief The counts of the firmware agree with the measurements of the board. Its counts begin

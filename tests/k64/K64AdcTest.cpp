@@ -32,7 +32,7 @@ void apply(DriverBoard& drivers, std::size_t input, double volts) {
   drivers.board.setAnalog(kInputs.at(input).converter, kInputs.at(input).channel, volts);
 }
 
-/// @brief Each input returns its own voltage in 4096 parts of 3.3 V, and the ends of the range.
+/// @brief Each input returns its voltage in 4096 parts of 3.3 V, also at the ends of the range.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
   DriverBoard drivers;
@@ -95,8 +95,8 @@ TEST(K64AdcOnBoard, FR142_EachInputIsConvertedOnceInEachTick) {
   }
 }
 
-/// @brief When one converter alone fails its calibration, its inputs have no value, and those of
-/// the other converter have values.
+/// @brief When one converter alone fails its calibration, its inputs have no value, and the inputs
+/// of the other converter have values.
 /// @verifies FR-143
 TEST(K64AdcOnBoard, FR143_OneConverterFailsAlone) {
   for (const int failed : {0, 1}) {
@@ -121,7 +121,7 @@ TEST(K64AdcOnBoard, FR205_OpenInputNeedsItsResistor) {
   apply(drivers, 3, kReference / 2);
   drivers.board.openAnalog(kInputs[4].converter, kInputs[4].channel);
   drivers.run(milliseconds(10));
-  EXPECT_EQ(drivers.ask('A')[9], 2048) << "the charge of the input before it";
+  EXPECT_EQ(drivers.ask('A')[9], 2048) << "the input has the charge of the previous input";
   apply(drivers, 4, 0.0);
   drivers.run(milliseconds(10));
   EXPECT_EQ(drivers.ask('A')[9], 0);

@@ -113,7 +113,7 @@ TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
 }
 
 /// @brief The core runs at 120 MHz when the first clock pulse comes, and at 115200 baud each byte of
-/// the first Welcome comes through.
+/// the first Welcome arrives.
 /// @verifies FR-72
 TEST(K64BoardOnBoard, FR72_CoreRunsAt120MegahertzBeforeTheFirstCycle) {
   BoardRobot robot;
@@ -387,7 +387,7 @@ TEST_P(K64BoardEnds, FR75_WhileTheRobotDrives) {
   EXPECT_EQ(robot.board.pwmDuty(0, 0), 0.0);
 }
 
-/// @brief A division by zero is a fault like others: it is recorded, and a reset follows.
+/// @brief A division by zero is a fault like other faults: it is recorded, and a reset follows.
 /// @verifies FR-206
 TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
   BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::divideByZero()));
@@ -398,7 +398,7 @@ TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
   EXPECT_EQ(robot.askForWelcome().fault, kUsageFault);
 }
 
-/// @brief A stack that overflows is a fault like others: it is recorded, and a reset follows.
+/// @brief A stack that overflows is a fault like other faults: it is recorded, and a reset follows.
 /// @verifies FR-75
 TEST(K64BoardOnBoard, FR75_EndsSafelyWhenTheStackOverflowed) {
   BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::overflowStack()));

@@ -73,7 +73,7 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
       writes.push_back(drivers.board.now());
     }
   });
-  constexpr nanoseconds kInstruction{150};  // the board changes the width when one has ended
+  constexpr nanoseconds kInstruction{150};  // the board changes the width after an instruction
   constexpr int kSets = 20;
   for (std::int16_t set = 1; set <= kSets; ++set) {
     drivers.run(nanoseconds(7'300 * set));
@@ -81,7 +81,7 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
   }
   ASSERT_EQ(changes.size(), static_cast<std::size_t>(kSets));
   ASSERT_EQ(writes.size(), static_cast<std::size_t>(kSets));
-  std::array<bool, 2> halves{};  // of a period, in which something was set
+  std::array<bool, 2> halves{};  // halves of a period in which a width was set
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const nanoseconds late = (changes[i] - changes[0] + kPeriod + kInstruction) % kPeriod;
     EXPECT_LE(late, 2 * kInstruction) << i;
@@ -93,8 +93,8 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
 }
 
 /// @brief From the first instruction that makes an output safe until a width is set, no output for
-/// the voltage is ever high: neither while the pin is an ordinary output, nor when the timer takes
-/// over the pin.
+/// the voltage is ever high. This is true while the pin is an ordinary output, and when the timer
+/// takes over the pin.
 /// @verifies FR-141
 TEST(K64FtmOnBoard, FR141_OutputsStayLowUntilAWidthIsSet) {
   DriverBoard drivers;

@@ -65,8 +65,8 @@ class K64PortOnBoard : public testing::Test {
   std::vector<std::uint16_t> before;
 };
 
-/// @brief Each edge of an input interrupts, the rising one and the falling one, and causes no edge
-/// at another input.
+/// @brief Each rising and each falling edge of an input interrupts, and causes no edge at another
+/// input.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_BothEdgesOfEachInputInterrupt) {
   std::vector<int> expected(kEdgeInputs.size(), 0);
@@ -89,7 +89,7 @@ TEST_F(K64PortOnBoard, FR144_EdgesAtTheSameTimeAreAllSeen) {
   EXPECT_EQ(edges(), std::vector<int>(kEdgeInputs.size(), 1));
 }
 
-/// @brief All of four edges of one input within a tick are detected: a wheel at full speed has far
+/// @brief All four edges of one input within a tick are detected: a wheel at full speed has far
 /// fewer.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_FourEdgesInATickAreAllSeen) {
@@ -206,7 +206,7 @@ TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
 }
 
 /// @brief Noise of 200 kHz at all Hall sensors and all signals of the remote control does not delay
-/// the cycles: ten of them run in a second, none is late, and the watchdog does not reset.
+/// the cycles. Ten cycles run in a second, no cycle is late, and the watchdog does not reset.
 /// @verifies FR-201
 TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
   BoardRobot robot;

@@ -24,7 +24,7 @@ TEST(K64TimebaseOnBoard, FR174_TimeGoesOnWhereTheCounterWraps) {
   }
 }
 
-/// @brief The time of the firmware is that of the board.
+/// @brief The time of the firmware is equal to the time of the board.
 /// @verifies FR-174
 TEST(K64TimebaseOnBoard, FR174_TimeIsThatOfTheBoard) {
   BoardRobot robot;

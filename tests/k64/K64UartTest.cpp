@@ -28,7 +28,7 @@ class K64UartOnBoard : public testing::Test {
 /// @brief All bytes that the line can transfer between two clock pulses are received.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
-  constexpr int kFrames = 150;  // of 7 bytes: they take 91 ms, the report before 9 ms
+  constexpr int kFrames = 150;  // frames of 7 bytes: 91 ms, after the 9 ms of the report
   robot.connect();
   sendUnknown(kFrames);
   robot.keepAlive();
@@ -56,9 +56,9 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief At full control load no byte is lost: all wheels at their greatest velocity, the steering from
-/// side to side, pulses of the remote control, a report in each cycle, and a line to the robot that
-/// is never idle.
+/// @brief At full control load no byte is lost. All wheels have their greatest velocity, the steering
+/// turns from side to side, the remote control sends pulses, each cycle reports, and the line to
+/// the robot is never idle.
 /// @verifies FR-37
 /// @verifies FR-49
 /// @verifies FR-171
@@ -119,8 +119,8 @@ TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief When bytes wait in the FIFO before the one with a wrong stop bit, the byte with the wrong
-/// stop bit is dropped, and the others are read.
+/// @brief When bytes wait in the FIFO before a byte with a wrong stop bit, only the byte with the
+/// wrong stop bit is dropped.
 /// @verifies FR-49
 TEST(K64UartThatWaits, FR49_OnlyTheByteWithTheWrongStopBitIsLost) {
   constexpr std::uint32_t kRounds = 14'400;
@@ -155,7 +155,7 @@ TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {
 }
 
 /// @brief When the main controller is blocked for so long that the buffer of 2048 bytes is full,
-/// the bytes after that are counted one by one.
+/// each further byte is counted.
 /// @verifies FR-49
 TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each
@@ -176,8 +176,8 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   EXPECT_EQ(robot.report().overruns, 1);
 }
 
-/// @brief The second port, which has another clock, receives and sends at the same speed: a line that
-/// is never idle in both directions loses no byte, while the first port is in use too.
+/// @brief The second port, which has another clock, receives and sends at the same speed. A line that
+/// is never idle in both directions loses no byte, even while the first port is in use.
 /// @verifies FR-171
 TEST(K64UartOnSecondPort, LineThatIsNeverIdleLosesNoByte) {
   constexpr int kSecondPort = 4;

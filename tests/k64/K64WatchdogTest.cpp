@@ -50,8 +50,8 @@ class K64WatchdogOnBoard : public testing::Test {
   std::vector<Write> writes;
 };
 
-/// @brief The first writes of a start are the keys and the set-up of the watchdog; nothing else is
-/// written before it is set up, and later only the keys of the refresh are written.
+/// @brief The first writes of a start, before all other writes, are the keys and the set-up of the
+/// watchdog. Later only the keys of the refresh are written to the watchdog.
 /// @verifies FR-70
 TEST_F(K64WatchdogOnBoard, FR70_IsConfiguredBeforeAnythingElse) {
   robot.cycles(5);

@@ -12,7 +12,7 @@ namespace {
 
 // Counts of the program for one pipe, see Handover in program/drivers.cpp.
 struct Counts {
-  std::uint16_t interruptions;  // one side was active when the other one interrupted it
+  std::uint16_t interruptions;  // one side was active when the other side interrupted it
   std::uint16_t torn;
   std::uint16_t older;
   std::uint16_t newest;
@@ -68,7 +68,7 @@ class PipeOnBoard : public testing::Test {
 };
 
 /// @brief An interrupt that writes while the main thread reads never corrupts a value or its time,
-/// and no value is older than the previous value; tried at thousands of instants.
+/// and no value is older than the previous value. This is tested at thousands of instants.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   const Counts counts = counted(0);

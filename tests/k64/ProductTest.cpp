@@ -24,8 +24,8 @@ constexpr std::size_t kKeyAddress = 0x410;  // behind the flash configuration fi
 constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
 
-// The image of a product on a separate board. A finding ends the test. Its calls are not
-// recorded: the recordings are those of the image under test.
+// The image of a product on a separate board. A finding ends the test. Its calls are not recorded,
+// because the recordings belong to the image under test.
 class ProductRobot : public SteppedRobot {
  public:
   explicit ProductRobot(const std::string& product) : ProductRobot(switchedOn(product)) {}
@@ -156,8 +156,8 @@ TEST_P(Product, RunsWithoutFinding) {
 }
 
 /// @brief Each product follows the PC up to its outputs: 0.96 V of 24 V are 4 % of each period, in
-/// the cycle of the order; 6 V are a quarter, after at most six cycles, which safety functions may
-/// need; a stop ends the pulses.
+/// the cycle of the order. 6 V are a quarter of each period after at most six cycles, because
+/// safety functions limit the rise. A stop ends the pulses.
 /// @verifies NFR-2
 /// @verifies FR-80
 TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {

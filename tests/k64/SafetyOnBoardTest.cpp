@@ -37,7 +37,7 @@ std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
 
 // Result of a scenario that the image played.
 struct Played {
-  std::string reports;  // with the true values at their times
+  std::string reports;  // reports, and the true values at their times
   emulator::EventTrace trace;
   std::vector<std::string> failures;
 };
@@ -78,7 +78,7 @@ TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
 INSTANTIATE_TEST_SUITE_P(Files, ScenariosOnBoard, testing::ValuesIn(allScenarios()),
                          [](const auto& file) { return file.param.stem().string(); });
 
-/// @brief When the clock is lost while the robot drives, the first reset is that of the clock monitor, and the
+/// @brief When the clock is lost while the robot drives, the first reset comes from the clock monitor, and the
 /// robot brakes and does not drive again by itself.
 /// @verifies FR-203
 TEST(ClockOfTheSafeRobot, FR203_FirstResetAfterALostClockIsThatOfTheMonitor) {
@@ -208,7 +208,8 @@ const auto kSituations = std::to_array<Situation>({
 class SwitchOfTheRemoteControl : public testing::TestWithParam<Situation> {};
 
 /// @brief When the enable switch is released at any time of the cycle, all wheels brake within 200
-/// ms, in each mode and state in which the robot drives, and orders of the PC do not end it.
+/// ms. This is tested in each mode and state in which the robot drives. Orders of the PC do not end
+/// the stop.
 /// @verifies FR-285
 TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
   const Situation& situation = GetParam();

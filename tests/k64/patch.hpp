@@ -61,7 +61,7 @@ inline constexpr std::uint32_t kPeripheral = 0x40000000;
 /// kUnusedException.
 [[nodiscard]] Code keepDevicesWaiting(std::uint32_t rounds);
 
-/// Lowers the priority of kUnusedException below that of all devices, then takes time: two
+/// Lowers the priority of kUnusedException below the priority of all devices, then uses time: two
 /// instructions for each round.
 [[nodiscard]] Code takeTime(std::uint32_t rounds);
 

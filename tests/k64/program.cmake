@@ -1,4 +1,4 @@
-# The program with which the tests use the drivers one by one: built for the K64, not for this
+# The program with which the tests use the drivers one by one. It is built for the K64, not for this
 # machine. It consists of the sources of the image without the robot.
 set(drivers_program ${CMAKE_BINARY_DIR}/drivers/drivers.bin)
 file(GLOB drivers_sources CONFIGURE_DEPENDS

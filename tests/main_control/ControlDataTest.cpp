@@ -89,8 +89,8 @@ TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
   EXPECT_EQ(report(), expected);
 }
 
-/// @brief While a source orders stop, the report gives this as the reason why the robot does not
-/// follow its set-points, also if there are other reasons.
+/// @brief While a source orders stop, the report shows the stop as the reason why the robot does
+/// not follow its set-points, also if there are other reasons.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {

@@ -78,7 +78,8 @@ class FakeState final : public OperationState {
   }
 };
 
-/// A main controller with a link to the PC, one spying control system, and fake modes and states.
+/// A main controller with a link to the PC, one control system that records its orders, and fake
+/// modes and states.
 class ControllerFixture : public testing::Test {
  protected:
   ControllerFixture() {

@@ -81,7 +81,7 @@ TEST_F(MainControllerTest, FR22_HoldsWithoutSetPoints) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief The control systems follow set-points as soon as there are some.
+/// @brief The control systems follow set-points as soon as set-points exist.
 /// @verifies FR-14
 TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   data.saveSetPoints({.orderId = 77});
@@ -90,7 +90,8 @@ TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   EXPECT_EQ(system.applied.orderId, 77);
 }
 
-/// @brief An order to acknowledge reaches the control systems when it is neutral; with motion they are held.
+/// @brief An order to acknowledge reaches the control systems when it is neutral; with a motion in the order
+/// they are held.
 /// @verifies FR-299
 TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   SetPoints order{.acknowledge = true};
@@ -176,7 +177,8 @@ TEST_F(MainControllerTest, FR160_ReportTellsWhatThePreviousReportCost) {
 }
 
 /// @brief The report shows that the control systems are held while faults are acknowledged, with and
-/// without a motion in the order; it shows this in no cycle in which they follow the set-points.
+/// without a motion in the order. In a cycle in which they follow the set-points, the report does
+/// not show this.
 /// @verifies FR-306
 TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
   connect();
@@ -366,7 +368,8 @@ TEST_F(MainControllerTest, FR74_IncompleteCycleDoesNotRefresh) {
   EXPECT_TRUE(watchdog.missed());
 }
 
-/// @brief One of several control systems that did not complete its work is enough.
+/// @brief The watchdog is not refreshed when only one of several control systems did not complete
+/// its work.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_EachControlSystemMustComplete) {
   SpySystem another;

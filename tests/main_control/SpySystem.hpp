@@ -17,7 +17,8 @@ class SpySystem final : public ControlSystem {
   SetPoints applied;
   std::uint32_t cycle = 0;
   bool completes = true;
-  bool whole = false;  // it is the whole robot: its missing values replace others, too
+  bool whole =
+      false;  // it represents the whole robot: its missing values also replace other values
   Measurements measured;
   Outputs outputs;
   std::function<void()> work = [] {};

@@ -82,7 +82,7 @@ TEST_F(RcBufferTest, FR52_PulsesSetVelocityAndAngle) {
   }
 }
 
-/// @brief A value carries the time of the end of its pulse.
+/// @brief A value has the time at which its pulse ended.
 /// @verifies FR-52
 TEST_F(RcBufferTest, FR52_TellsWhenThePulseEnded) {
   velocity.pulse(1700);
@@ -116,8 +116,8 @@ TEST_F(RcBufferTest, FR53_MiddleSetsZero) {
   }
 }
 
-/// @brief Pulses beyond the ends of the lever count as full deflection; far beyond they set no
-/// value.
+/// @brief Pulses beyond the ends of the lever count as full deflection; far beyond the ends they
+/// set no value.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_WidthOutOfRange) {
   velocity.pulse(1500);
@@ -153,7 +153,7 @@ TEST_F(RcBufferTest, FR55_PeriodOutOfRange) {
   }
 }
 
-/// @brief The first pulse has no predecessor: it sets no value.
+/// @brief The first pulse sets no value, because there is no pulse before it.
 /// @verifies FR-55
 TEST_F(RcBufferTest, FR55_FirstPulse) {
   velocity.pulse(1600);
@@ -243,7 +243,7 @@ TEST_F(RcPathTest, FR56_OnePinIsNoMessage) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief Pulses that set no value do not keep the message alive.
+/// @brief Pulses that set no value do not extend the message.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_BadPulsesAreNoMessage) {
   bothPulse(3);

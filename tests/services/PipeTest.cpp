@@ -15,7 +15,7 @@ TEST(Pipe, IsEmptyBeforeTheFirstWrite) {
   EXPECT_FALSE(pipe.read());
 }
 
-/// @brief A value stays in the pipe with its time until the next one comes.
+/// @brief A value stays in the pipe with its time until the next value comes.
 /// @verifies FR-173
 TEST(Pipe, KeepsItsValueWithItsTime) {
   Pipe<int> pipe;
@@ -56,7 +56,7 @@ TEST(Pipe, NewestValueStandsUntilTheNextRead) {
   EXPECT_EQ(pipe.read()->at, Instant(300));
 }
 
-/// @brief A reader never gets a partly written value, and never an older value after a newer one.
+/// @brief A reader never gets a partly written value, and never an older value after a newer value.
 /// @verifies FR-173
 TEST(Pipe, ReadsWholeValuesInOrder) {
   struct Pair {

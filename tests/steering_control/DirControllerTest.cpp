@@ -45,7 +45,7 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   EXPECT_EQ(turn(2, 4, 25), SteeringState::Fault);
 }
 
-/// @brief The same to the right.
+/// @brief To the right, half of the expected motion is sufficient too.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   beginTurnRight();
@@ -184,7 +184,7 @@ TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
 }
 
 /// @brief The status of each tick has the time of the tick, and shows the work of the motor, the end
-/// stops, and the newest position with its own time.
+/// stops, and the newest position with the time of its measurement.
 /// @verifies FR-116
 TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {
   tickOnly();

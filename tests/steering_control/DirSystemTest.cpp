@@ -66,7 +66,7 @@ TEST_F(DirSystemTest, TargetsAreCompared) {
   EXPECT_NE(DirTarget{}, (DirTarget{.angle = Angle(1)}));
 }
 
-/// @brief State, end stops, position and turn are those of the newest tick.
+/// @brief State, end stops, position and turn are the values of the newest tick.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TellsTheNewestTick) {
   publish({});
@@ -93,7 +93,7 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief The collected values are those of the cycle: a tick after it changes nothing.
+/// @brief The collected values belong to the cycle: a later tick does not change them.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});

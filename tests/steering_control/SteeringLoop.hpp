@@ -29,7 +29,7 @@ struct SteeringPlant {
 
   [[nodiscard]] double degrees() const { return steps * 0.05 + pushed; }
 
-  int steps = 0;      // from the middle, positive to the left
+  int steps = 0;      // steps from the middle, positive to the left
   double pushed = 0;  // degrees that a push moved the steering, without steps
   bool stalled = false;
 };
@@ -86,7 +86,7 @@ class SteeringLoop {
 
   static constexpr int kMeasurement = 8;  // ticks
 
-  /// @brief Lets ticks pass. Each 100th begins a control cycle with the present order.
+  /// @brief Lets ticks pass. Each 100th tick begins a control cycle with the present order.
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       if (time % 100 == 0) {
@@ -149,7 +149,7 @@ class SteeringLoop {
   bool ordering = true;  // false: no control cycle comes
   bool acknowledges = false;
   int moves = 0;      // moves that are separated by pauses of more than 100 ms
-  int reversals = 0;  // steps to the other side than the step before
+  int reversals = 0;  // steps that go back on the previous step
 
  private:
   void order() {

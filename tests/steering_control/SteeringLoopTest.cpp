@@ -11,7 +11,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief Standard deviation of a sample, degrees. The mean of 8 stays within about 0.05.
+/// @brief Standard deviation of a sample, degrees. The mean of 8 samples stays within about 0.05
+/// degrees.
 constexpr double kNoise = 0.07;
 
 struct SteeringLoopTest : testing::Test {
@@ -40,7 +41,7 @@ TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
   EXPECT_TRUE(loop.control.motor.device.ready()) << "the motor ticks in the tick of the order";
 }
 
-/// @brief A new angle turns the steering after the motor has settled: the motor is switched on at
+/// @brief A new angle turns the steering after the motor has settled. The motor is switched on at
 /// the end of a measurement, and the turn begins at the end of the first measurement after 50 ms.
 /// @verifies FR-101
 /// @verifies FR-107
@@ -139,8 +140,8 @@ TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
   EXPECT_EQ(loop.reversals, 0);
 }
 
-/// @brief When the angle is beyond the end stop, the steering stops at the switch of the end stop:
-/// it makes no further step, there is no fault, and it can turn back.
+/// @brief When the angle is beyond the end stop, the steering stops at the switch of the end stop.
+/// It makes no further step, has no fault, and can turn back.
 /// @verifies FR-105
 TEST_F(SteeringLoopTest, FR105_StopsAtTheEnd) {
   for (const std::int32_t side : {1, -1}) {
@@ -176,8 +177,8 @@ TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
 }
 
 /// @brief When the control cycles end, the motor is switched off at the end of the first
-/// measurement after 300 ms; when they begin again it is switched on, and the steering continues to
-/// its angle.
+/// measurement after 300 ms. When the cycles begin again the motor is switched on, and the steering
+/// continues to its angle.
 /// @verifies FR-109
 TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);
@@ -342,8 +343,8 @@ TEST_F(SteeringLoopTest, FR226_BothEndStopsAreAFault) {
   EXPECT_FALSE(loop.powered());
 }
 
-/// @brief While the steering works, Main Control finds the work of each cycle complete, and the
-/// position as it is. A steering that no longer ticks completes no work.
+/// @brief While the steering works, Main Control finds the work of each cycle complete, and gets
+/// the present position. A steering that no longer ticks completes no work.
 /// @verifies FR-116
 /// @verifies FR-117
 TEST_F(SteeringLoopTest, FR117_AWorkingSteeringCompletesEachCycle) {

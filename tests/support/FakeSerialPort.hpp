@@ -42,7 +42,7 @@ class FakeSerialPort final : public SerialPort {
   std::vector<std::uint8_t> sent;      // bytes that the system has written
   std::size_t room = std::numeric_limits<std::size_t>::max();
   std::uint16_t lost = 0;
-  Instant at{};  // when the bytes were received
+  Instant at{};  // time at which the bytes were received
 };
 
 }  // namespace wr::test

@@ -32,7 +32,7 @@ inline std::uint16_t referenceCrc(const Bytes& bytes) {
   return static_cast<std::uint16_t>(remainder);
 }
 
-/// @brief Appends the CRC to a body without one.
+/// @brief Appends the CRC to a body without CRC.
 inline Bytes withCrc(Bytes body) {
   const std::uint16_t crc = referenceCrc(body);
   body.push_back(static_cast<std::uint8_t>(crc & 0xFFU));

@@ -41,7 +41,7 @@ class SigningDevice {
     return signWith(++counter_, frame);
   }
 
-  /// The same with a chosen counter.
+  /// The bytes of a frame with a chosen counter and its tag.
   [[nodiscard]] scenario::Bytes signWith(std::uint32_t counter,
                                          const scenario::Bytes& frame) const {
     scenario::Bytes bytes(frame.begin(), frame.end() - 1);

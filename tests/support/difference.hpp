@@ -4,8 +4,8 @@
 
 namespace wr::test {
 
-/// @brief Expects that a value is no longer equal to a default one when any one of the given
-/// members is set to the value that follows it.
+/// @brief Expects that a default value changes when any single member is changed. Each member is
+/// followed by its new value.
 template <class T, class Member, class Value, class... Rest>
 void expectDifference(Member T::*member, const Value& value, const Rest&... rest) {
   T changed{};

@@ -1,10 +1,10 @@
 // Boards with the image under test. With WR_GDB=PORT the firmware waits for GDB at this TCP port,
 // each time a test switches a board on.
 //
-// With the image that is built to record calls, those of the
-// firmware are recorded as on the host: one file for each test in the folder WR_TRACE_DIR, see
-// trace.cpp. The file <suite>.<test>.bits in the same folder contains the executed instructions:
-// the bits of ExecutedCode, up to the last bit that is set.
+// With the image that is built to record calls, the calls of the firmware are recorded as on the
+// host: one file for each test in the folder WR_TRACE_DIR, see trace.cpp. The file
+// <suite>.<test>.bits in the same folder contains the executed instructions: the bits of
+// ExecutedCode, up to the last bit that is set.
 
 #include "support/image.hpp"
 

@@ -10,7 +10,7 @@
 
 namespace wr::test {
 
-/// @brief The image under test; the variable WR_IMAGE names another one.
+/// @brief The image under test; the variable WR_IMAGE can name another image.
 [[nodiscard]] std::filesystem::path imageFile();
 
 /// @brief The file with the symbols of the image, which is in the same folder.
@@ -28,8 +28,8 @@ namespace wr::test {
 /// @brief Returns the file of the image of a product, which is in the folder of the image under test.
 [[nodiscard]] std::filesystem::path imageOf(const std::string& product);
 
-/// @brief Switches a board on that has the image of a product. Its calls are not recorded: the recordings are
-/// those of the image under test.
+/// @brief Switches a board on that has the image of a product. Its calls are not recorded, because the
+/// recordings belong to the image under test.
 /// @param product name of the product
 /// @param image content of its flash
 /// @param options options of the board; the file with the symbols is added

@@ -3,12 +3,11 @@
 //
 // Each test writes one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin, with one
 // little-endian number of 64 bits for each event: the address of the function, with bit 63 set when
-// the function is left. Once there are kWhole events, a call that the test or the simulated
-// platform makes is not written again when it contains the same calls as an earlier one, because
-// timers would fill the file. Instead the file contains the number of the event at which the
-// earlier call begins, with bit 62 set, once for a sequence of such calls. After kMost events
-// nothing more is recorded, and a
-// file <suite>.<test>.truncated marks it.
+// the function is left. After kWhole events, a call of the test or of the simulated platform is not
+// written again when it contains the same calls as an earlier call, because timers would fill the
+// file. Instead the file contains the number of the event at which the earlier call begins, with
+// bit 62 set, once for a sequence of equal calls. After kMost events nothing more is recorded, and
+// a file <suite>.<test>.truncated marks it.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +31,7 @@ std::array<std::uint64_t, kMost> events;
 std::size_t count = 0;
 bool truncated = false;
 std::size_t depth = 0;
-std::size_t begin = 0;  // of the outermost call
+std::size_t begin = 0;  // begin of the outermost call
 // Outermost calls with the calls in them, and the positions at which they begin.
 std::map<std::vector<std::uint64_t>, std::size_t> before;
 thread_local bool recording = false;  // only the thread that runs the tests records

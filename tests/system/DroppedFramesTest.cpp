@@ -16,7 +16,7 @@ class DroppedFramesOfRobot : public testing::Test {
 };
 
 /// @brief Frames with errors are counted by kind in the report of their cycle, and all other values
-/// are those of a cycle without them.
+/// are the same as in a cycle without these frames.
 /// @verifies FR-48
 /// @verifies FR-63
 TEST_F(DroppedFramesOfRobot, FR63_ReportCountsDroppedFramesByReason) {

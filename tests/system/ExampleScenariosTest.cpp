@@ -23,8 +23,8 @@ void play(const std::string& example) {
   EXPECT_GE(outcome.reports, 50U);
 }
 
-// Plays an example of the paper's design alone: safety functions stop the robot, or let it follow a
-// ramp.
+// Plays an example that only the paper's design can meet: safety functions stop the robot, or let
+// it follow a ramp.
 void playWithThePapersDesign(const std::string& example) {
   onlyWith("weeding_robot_paper");
   play(example);
@@ -37,8 +37,8 @@ TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
 }
 
-/// @brief From rest to 150 rpm, with noise: within 2 % after 2 s, with less than 10 % overshoot,
-/// then within 1 %.
+/// @brief From rest to 150 rpm, with noise, the error is below 2 % after 2 s and later below 1 %.
+/// The overshoot is less than 10 %.
 /// @verifies FR-82
 /// @verifies FR-83
 TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
@@ -51,7 +51,7 @@ TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
   play("uphill");
 }
 
-/// @brief Downhill the robot does not run away.
+/// @brief Downhill the robot does not become too fast.
 /// @verifies FR-84
 TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");
@@ -82,7 +82,7 @@ TEST(ClosedLoopOfRobot, FR91_WheelWithADeadSensorIsBlind) {
   playWithThePapersDesign("one_hall_sensor");
 }
 
-/// @brief When the PC falls silent at 0.85 m/s, the robot is at rest within 1.5 m.
+/// @brief When the PC becomes silent at 0.85 m/s, the robot is at rest within 1.5 m.
 /// @verifies FR-95
 /// @verifies FR-18
 TEST(ClosedLoopOfRobot, FR95_RobotIsAtRestSoonAfterTheLastMessage) {

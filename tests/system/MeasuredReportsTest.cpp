@@ -88,7 +88,8 @@ TEST_F(MeasuredReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
 }
 
 /// @brief The report shows that the overcurrent trip of one wheel acted, and that the trips of the
-/// other wheels did not. Not for safety functions: they limit the current before the trip acts.
+/// other wheels did not. This test is not for safety functions, which limit the current before the
+/// trip acts.
 /// @verifies FR-67
 TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   onlyWith("weeding_robot_paper");
@@ -100,8 +101,8 @@ TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
 }
 
 /// @brief The report shows that one wheel has no motion feedback, and that the others have it. One
-/// or both Hall sensors of this wheel are broken. Not for safety functions: they stop the robot
-/// earlier.
+/// or both Hall sensors of this wheel are broken. This test is not for safety functions, which stop
+/// the robot earlier.
 /// @verifies FR-68
 TEST_F(MeasuredReportsOfRobot, FR68_BlindWheelIsTold) {
   onlyWith("weeding_robot_paper");

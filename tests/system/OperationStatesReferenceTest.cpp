@@ -3,9 +3,9 @@
 namespace wr::test {
 namespace {
 
-/// @brief In random sequences of orders of the PC, while the remote control is silent, the robot
-/// behaves in every cycle like a reference written from the requirements, and executes each
-/// transition of both machines.
+/// @brief In random sequences of orders of the PC, the robot behaves in every cycle like a
+/// reference that was written from the requirements. The remote control is silent, and the robot
+/// executes each transition of both state machines.
 /// @verifies FR-12
 /// @verifies FR-13
 /// @verifies FR-15

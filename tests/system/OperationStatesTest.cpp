@@ -41,8 +41,8 @@ TEST_F(OperationStatesOfRobot, FR15_FirstFailedReadSetsWaiting) {
   EXPECT_FALSE(robot.report().orderRead());
 }
 
-/// @brief The first N - 1 failed reads leave the robot in Waiting, the N-th sets WaitingN, and the next
-/// one sets Reconnecting.
+/// @brief The first N - 1 failed reads leave the robot in Waiting, the N-th failed read sets WaitingN,
+/// and the next failed read sets Reconnecting.
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {

@@ -100,7 +100,7 @@ TEST_F(OrdersOfRobot, FR249_ReportRepeatsTheTimeOfTheSender) {
   EXPECT_EQ(robot.report().sentAt, 0x89ABCDEF);
 }
 
-/// @brief An order that comes twice is read once, and the second one is counted.
+/// @brief An order that comes twice is read once, and the second order is counted.
 /// @verifies FR-243
 TEST_F(OrdersOfRobot, FR243_AnOrderThatIsRepeatedIsStale) {
   robot.commandByPc();

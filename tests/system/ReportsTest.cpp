@@ -30,7 +30,7 @@ TEST_F(ReportsOfRobot, FR60_NoReportWithoutConnection) {
 TEST_F(ReportsOfRobot, FR60_OneReportInEveryCycle) {
   robot.connect();
   const std::uint32_t start =
-      robot.report().timeMs - 200;  // of the firmware, before the first period
+      robot.report().timeMs - 200;  // start of the firmware, before the first period
   EXPECT_LT(start, 10U);
   for (std::uint32_t cycle = 2; cycle < 50; ++cycle) {
     EXPECT_EQ(robot.report().cycle, cycle);

@@ -20,7 +20,7 @@ namespace wr::torture {
 /// @brief Number of entries to and exits from exceptions.
 [[nodiscard]] std::size_t exceptionEvents(const Records& records);
 
-/// @brief The checks of the program that failed, in words; empty when none did.
+/// @brief The checks of the program that failed, in words; empty when no check failed.
 [[nodiscard]] std::string failedChecks(const Records& records);
 
 /// @brief Returns whether the program reached its end.

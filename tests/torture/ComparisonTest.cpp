@@ -25,7 +25,7 @@ TEST(TortureComparisonTest, AnotherOrderDiffers) {
   EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kEnd, kLeft}), 1U);
 }
 
-/// @brief A record differs when any of its members does.
+/// @brief A record differs when any of its members differs.
 TEST(TortureComparisonTest, EachMemberCounts) {
   Record changed = kEntered;
   changed.kind = Kind::Left;

@@ -12,7 +12,7 @@ class Qemu {
 
   /// @brief Runs a program to its end.
   /// @return its records
-  /// @throws std::runtime_error when it does not end in a minute
+  /// @throws std::runtime_error when the program does not end in a minute
   [[nodiscard]] static Records run(const Image& image);
 };
 

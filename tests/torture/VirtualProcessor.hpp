@@ -9,7 +9,7 @@ class VirtualProcessor {
  public:
   /// @brief Runs a program to its end.
   /// @return its records
-  /// @throws std::runtime_error when it does not end, or stops the processor
+  /// @throws std::runtime_error when the program does not end, or stops the processor
   [[nodiscard]] static Records run(const Image& image);
 };
 

@@ -13,9 +13,9 @@
 
 namespace wr {
 
-/// Devices that Main Control and one wheel need of a platform. Both designs get the same.
+/// Devices that Main Control and one wheel need from a platform. Both designs get the same devices.
 struct Devices {
-  PwmOutput& pwm;              ///< tension of the wheel
+  PwmOutput& pwm;              ///< voltage of the wheel
   DigitalOutput& orientation;  ///< on: the wheel turns backwards
   DigitalOutput& enable;       ///< on: the driver of the motor works
   EdgeInput& hallA;            ///< first Hall sensor
@@ -24,13 +24,13 @@ struct Devices {
   EdgeInput& rcVelocity;       ///< pulses of the velocity lever
   EdgeInput& rcDirection;      ///< pulses of the direction lever
   SerialPort& pcPort;          ///< line to the PC
-  PeriodicTimer& cycleTimer;   ///< gives the clock pulses
-  PeriodicTimer& tickTimer;    ///< gives the ticks
-  const Timebase& timebase;    ///< gives the time
+  PeriodicTimer& cycleTimer;   ///< generates the clock pulses
+  PeriodicTimer& tickTimer;    ///< generates the ticks
+  const Timebase& timebase;    ///< returns the time
   Watchdog& watchdog;          ///< is refreshed by each cycle
-  const StartRecord& start;    ///< why the firmware started
-  ControlThread& mainThread;   ///< for a design that runs its cycles in a thread
-  ControlThread& wheelThread;  ///< for a design that runs its wheel in a thread
+  const StartRecord& start;    ///< cause of the start of the firmware
+  ControlThread& mainThread;   ///< thread of a design that runs its cycles in a thread
+  ControlThread& wheelThread;  ///< thread of a design that runs its wheel in a thread
 };
 
 }  // namespace wr

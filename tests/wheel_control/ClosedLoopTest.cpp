@@ -44,7 +44,7 @@ class ClosedLoopTest : public testing::Test, protected ControlledWheel {
 
 // Torques at the shaft: for a quarter of 175 kg behind a gear of 10 to 1.
 constexpr double kRolling = 0.55;  // [N m]
-constexpr double kSlope = 1.17;    // [N m] of a slope of 10 %
+constexpr double kSlope = 1.17;    // [N m] torque of a slope of 10 %
 
 /// @brief A wheel goes from 0 to 150 rpm in less than 2 s, with less than 10 % overshoot, with and
 /// without a load.
@@ -131,9 +131,9 @@ TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   EXPECT_NEAR(plant.current().count(), -500, 100);
 }
 
-/// @brief Over the whole range of currents, in both directions, the current is within 5 % of its
-/// order, or 0.1 A, after 1 s, for any supply, winding and motor constant. Friction consumes 97 %
-/// of the torque, so the wheel stays slow and the supply is sufficient.
+/// @brief After 1 s the current is within 5 % of its order, or 0.1 A. This is tested over the whole
+/// range of currents, in both directions, for any supply, winding and motor constant. Friction
+/// consumes 97 % of the torque, so the wheel stays slow and the supply is sufficient.
 /// @verifies FR-85
 TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   for (const double supply : {21.0, 24.0, 29.0}) {
@@ -223,7 +223,7 @@ TEST_F(ClosedLoopTest, FR87_FR301_ReverseSlowsDownFirst) {
 
 /// Results of a step of the velocity order.
 struct Step {
-  double overshoot = 0;  // [0.1 rpm] beyond the target
+  double overshoot = 0;  // [0.1 rpm] velocity beyond the target
   double settled = 0;    // [s] time from which on the velocity stays within 5 % or 2 rpm
   double steady = 0;     // [0.1 rpm] error of the mean over the fifth second
 };
@@ -283,9 +283,9 @@ WheelPlant plantOf(const Variant& variant) {
   return plant;
 }
 
-/// @brief Over the whole range of velocities, in both directions, with any supply, inertia, winding
-/// and motor constant, a wheel settles in 3 s with less than 30 % overshoot, and its mean velocity
-/// is within 1 % or 0.5 rpm.
+/// @brief A wheel settles in 3 s with less than 30 % overshoot, and its mean velocity is within 1 %
+/// or 0.5 rpm. This is tested over the whole range of velocities, in both directions, with any
+/// supply, inertia, winding and motor constant.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   for (const Variant& variant : variants()) {

@@ -13,13 +13,13 @@
 
 namespace wr::test {
 
-/// A wheel with sensors and controller on a simulated motor. Its parameters are its own.
+/// A wheel with sensors and controller on a simulated motor. Each wheel has separate parameters.
 class SimulatedWheel : public SensedWheel {
  public:
   double supply = 25.0;      // a charged battery of 24 V [V]
   double resistance = 1.55;  // winding, leads and driver [ohm]
   double constant = 0.485;   // [V s/rad], and [N m/A]
-  double speed = 0;          // of the shaft [rad/s]
+  double speed = 0;          // speed of the shaft [rad/s]
   bool hallWorks = true;     // the Hall sensors have edges
 
   /// Torque of the motor at the shaft [N m], at present.
@@ -102,10 +102,10 @@ class CoupledWheels {
   }
 
  private:
-  static constexpr int kParts = 4;                 // of a millisecond
+  static constexpr int kParts = 4;                 // parts of a millisecond
   static constexpr double kPart = 0.001 / kParts;  // [s]
-  static constexpr double kWheelInertia = 0.006;   // at the shaft [kg m2]
-  static constexpr double kBodyInertia = 0.13;     // of the robot without wheels, at the shafts
+  static constexpr double kWheelInertia = 0.006;   // inertia of a wheel at the shaft [kg m2]
+  static constexpr double kBodyInertia = 0.13;     // inertia of the body at the shafts
   static constexpr double kGrip = 5;               // torque of a tyre by its slip [N m s/rad]
 
   void move() {

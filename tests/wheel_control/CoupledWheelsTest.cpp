@@ -53,7 +53,7 @@ TEST(CoupledWheels, FR224_LostEdgesDoNotSpeedUpTheRobot) {
 }
 
 /// @brief A changed bit in any copy of the integral, of the model or of the set-point of wheel 0 is
-/// corrected: the voltage of the wheel stays within 10 % of the voltage of the others.
+/// corrected. The voltage of the wheel stays within 10 % of the voltage of the other wheels.
 /// @verifies FR-224
 TEST(CoupledWheels, FR224_OneBitChangesNothing) {
   CoupledWheels robot;

@@ -164,7 +164,8 @@ TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   EXPECT_EQ(controller.applied(), Tension(7600 + 12000));
 }
 
-/// @brief After a halt a reverse begins at the remaining voltage: the orientation changes only without voltage.
+/// @brief After a halt a reversal begins at the remaining voltage: the orientation changes only without
+/// voltage.
 /// @verifies FR-87
 TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -211,7 +212,7 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   }
 }
 
-/// @brief A wheel that its load keeps at rest draws the full current of its voltage: up to 14 V
+/// @brief A wheel that its load keeps at rest draws the full current of its voltage. Up to 14 V
 /// only a sixteenth of the voltage counts, above 14 V an eighth. A current of half the voltage or
 /// less does not reduce the count, and an order of 3.2 V always counts fully.
 /// @verifies FR-91
@@ -336,7 +337,8 @@ TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief One edge to and fro is no motion: a single working sensor causes it.
+/// @brief One edge forwards and one edge backwards are no motion: a single working sensor causes
+/// them.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   control(tensionOf(7000));
@@ -375,8 +377,8 @@ TEST_F(WheelControllerTest, FR91_StandingStillOnASlopeIsNoFault) {
   EXPECT_FALSE(controller.blind());
 }
 
-/// @brief A reversal that waits 2 s for a wheel without voltage to become slow is in time; one more cycle
-/// is late. The wheel is then stopped until the release.
+/// @brief A reversal waits until a wheel without voltage is slow. A wait of 2 s is in time, and a wait of
+/// one more cycle is late. The wheel is then stopped until the release.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_ReversalThatWaitsTooLongIsLate) {
   control(tensionOf(2000), Velocity(1000));

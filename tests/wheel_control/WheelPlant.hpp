@@ -17,7 +17,7 @@ class WheelPlant {
   double supply = 25.0;      // a charged battery of 24 V [V]
   double resistance = 1.55;  // winding, leads and driver [ohm]
   double constant = 0.485;   // [V s/rad], and [N m/A]
-  double inertia = 0.039;    // at the shaft [kg m2]
+  double inertia = 0.039;    // inertia at the shaft [kg m2]
   double friction = 0;       // torque at the shaft against the motion [N m]
   double load = 0;           // constant torque at the shaft, positive against forward motion [N m]
 

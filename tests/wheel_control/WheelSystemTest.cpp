@@ -34,7 +34,7 @@ class WheelSystemTest : public testing::Test, protected SensedWheel {
                       .haltWheel = haltWheel}};
 };
 
-/// @brief Before its start a system does no work, completes no cycle, and gives no value.
+/// @brief Before its start a system does no work, completes no cycle, and returns no value.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_NoWorkBeforeStart) {
   system.control(orderOf(tensionOf(5000)), 1);
@@ -47,8 +47,8 @@ TEST_F(WheelSystemTest, FR92_NoWorkBeforeStart) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief The thread executes the orders of a cycle when its turn comes, and not before; each cycle
-/// completes.
+/// @brief The thread executes the orders of a cycle when the scheduler runs it, and not earlier;
+/// each cycle completes.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_ThreadExecutesTheOrders) {
   system.start();

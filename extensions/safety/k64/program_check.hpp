@@ -4,7 +4,8 @@
 
 namespace wr::platform {
 
-/// @brief Compares the program in RAM with that in flash. The handler of the tick and checkForever() call it.
+/// @brief Compares the program in RAM with the program in flash. The handler of the tick and checkForever()
+/// call it.
 extern ProgramCheck programCheck;
 
 /// @brief Shows that control cycles run, and checks the program between the interrupts.

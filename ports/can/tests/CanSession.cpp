@@ -6,7 +6,7 @@
 namespace wr::can {
 namespace {
 
-// The firmware has its own copy of these numbers, so that a mistake in it fails the tests.
+// The firmware has a separate copy of these numbers, so that a mistake in its copy fails the tests.
 constexpr std::uint16_t kToRobot = 0x101;
 constexpr std::uint16_t kFromRobot = 0x102;
 constexpr std::size_t kMost = 8;  // bytes in a frame
@@ -48,7 +48,7 @@ bool CanSession::runThroughPulse() {
     return false;
   }
   const auto limit = std::chrono::duration_cast<Time>(all_->pulses().back() + kPeriod / 2);
-  // Between two frames of the robot the bus is idle until its interrupt is served.
+  // Between two frames of the robot the bus is idle until the robot has served its interrupt.
   for (int idle = 0; idle < 2 && now() < limit; idle = all_->board.canIdle() ? idle + 1 : 0) {
     if (!all_->runUntil(now() + std::chrono::microseconds(100))) {
       return false;

@@ -14,8 +14,8 @@ namespace wr::can {
 /// the same as with the serial line.
 class CanSession final : public scenario::RobotSession {
  public:
-  /// @brief Takes a board that is switched on.
-  /// @param board its image uses the bus
+  /// @brief Connects the PC to a board that is switched on.
+  /// @param board board whose image uses the bus
   explicit CanSession(std::unique_ptr<board_robot::BoardSession> board) : all_(std::move(board)) {}
 
   void send(std::span<const std::uint8_t> bytes) override;

@@ -22,7 +22,7 @@
 namespace wr::mps2 {
 namespace {
 
-constexpr int kPatience = 20'000;  // [ms] of this machine, after which a test fails
+constexpr int kPatience = 20'000;  // [ms] time of this machine after which a test fails
 constexpr char kMessages[] = "messages";
 constexpr char kProgram[] = "qemu-system-arm";
 
@@ -43,7 +43,7 @@ std::unique_ptr<UnixLine> connectTo(const std::filesystem::path& socket) {
 std::filesystem::path newFolder() {
   std::string path = (std::filesystem::temp_directory_path() / "mps2-XXXXXX").string();
   if (::mkdtemp(path.data()) == nullptr) {
-    throw std::runtime_error(path + " cannot be made");
+    throw std::runtime_error(path + " cannot be created");
   }
   return path;
 }
@@ -117,7 +117,7 @@ std::uint32_t Emulator::runTo(std::initializer_list<std::uint32_t> places) {
   for (const std::uint32_t place : places) {
     static_cast<void>(ask("z1," + hex(place) + ",2"));
   }
-  constexpr std::size_t kProgramCounter = 15;  // among the registers, each of 8 digits
+  constexpr std::size_t kProgramCounter = 15;  // index of the register; each register has 8 digits
   return wordOf(ask("g").substr(8 * kProgramCounter, 8));
 }
 
@@ -128,7 +128,7 @@ void Emulator::send(std::span<const std::uint8_t> bytes, std::uint32_t rest) {
     // STATE of the port
     while ((word(0x40004004) & uart::STATE_RX_FULL.value) == 0) {
       if (std::chrono::steady_clock::now() - begin > std::chrono::milliseconds(kPatience)) {
-        throw std::runtime_error("the serial port does not take a byte");
+        throw std::runtime_error("the serial port does not accept a byte");
       }
     }
     // The interrupt is served before the instruction at which the program is at rest.

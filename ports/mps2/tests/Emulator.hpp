@@ -39,10 +39,10 @@ class Emulator {
   /// @brief Passes bytes to the serial port; the program reads one after the other. The program
   /// must be at rest, and is at rest afterwards.
   /// @param bytes the bytes
-  /// @param rest the instruction at which it is at rest
+  /// @param rest the instruction at which the program is at rest
   void send(std::span<const std::uint8_t> bytes, std::uint32_t rest);
 
-  /// @brief Replaces an instruction of two bytes by one that does nothing.
+  /// @brief Replaces an instruction of two bytes by an instruction that does nothing.
   /// @param place its address
   void replaceByNothing(std::uint32_t place);
 

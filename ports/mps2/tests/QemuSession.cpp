@@ -13,8 +13,8 @@ constexpr std::uint32_t kCounter = 0x40002004;  // VALUE of the dual timer, whic
 constexpr scenario::RobotSession::Time kPeriod{SystemConstants::instance().cyclePeriod().count()};
 
 // QEMU stops for each byte. While the program is stopped, the clock of the emulator can continue
-// for as long as this machine is busy. So the bytes come early: the stops of a frame have most of a
-// period.
+// for as long as this machine is busy. The bytes arrive early, so that most of a period is left for
+// the stops of a frame.
 constexpr scenario::RobotSession::Time kEarlier{80'000};
 
 }  // namespace

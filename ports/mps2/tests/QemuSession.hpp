@@ -43,7 +43,7 @@ class QemuSession final : public scenario::RobotSession {
   std::uint32_t cycle_;
   std::uint32_t end_;
   Emulator emulator_;
-  std::uint32_t place_ = 0;  // at which the firmware is stopped
+  std::uint32_t place_ = 0;  // instruction at which the firmware is stopped
   std::uint32_t counter_ = 0xFFFF'FFFF;
   std::uint64_t ticks_ = 0;
   Time now_{0};

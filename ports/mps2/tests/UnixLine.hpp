@@ -23,7 +23,7 @@ class UnixLine final : public programs::SerialLine {
 
   /// @brief Waits until bytes can be read.
   /// @param milliseconds the longest time
-  /// @return false if none came
+  /// @return false if no bytes came
   [[nodiscard]] bool wait(int milliseconds) const;
 
  private:

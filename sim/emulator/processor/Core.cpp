@@ -60,9 +60,9 @@ Trap Core::run() {
   return std::exchange(trap_, Trap::None);
 }
 
-// The address and the cycle count are local variables that are only written to their members, so
-// that an instruction need not wait for the previous one. For the same reason the next address is
-// selected by a branch instead of computed: the host predicts a branch.
+// The address and the cycle count are local variables. They are written to their members, but not
+// read from them, so an instruction does not wait for the previous instruction. For the same reason
+// a branch selects the next address, because the host predicts a branch.
 template <bool kSlowFlash, bool kLooks>
 void Core::runInstructions() {
   std::uint32_t address = next;
@@ -248,7 +248,7 @@ bool Core::storeWords(std::uint32_t address, std::span<const std::uint32_t> word
   });
 }
 
-// An unaligned access is split into two or three aligned ones: Cortex-M4 TRM, 3.3.3.
+// An unaligned access is split into two or three aligned accesses: Cortex-M4 TRM, 3.3.3.
 bool Core::unalignedIsFine(const Memory::Area* area, std::uint32_t address, std::uint32_t size) {
   const std::uint32_t odd = address & (size - 1);
   if (odd == 0) {

@@ -20,8 +20,8 @@ enum class Trap : std::uint8_t {
   None,
   Sleep,
   SupervisorCall,
-  ExceptionReturn,  ///< trapAddress(): EXC_RETURN Those below are faults: the instruction had no
-  // effect.
+  ExceptionReturn,  ///< trapAddress(): EXC_RETURN
+  // The values below are faults: the instruction had no effect.
   Breakpoint,
   Undefined,
   NoCoprocessor,
@@ -31,7 +31,7 @@ enum class Trap : std::uint8_t {
   DivideByZero,
   InstructionBus,
   InstructionViolation,
-  LoadBus,  ///< trapAddress() is an address without memory; also for those below
+  LoadBus,  ///< trapAddress() is an address without memory; also for the values below
   StoreBus,
   LoadAcross,  ///< across the border of two memories
   StoreAcross,
@@ -177,7 +177,7 @@ class Core {
   /// @brief The cycles of a read of flash by the processor itself, such as a vector.
   void spendForRead(std::uint32_t address);
 
-  /// @brief The next instruction does not begin a block, as after an exception entry.
+  /// @brief Records that the next instruction does not begin a block, as after an exception entry.
   void continueBlock() { branched_ = false; }
   void beginBlock() { branched_ = true; }
   [[nodiscard]] bool beginsBlock() const { return branched_; }

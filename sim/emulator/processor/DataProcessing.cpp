@@ -38,9 +38,9 @@ enum class Second : std::uint8_t {
   NumberAndFlag,  ///< value; the carry becomes its highest bit
   Register,       ///< register m; the carry does not change
   Lsl,            ///< register m, shifted by value
-  Lsr,            ///< by value, 1 to 32
-  Asr,            ///< by value, 1 to 32
-  Ror,            ///< by value, 1 to 31
+  Lsr,            ///< shift by value, 1 to 32
+  Asr,            ///< shift by value, 1 to 32
+  Ror,            ///< rotation by value, 1 to 31
   Rrx
 };
 constexpr std::size_t kSeconds = 8;

@@ -8,7 +8,7 @@ namespace wr::emulator {
 
 /// @brief The bits of an instruction before it is decoded.
 struct Encoding {
-  std::uint32_t bits = 0;  ///< of 16 bits, or 32 bits with the first half-word in the upper half
+  std::uint32_t bits = 0;  ///< 16 bits, or 32 bits with the first half-word in the upper half
   bool inBlock = false;    ///< in an IT block, where the 16-bit forms set no flags
 
   [[nodiscard]] constexpr std::uint32_t field(unsigned to, unsigned from) const {

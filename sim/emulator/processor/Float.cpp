@@ -299,7 +299,7 @@ std::uint32_t Float::squareRoot(std::uint32_t a) {
   if (x.kind == Kind::Infinite) {
     return x.bits;
   }
-  // An even exponent, and 62 or 63 bits: the root has 31 or 32.
+  // With an even exponent and 62 or 63 bits, the root has 31 or 32 bits.
   int shift = std::countl_zero(x.significand) - 1;
   if ((x.exponent - shift) % 2 != 0) {
     --shift;

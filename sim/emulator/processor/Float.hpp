@@ -4,8 +4,8 @@
 
 namespace wr::emulator {
 
-/// @brief Arithmetic on numbers of 32 bits as in the FPv4-SP extension, bit by bit:
-/// ARMv7-M ARM, A2.5. The results don't depend on the machine that simulates.
+/// @brief Arithmetic on numbers of 32 bits as in the FPv4-SP extension, bit by bit: ARMv7-M ARM,
+/// A2.5. The results do not depend on the machine that simulates.
 ///
 /// It reads the modes of FPSCR and adds to its cumulative flags.
 class Float {
@@ -13,7 +13,7 @@ class Float {
   /// @brief The sign of a number.
   static constexpr std::uint32_t kSign = 0x80000000;
 
-  /// @param fpscr the register; it must outlive this
+  /// @param fpscr the register; it must outlive this object
   explicit Float(std::uint32_t& fpscr) : fpscr_(fpscr) {}
 
   [[nodiscard]] std::uint32_t add(std::uint32_t a, std::uint32_t b);
@@ -35,7 +35,7 @@ class Float {
     bool isSigned;
   };
 
-  /// @brief Converts to an integer, limited to the nearest one in its range.
+  /// @brief Converts to an integer, limited to its range.
   [[nodiscard]] std::uint32_t toFixed(std::uint32_t a, Fixed format, bool towardsZero);
   [[nodiscard]] std::uint32_t fromFixed(std::uint32_t a, Fixed format, bool toNearest);
 

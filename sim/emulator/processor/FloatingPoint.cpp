@@ -112,7 +112,7 @@ void negate(Core& core, const Instruction& in) {
   core.registers.s[in.d] = core.registers.s[in.m] ^ Float::kSign;
 }
 
-// Comparison: bit 0 of value means with zero; bit 1 means that each NaN is invalid.
+// Comparison: bit 0 of value means a comparison with zero; bit 1 means that each NaN is invalid.
 void compare(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const std::uint32_t other = (in.value & 1U) != 0 ? 0 : x.s[in.m];

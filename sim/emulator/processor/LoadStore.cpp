@@ -207,7 +207,7 @@ LongPlace longPlace(Encoding code) {
   return {before || keeps, !before ? Place::After : keeps ? Place::Before : Place::Offset, byte};
 }
 
-// Two words, A5.3.6: register m is the second one, value the offset.
+// Two words, A5.3.6: register m is the second register, value the offset.
 
 template <bool kLoads, Place kPlace>
 void dual(Core& core, const Instruction& in) {

@@ -47,7 +47,8 @@ Memory::Direct Memory::directOf(const Area& area) const {
 
 void Memory::observe(std::function<void(std::uint32_t, std::uint32_t, bool)> call) {
   observer_ = std::move(call);
-  for (const Area& area : all_) {  // direct stores and decoding start again
+  for (const Area& area :
+       all_) {  // clears the decoded instructions, so that stores can be direct again
     forget(area, area.address, area.size);
   }
   for (std::size_t i = 0; i < kMegabytes; ++i) {
@@ -62,7 +63,8 @@ void Memory::map(std::uint32_t address, std::uint32_t size, Access access) {
             .mayExecute = access != Access::ReadWrite,
             .bytes = zeros<std::uint8_t>(size)};
   if (area.mayExecute) {
-    area.instructions = zeros<Instruction>(size / 2 + 2);  // there is none after the last one
+    area.instructions =
+        zeros<Instruction>(size / 2 + 2);  // the entries after the last instruction stay empty
   }
   add(std::move(area));
 }

@@ -36,7 +36,7 @@ class Memory {
     std::uint32_t size = 0;
     bool mayWrite = false;
     bool mayExecute = false;
-    std::unique_ptr<std::uint8_t, Release> bytes{};        ///< none of a window
+    std::unique_ptr<std::uint8_t, Release> bytes{};        ///< null for a window
     std::unique_ptr<Instruction, Release> instructions{};  ///< decoded instructions, one for each
                                                            ///< half-word; none if the memory cannot
                                                            ///< be executed
@@ -78,26 +78,28 @@ class Memory {
   /// @brief Adds a window.
   void map(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Direct-access part of the first region in this address's megabyte. It mostly contains
-  /// the address.
+  /// @brief Returns the direct-access part of the first region in the megabyte of an address. In
+  /// most cases it contains the address.
   [[nodiscard]] const Direct& direct(std::uint32_t address) const {
     return directs_[address / kMegabyte];
   }
 
-  /// @brief Returns bytes that can be loaded without a call; nullptr when a part of them cannot.
+  /// @brief Returns bytes that can be loaded without a call; nullptr when a part of them needs a
+  /// call.
   [[nodiscard]] const std::uint8_t* loadable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.loads, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief Returns bytes that can be stored without a call; nullptr when a part of them cannot.
+  /// @brief Returns bytes that can be stored without a call; nullptr when a part of them needs a
+  /// call.
   [[nodiscard]] std::uint8_t* storable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
   /// @brief Reports a decoded instruction: from its address on a store into this memory is a call,
-  /// which clears decoded instructions. Stores below this address, such as those to a stack, stay
+  /// which clears decoded instructions. Stores below this address, such as stores to a stack, stay
   /// fast.
   void decoded(std::uint32_t address);
 
@@ -119,10 +121,10 @@ class Memory {
   /// @brief Returns the area of an address; none without memory.
   [[nodiscard]] const Area* find(std::uint32_t address) const;
 
-  /// @brief Writes from outside, also where the program may not.
+  /// @brief Writes from outside, also where the program may not write.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
-  /// @brief Reads from outside; 0 where no memory is.
+  /// @brief Reads from outside; 0 where there is no memory.
   template <typename Value>
   [[nodiscard]] Value read(std::uint32_t address) const {
     Value value = 0;
@@ -146,7 +148,7 @@ class Memory {
 
   bool readsFlashDirectly_;
   std::deque<Area> all_;
-  std::array<const Area*, kMegabytes> areas_{};  ///< the first one of each
+  std::array<const Area*, kMegabytes> areas_{};  ///< the first area of each megabyte
   std::array<Direct, kMegabytes> directs_{};
   std::function<void(std::uint32_t, std::uint32_t, bool)> observer_;
 };

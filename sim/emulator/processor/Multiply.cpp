@@ -28,7 +28,7 @@ std::uint32_t addend(const Core& core, const Instruction& in) {
   return core.registers.r[in.value >> kAddendShift];
 }
 
-// Q is set when a sum is more than its register holds.
+// Q is set when a sum does not fit into its register.
 std::uint32_t narrowed(Core& core, std::int64_t value) {
   if (value != static_cast<std::int32_t>(value)) {
     core.registers.q = true;
@@ -122,7 +122,7 @@ void sumOfDifferences(Core& core, const Instruction& in) {
   core.registers.r[in.d] = sum;
 }
 
-// Long products: register d receives the lower word, the register in value the upper one.
+// Long products: register d receives the lower word, the register in value receives the upper word.
 
 std::uint64_t longAddend(const Core& core, const Instruction& in) {
   return std::uint64_t{addend(core, in)} << 32 | core.registers.r[in.d];
@@ -171,7 +171,7 @@ void divide(Core& core, const Instruction& in) {
     }
     return;
   }
-  // The most negative number by -1 does not change; the 64-bit type contains the quotient.
+  // The most negative number divided by -1 does not change; the 64-bit type contains the quotient.
   x.r[in.d] =
       kSigned ? static_cast<std::uint32_t>(wide(dividend) / wide(divisor)) : dividend / divisor;
 }

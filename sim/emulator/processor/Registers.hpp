@@ -17,10 +17,10 @@ struct Registers {
   static constexpr std::uint32_t kProcessStack = 2;
   static constexpr std::uint32_t kFpActive = 4;
 
-  /// Core registers; 13 is the stack pointer in use, 15 the address of the instruction and 4.
+  /// Core registers; 13 is the stack pointer in use, 15 the address of the instruction plus 4.
   std::array<std::uint32_t, 16> r{};
   std::uint32_t otherStack = 0;  ///< the stack pointer that is not in use
-  bool onProcessStack = false;   ///< which one is
+  bool onProcessStack = false;   ///< the process stack is in use
 
   // Flags, stored as the results that define them, because they are seldom read.
   std::uint32_t n = 0;  ///< bit 31

@@ -142,7 +142,7 @@ const double* liveNumbers() {
   return numbers.data();
 }
 
-/// Keeps a text; liveBytes() and liveSize() return it.
+/// Stores a text; liveBytes() and liveSize() return it.
 void liveText(int which) {
   const std::string text = textOf(static_cast<Text>(which));
   module().bytes.assign(text.begin(), text.end());

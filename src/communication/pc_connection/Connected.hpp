@@ -30,7 +30,7 @@ class Connected final : public ConnectionState {
   /// @satisfies FR-33
   bool keepAlive(PcConnection& connection) override;
 
-  /// @brief Stores the order as the newest one.
+  /// @brief Stores the order as the newest order.
   /// @param connection the connection that received it
   /// @param frame the frame of the order
   /// @return false when the order was dropped: it is stale, or a field is out of range

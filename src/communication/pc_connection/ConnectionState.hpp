@@ -8,9 +8,8 @@ class PcConnection;
 struct Frame;
 
 /// @brief A state of the connection with the PC.
-/// @function Handles each frame of the PC, and checks the time, as one state demands.
-/// @secret The differences between the states of the connection. A frame is unexpected unless a state
-/// defines otherwise.
+/// @function Handles each frame of the PC and checks the time by the rules of one state.
+/// @secret The differences between the states of the connection. By default a frame is unexpected.
 /// @role{pc-mcu-connection, State}
 ///
 /// @patternapp{pc-mcu-connection, State, PC-MCU connection}
@@ -27,7 +26,7 @@ class ConnectionState {
   /// @isr{no}
   virtual void hello(PcConnection& connection) = 0;
 
-  /// @brief Handles a Confirm. Unless a state defines otherwise it is counted as unexpected.
+  /// @brief Handles a Confirm. By default, counts it as unexpected.
   /// @param connection the connection that received it
   /// @param session number of the session that the PC accepts
   /// @return false when the frame was dropped
@@ -35,14 +34,14 @@ class ConnectionState {
   /// @satisfies FR-47
   virtual bool confirm(PcConnection& connection, std::uint8_t session);
 
-  /// @brief Handles a KeepAlive. Unless a state defines otherwise it is counted as unexpected.
+  /// @brief Handles a KeepAlive. By default, counts it as unexpected.
   /// @param connection the connection that received it
   /// @return false when the frame was dropped
   /// @isr{no}
   /// @satisfies FR-47
   virtual bool keepAlive(PcConnection& connection);
 
-  /// @brief Handles an order. Unless a state defines otherwise it is counted as unexpected.
+  /// @brief Handles an order. By default, counts it as unexpected.
   /// @param connection the connection that received it
   /// @param frame the frame of the order
   /// @return false when the frame was dropped
@@ -57,7 +56,7 @@ class ConnectionState {
   /// @isr{no}
   virtual void checkTime(PcConnection& connection);
 
-  /// @brief Returns whether the PC is connected. Unless a state defines otherwise it is not.
+  /// @brief Returns whether the PC is connected. By default, returns false.
   /// @return true when the PC is connected
   /// @isr{no}
   [[nodiscard]] virtual bool connected() const;

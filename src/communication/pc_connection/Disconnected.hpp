@@ -6,7 +6,7 @@ namespace wr {
 
 /// @brief No PC is connected.
 /// @function Waits for a Hello.
-/// @secret That a Hello alone begins a handshake.
+/// @secret The rule that only a Hello begins a handshake.
 /// @role{pc-mcu-connection, Concrete State}
 class Disconnected final : public ConnectionState {
  public:

@@ -25,7 +25,7 @@ void count(std::uint16_t& counter) {
   }
 }
 
-// Fewest bytes of the payload; a sender of a later version may append fields.
+// Returns the least length of the payload. A sender of a later version may append fields.
 std::optional<std::size_t> lengthOf(FrameType received) {
   switch (received) {
     case FrameType::Hello:
@@ -65,7 +65,7 @@ void PcConnection::service() {
       // counts: pushes
       receive(rest);
     }
-    // A shorter read that ends no frame has emptied the port.
+    // The port is empty after a read that returned too few bytes and did not end a frame.
     more = left != 0 && (received == asked || (received != 0 && chunk_[received - 1] == 0));
   }
   counts_.lostBytes = port_.lostBytes();

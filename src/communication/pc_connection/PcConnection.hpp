@@ -45,9 +45,9 @@ class PcConnection final {
   /// @satisfies FR-33
   void beginCycle(Instant clockPulse);
 
-  /// @brief Serves the link: reads the received bytes, but at most 1280, lets the state handle each
-  /// frame, checks the silence at the clock pulse, and sends a Welcome if a Hello requests one. The
-  /// caller calls it once in each cycle.
+  /// @brief Serves the link. Reads at most 1280 received bytes, lets the state handle each frame,
+  /// and checks the silence at the clock pulse. Sends a Welcome if a Hello requests it. The caller
+  /// calls it once in each cycle.
   /// @isr{no}
   /// @satisfies FR-35
   /// @satisfies FR-37
@@ -62,8 +62,8 @@ class PcConnection final {
   /// @satisfies FR-36
   [[nodiscard]] bool connected() const;
 
-  /// @brief Sends a report. Without a connection nothing is sent. A report for which the port has
-  /// no space is dropped whole and counted.
+  /// @brief Sends a report. Without a connection nothing is sent. If the port has no space for the
+  /// whole report, drops and counts the report.
   /// @param report the report
   /// @return true when the whole report was passed to the port
   /// @isr{no}
@@ -96,7 +96,8 @@ class PcConnection final {
   /// @isr{no}
   [[nodiscard]] bool offered(std::uint8_t session) const;
 
-  /// @brief Stores an order as the newest one, or counts it as stale or out of range. States call it.
+  /// @brief Stores an order as the newest order, or counts it as stale or out of range. States call
+  /// it.
   /// @param frame the frame of the order
   /// @return false when the order was dropped
   /// @isr{no}
@@ -114,27 +115,27 @@ class PcConnection final {
   void countUnexpected();
 
   /// @brief Returns the time without an accepted frame. States call it.
-  /// @return time from the last byte of the last accepted frame to the last byte of the present
-  /// frame, or to the clock pulse after the frames of a cycle [us]
+  /// @return time since the last byte of the last accepted frame [us]. It ends at the last byte of
+  /// the present frame, or at the clock pulse after the frames of a cycle.
   /// @isr{no}
   /// @satisfies FR-33
   [[nodiscard]] Microseconds silence() const;
 
   /// @brief Returns the age of the newest Welcome. States call it.
-  /// @return time from the clock pulse of the cycle that sent it, to the same end as for silence()
-  /// [us]; 0 until a Welcome is sent
+  /// @return time since the clock pulse of the cycle that sent it [us], with the same end as
+  /// silence(); 0 until a Welcome is sent
   /// @isr{no}
   /// @satisfies FR-32
   [[nodiscard]] Microseconds sinceWelcome() const;
 
  private:
   /// @brief Decodes bytes until a frame ends, and handles this frame.
-  /// @param bytes received bytes; receives those that are not yet decoded
+  /// @param bytes received bytes; afterwards the bytes that are not yet decoded
   /// @satisfies FR-246
   /// @satisfies FR-251
   void receive(std::span<const std::uint8_t>& bytes);
 
-  /// @brief Handles a frame of another version: a Hello is answered, any other frame is counted.
+  /// @brief Handles a frame of another version: answers a Hello, and counts any other frame.
   /// @satisfies FR-43
   /// @satisfies FR-246
   void handleUnknownVersion(const Frame& frame);
@@ -157,7 +158,7 @@ class PcConnection final {
   /// @satisfies FR-243
   void noteAccepted(const Frame& frame);
 
-  /// @brief Checks whether a sequence number is 1 to 127 after the newest accepted one.
+  /// @brief Checks whether a sequence number is 1 to 127 after the newest accepted number.
   /// @satisfies FR-243
   [[nodiscard]] bool isNewer(std::uint8_t sequence) const;
 
@@ -200,7 +201,7 @@ class PcConnection final {
   FrameEncoder encoder_;
   SerialWriter writer_;
   LinkCounts counts_{};
-  Instant clockPulse_{};    // of this cycle
+  Instant clockPulse_{};    // clock pulse of this cycle
   Instant at_{};            // time at which the present frame was received, or the time of the
                             // clock pulse
   Instant lastAccepted_{};  // time at which the last accepted frame was received

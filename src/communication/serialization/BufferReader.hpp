@@ -12,7 +12,7 @@ namespace wr {
 
 /// @brief The newest order of the remote control.
 /// @function Builds one order from the velocity signal and the direction signal of the remote control.
-/// The remote control has no stop.
+/// The remote control cannot order a stop.
 /// @secret How the two signals of the remote control are combined in a complete order.
 /// @role{serializer, Concrete Reader}
 class BufferReader final : public Reader {
@@ -36,7 +36,8 @@ class BufferReader final : public Reader {
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override;
 
-  /// @brief Reads the quantity of the wheels, always velocity, or the stop flag, always false.
+  /// @brief Reads the quantity of the wheels, which is always velocity, or the stop flag, which is
+  /// always false.
   /// @param field name of the field
   /// @return value of the field
   /// @isr{no}
@@ -56,7 +57,7 @@ class BufferReader final : public Reader {
   /// @satisfies FR-51
   std::int16_t readI16(Field field) override;
 
-  /// @brief Reads the time of the sender's clock, which is 0: the remote control has none.
+  /// @brief Reads the time of the sender's clock. It is 0, because the remote control has no clock.
   /// @param field name of the field
   /// @return value of the field
   /// @isr{no}

@@ -23,10 +23,10 @@ enum class FieldName : std::uint8_t {
   WheelVelocity,     ///< measured velocity of a wheel
   WheelCurrent,      ///< measured current of a wheel
   WheelPosition,     ///< measured position of a wheel
-  Measured,          ///< which measurements are valid
+  Measured,          ///< bits of the valid measurements
   WheelTension,      ///< applied voltage of a wheel
   Turn,              ///< applied turn direction
-  Applied,           ///< which applied values are valid
+  Applied,           ///< bits of the valid applied values
   Overruns,          ///< count of cycles that overran
   LostBytes,         ///< count of bytes that the serial port lost
   Damaged,           ///< count of damaged frames
@@ -39,14 +39,14 @@ enum class FieldName : std::uint8_t {
   SequenceGaps,      ///< count of gaps in the sequence numbers
   ReportsNotSent,    ///< count of reports that were not sent
   SteeringState,     ///< state of the steering
-  SteeringEnds,      ///< which end stops of the steering are reached
+  SteeringEnds,      ///< bits of the end stops that the steering has reached
   CutOffs,           ///< wheels whose driver the overcurrent trip switched off
   BlindWheels,       ///< wheels with voltage but without Hall edges
   RejectedEdges,     ///< count of Hall edges of a wheel that were rejected
   ReportCost,        ///< processor cycles from a clock pulse to the report of its cycle
   AwakeCost,         ///< processor cycles without sleep between two clock pulses
   StartCost,         ///< processor cycles from a clock pulse to the start of its cycle
-  Inhibit,           ///< why the set-points are not followed
+  Inhibit,           ///< reason why the set-points are not followed
   StopCause,         ///< cause of a protective stop
   StopWheel,         ///< wheel that the cause concerns
   StopSources,       ///< sources that order stop

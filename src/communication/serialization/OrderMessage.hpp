@@ -36,7 +36,7 @@ class OrderMessage final : public Serializable {
   /// @isr{yes}
   [[nodiscard]] bool stop() const { return (commands_ & kStop) != 0; }
 
-  /// @brief Checks whether the value of each wheel is 0, whatever its quantity.
+  /// @brief Checks whether the value of each wheel is 0, for any quantity.
   /// @return true when no wheel shall move
   /// @satisfies FR-241
   /// @isr{yes}

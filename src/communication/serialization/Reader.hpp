@@ -16,9 +16,9 @@ class Reader {
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
-  /// @brief Returns whether an order can be read: it is complete, the newest of its source, not
-  /// older than the lifetime of an order, and was not read before.
-  /// @return true when there is such an order
+  /// @brief Returns whether an order can be read. This order is complete, is the newest of its
+  /// source, is not older than the lifetime of an order, and was not read before.
+  /// @return true when an order can be read
   /// @isr{no}
   [[nodiscard]] virtual bool available() const = 0;
 

@@ -14,7 +14,7 @@ struct LinkCounts {
   std::uint16_t lostBytes = 0;       ///< bytes that the serial port could not store
   std::uint16_t damaged = 0;         ///< frames with bad COBS or CRC or less than 5 bytes
   std::uint16_t tooLong = 0;         ///< frames with a body of more than 205 bytes
-  std::uint16_t unknownVersion = 0;  ///< frames of another protocol version that are no Hello
+  std::uint16_t unknownVersion = 0;  ///< frames of another protocol version, except Hello
   std::uint16_t unknownType = 0;     ///< frames of a type that is not received
   std::uint16_t wrongLength = 0;     ///< frames whose payload is too short
   std::uint16_t outOfRange = 0;      ///< orders with a field out of range
@@ -27,12 +27,13 @@ struct LinkCounts {
   friend constexpr bool operator==(const LinkCounts&, const LinkCounts&) = default;
 };
 
-/// @brief Costs of control cycles, in cycles of the processor; all 0 where the platform counts none.
+/// @brief Costs of control cycles, in cycles of the processor; all 0 if the platform does not count
+/// cycles.
 /// @datatype
 struct CycleCosts {
-  std::uint32_t report = 0;  ///< from the previous clock pulse to the report of its cycle
-  std::uint32_t awake = 0;   ///< without sleep between the last two clock pulses
-  std::uint32_t start = 0;   ///< from the present clock pulse to the start of its cycle
+  std::uint32_t report = 0;  ///< cycles from the previous clock pulse to the report of its cycle
+  std::uint32_t awake = 0;   ///< cycles without sleep between the last two clock pulses
+  std::uint32_t start = 0;   ///< cycles from the present clock pulse to the start of its cycle
 
   /// @brief Returns whether two costs are equal.
   friend constexpr bool operator==(const CycleCosts&, const CycleCosts&) = default;

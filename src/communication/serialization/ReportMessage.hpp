@@ -12,7 +12,7 @@ namespace wr {
 class ReportMessage final : public Serializable {
  public:
   /// @brief Binds the report to its data.
-  /// @param data values of the report; they live as long as the report
+  /// @param data values of the report; they exist as long as the report
   explicit ReportMessage(ReportData& data);
 
   [[nodiscard]] bool readFrom(Reader& reader) override;

@@ -13,7 +13,7 @@ namespace wr {
 /// @brief The newest order of the PC.
 /// @function Stores the newest order from the serial line until it is read, replaced, dropped or
 /// too old. Latches a stop until an order releases it.
-/// @secret That the newest order is stored as raw bytes and decoded when it is read.
+/// @secret The storage of the newest order: raw bytes, which are decoded when the order is read.
 /// @role{serializer, Concrete Reader}
 class SerialReader final : public Reader {
  public:
@@ -29,7 +29,7 @@ class SerialReader final : public Reader {
   /// @satisfies FR-20
   void beginCycle(Instant clockPulse);
 
-  /// @brief Latches the stop if an order contains one, for any values of its other fields.
+  /// @brief Latches the stop if an order contains a stop, for any values of its other fields.
   /// @param payload the bytes of the order
   /// @isr{no}
   /// @satisfies FR-240
@@ -62,7 +62,7 @@ class SerialReader final : public Reader {
 
   /// @brief Checks whether there is an order of the PC that was not read and is not too old at the
   /// clock pulse of the present cycle.
-  /// @return true when there is such an order
+  /// @return true when this order exists
   /// @isr{no}
   /// @satisfies FR-20
   [[nodiscard]] bool available() const override;

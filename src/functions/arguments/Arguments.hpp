@@ -41,8 +41,8 @@ class ArgumentValues {
     return (present_ & wanted) == wanted;
   }
 
-  /// @brief Returns the value of an argument; of a missing one, a value that changes no result:
-  /// the scale 1/1, the offset 0, and the range of all values.
+  /// @brief Returns the value of an argument. For a missing argument, returns a value that does not
+  /// change a result: the scale 1/1, the offset 0, and the range of all values.
   /// @param id name of the argument
   /// @isr{yes}
   [[nodiscard]] constexpr std::int32_t operator[](ArgumentId id) const {
@@ -74,8 +74,9 @@ class ArgumentValues {
 /// @role{function-arguments, Component}
 ///
 /// @patternapp{function-arguments, Decorator, Function arguments}
-/// @why All functions need the same few arguments, and each needs some more. An additional argument
-/// is wrapped around the basic arguments, so that a function gets only the arguments that it needs.
+/// @why All functions need the same few arguments, and each function needs some more. An additional
+/// argument is wrapped around the basic arguments, so that a function gets only the arguments that
+/// it needs.
 /// @changes Arguments may be added or dropped when a function needs them, without change to the
 /// other functions.
 class Arguments {

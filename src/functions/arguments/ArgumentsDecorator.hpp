@@ -6,7 +6,8 @@ namespace wr {
 
 /// @brief Arguments that extend other arguments.
 /// @function Writes the values of the wrapped arguments. Subclasses write the values that they add.
-/// @secret The order in which values are written, so that the outermost value of a name counts.
+/// @secret The order in which values are written. If two values have the same name, the outermost
+/// value counts.
 /// @role{function-arguments, Decorator}
 class ArgumentsDecorator : public Arguments {
  public:
@@ -14,7 +15,7 @@ class ArgumentsDecorator : public Arguments {
 
  protected:
   /// @brief Binds the decorator to the arguments that it extends.
-  /// @param wrapped the extended arguments; they live as long as the decorator
+  /// @param wrapped the extended arguments; they exist as long as the decorator
   explicit ArgumentsDecorator(const Arguments& wrapped);
   ~ArgumentsDecorator() = default;
 

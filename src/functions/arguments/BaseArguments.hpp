@@ -9,7 +9,7 @@ namespace wr {
 
 /// @brief The arguments that all functions have.
 /// @function Stores a raw value and its time.
-/// @secret That every calculation begins with one raw value and one time.
+/// @secret The arguments that every calculation has: one raw value and one time.
 /// @role{function-arguments, Concrete Component}
 class BaseArguments final : public Arguments {
  public:

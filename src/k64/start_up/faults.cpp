@@ -25,7 +25,8 @@ extern const std::uint32_t stackTop[];
                              onStack ? frame[kProgramCounter] : 0);
 }
 
-/// @brief A pure virtual function was called: the instruction that follows is none.
+/// @brief Ends the program after the call of a pure virtual function: an undefined instruction
+/// causes a fault.
 // The ABI of the compiler defines the name.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 [[noreturn]] void __cxa_pure_virtual() {
@@ -43,7 +44,7 @@ extern const std::uint32_t stackTop[];
       "b endOfProgram");
 }
 
-// Interrupts of modules that only some products have: the product replaces these.
+// Only some products have the modules of these interrupts. These products replace the handlers.
 [[gnu::weak, gnu::naked]] void remoteControlInterrupt() {
   asm volatile("b unexpected");
 }

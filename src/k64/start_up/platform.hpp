@@ -54,7 +54,7 @@ extern K64Timebase::EntryTime rcEdgeTime;
 /// @brief Contact of the emergency stop: low while it is released.
 extern K64Port emergencyStopContact;
 
-/// @brief On from reset until control cycles run. Afterwards the product may use it.
+/// @brief Light that is on from reset until control cycles run. Afterwards the product may use it.
 extern K64Gpio redLight;
 
 /// @brief Cause of the start of the firmware.
@@ -88,7 +88,7 @@ void allowEdges();
 /// @isr{no}
 void calibrateConverters();
 
-/// @brief Starts the devices. The outputs for the voltage change from their safe level to the
+/// @brief Starts the devices. The outputs for the voltage are switched from their safe level to the
 /// timer, which keeps them low.
 /// @pre The converters are calibrated, and the core runs at its full clock.
 /// @isr{no}

@@ -5,7 +5,8 @@
 
 // Addresses of the parts of the program, which the linker script defines.
 extern "C" {
-/// @brief Words that are copied together: the core loads and stores four with two instructions.
+/// @brief Words that are copied together: the core loads and stores four words with two
+/// instructions.
 using Words = std::array<std::uint32_t, 4>;
 extern Words codeBegin[];
 extern Words codeEnd[];

@@ -26,8 +26,8 @@ namespace {
   }
 }
 
-// No function that is copied here may be called, for example of the library. The linker script
-// rejects such a call from its section.
+// This function must not call a function that it copies, for example a library function. The linker
+// script rejects a call of such a function from its section.
 [[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
   copy(codeInitial, codeBegin, codeEnd);
   copy(vectors, ramVectors, ramVectorsEnd);

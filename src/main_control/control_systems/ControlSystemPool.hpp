@@ -30,7 +30,7 @@ class ControlSystemPool {
   ControlSystemPool& operator=(const ControlSystemPool&) = delete;
 
   /// @brief Adds a control system.
-  /// @param system control system that lives as long as the pool
+  /// @param system control system that exists as long as the pool
   /// @errors A pool that is full ends the program with the assertion PoolFull.
   /// @isr{no}
   /// @satisfies FR-176
@@ -54,7 +54,7 @@ class ControlSystemPool {
 
   /// @brief Returns whether all control systems have done the work of a cycle.
   /// @param cycle number of the control cycle, from 1
-  /// @return true if every control system has done it, also for an empty pool.
+  /// @return true if every control system has done its work; also true for an empty pool.
   /// @satisfies FR-5
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const;

@@ -5,12 +5,12 @@
 
 namespace wr {
 
-/// @brief The part of reading that is the same for every source.
+/// @brief The steps of reading that are the same for every source.
 ///
 /// @function Reads one order from a Reader and saves its set-points. The modes wrap it and add the
 /// particular behaviour of their source.
 ///
-/// @secret That the set-points of every source are passed as one OrderMessage.
+/// @secret The object that passes the set-points of every source: one OrderMessage.
 ///
 /// @role{mode-extensions, Concrete Component}
 class BasicMode final : public Mode {
@@ -19,7 +19,7 @@ class BasicMode final : public Mode {
   /// @param reader reader of the orders of the source
   explicit BasicMode(Reader& reader);
 
-  /// @brief Does nothing: the reader of the basic task needs no service.
+  /// @brief Does nothing, because the reader needs no service.
   /// @isr{no}
   void serve() override;
 

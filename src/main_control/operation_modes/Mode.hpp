@@ -17,7 +17,7 @@ enum class ModeId : std::uint8_t {
 /// @brief A reading mode: the source from which orders are read.
 ///
 /// @function Provides one interface to check for a message, to read it and to change to the other
-/// source. Also returns whether the source ordered a stop, in every mode.
+/// source. Also returns, in every mode, whether its source ordered a stop.
 ///
 /// @secret Which source belongs to a reading mode.
 ///

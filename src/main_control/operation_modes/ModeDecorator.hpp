@@ -6,8 +6,8 @@ namespace wr {
 
 /// @brief A mode that extends another mode.
 ///
-/// @function Forwards the operations that a mode does not extend to the mode that it wraps.
-/// Subclasses define the operations that they extend.
+/// @function Forwards each operation to the wrapped mode, unless a subclass extends it. Subclasses
+/// define the operations that they extend.
 ///
 /// @secret Which operations of the wrapped mode are forwarded unchanged.
 ///

@@ -7,12 +7,12 @@ namespace wr {
 
 /// @brief The reading mode in which the PC on the robot commands it.
 ///
-/// @function Extends the basic mode: an order is valid only while the PC is connected, and its
-/// set-points are marked as given by the PC. Changes to the other mode when the operation state
+/// @function Extends the basic mode: an order is valid only while the PC is connected, and the PC
+/// is recorded as the source of its set-points. Changes to the other mode when the operation state
 /// demands it.
 ///
-/// @secret That an order of the PC is invalid without a connection, and how set-points are marked
-/// as given by the PC.
+/// @secret The rule that an order of the PC is invalid without a connection, and how the PC is
+/// recorded as the source of set-points.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}
@@ -35,7 +35,7 @@ class PC final : public ModeDecorator {
   /// @isr{no}
   [[nodiscard]] bool newMessage() const override;
 
-  /// @brief Saves the mode id of the PC, then reads as the wrapped mode does.
+  /// @brief Saves the mode id of the PC, then lets the wrapped mode read.
   /// @param mCtrl controller whose data receive the set-points and the source
   /// @pre newMessage() was true in this cycle.
   /// @post The order cannot be read again.

@@ -6,10 +6,10 @@ namespace wr {
 
 /// @brief The reading mode in which a person commands the robot with the remote control.
 ///
-/// @function Extends the basic mode: marks the set-points as given by the remote control, and
-/// changes to the other mode when the operation state demands it.
+/// @function Extends the basic mode: records the remote control as the source of the set-points,
+/// and changes to the other mode when the operation state demands it.
 ///
-/// @secret How set-points are marked as given by the remote control.
+/// @secret How the remote control is recorded as the source of set-points.
 ///
 /// @role{reading-modes, Concrete State}
 /// @role{mode-extensions, Concrete Decorator}
@@ -20,7 +20,7 @@ class RC final : public ModeDecorator {
   /// @param other mode to change to; only its address is used before the first changeMode()
   RC(Mode& wrapped, Mode& other);
 
-  /// @brief Saves the mode id of the remote control, then reads as the wrapped mode does.
+  /// @brief Saves the mode id of the remote control, then lets the wrapped mode read.
   /// @param mCtrl controller whose data receive the set-points and the source
   /// @pre newMessage() was true in this cycle.
   /// @post The order cannot be read again.

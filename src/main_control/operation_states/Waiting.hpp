@@ -21,8 +21,8 @@ class Waiting final : public OperationState {
   /// @brief Binds the state to its successors.
   /// @param working state after a message; only its address is used before the first read()
   /// @param next state after the failed reads; only its address is used before the first read()
-  /// @param failedReads number of the successive failed read that sets the next state, counted from
-  /// the read that led to this state [2 to 255]
+  /// @param failedReads number of successive failed reads that set the next state; the read that
+  /// led to this state is the first of them [2 to 255]
   Waiting(OperationState& working, OperationState& next, std::uint8_t failedReads);
 
  private:
@@ -32,7 +32,7 @@ class Waiting final : public OperationState {
   /// @satisfies FR-13
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Counts the failed read, and sets the next state after the last permitted one.
+  /// @brief Counts the failed read, and sets the next state after the last permitted failed read.
   /// @param mCtrl controller that reads
   /// @satisfies FR-15
   /// @satisfies FR-16

@@ -4,9 +4,9 @@
 
 namespace wr {
 
-/// @brief Orders arrive: the last read found one.
+/// @brief Orders arrive: the last read found an order.
 ///
-/// @function Reads a message when there is one. Otherwise it sets the waiting state.
+/// @function Reads a message if a message is available. Otherwise it sets the waiting state.
 ///
 /// @secret The reaction to the first failed read.
 ///

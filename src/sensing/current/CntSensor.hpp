@@ -9,13 +9,14 @@ namespace wr {
 
 /// @brief Sensor for the current of a wheel.
 /// @function Measures the mean current once a cycle and writes it to a pipe.
-/// @secret That a current is the mean of the samples of a cycle, and the scale of the sensor.
+/// @secret The computation of a current as the mean of the samples of a cycle, and the scale of the
+/// sensor.
 /// @role{functions, Context}
 class CntSensor final {
  public:
   /// @brief Binds the sensor.
   /// @param collector returns the samples
-  /// @param function calculates the current; it rejects an impossible one
+  /// @param function calculates the current; it rejects an impossible value
   /// @param current receives the current, with the time of its newest sample
   CntSensor(ValueCollector& collector, const Function& function, Pipe<Current>& current);
 
@@ -25,7 +26,7 @@ class CntSensor final {
   /// @brief Writes the mean of the samples since the last call to the pipe.
   /// @pre No more than 500000 samples were taken since the last call.
   /// @errors Without samples, or with a mean beyond 16 A, nothing is written: the value in the pipe
-  /// grows old.
+  /// becomes old.
   /// @isr{no}
   /// @satisfies FR-125
   void measure();

@@ -21,7 +21,7 @@ struct CurrentRecord {
 };
 
 /// @brief Collects the samples of the current of a wheel.
-/// @function Learns the zero of the sensor at start, adds up the samples for the thread of the
+/// @function Measures the zero of the sensor at start, adds up the samples for the thread of the
 /// wheel, and executes a command as soon as the current is too high.
 /// @secret The conversion of a sample to a current: the zero of the sensor, and the limit beyond which the
 /// motor must be switched off.
@@ -45,10 +45,10 @@ class ValueCollector final {
   ValueCollector(const ValueCollector&) = delete;
   ValueCollector& operator=(const ValueCollector&) = delete;
 
-  /// @brief Processes a sample. The mean of the first 64 is the zero of the sensor; when it is more
-  /// than 5 % of the range from the middle, all later samples are ignored. Later samples are added
-  /// to
-  /// the record. A sample beyond 15 A, or at an end of the range, is too high.
+  /// @brief Processes a sample. The mean of the first 64 samples is the zero of the sensor. When
+  /// the zero differs from the middle of the range by more than 5 % of the range, all later samples
+  /// are ignored. Later samples are added to the record. A sample beyond 15 A, or at an end of the
+  /// range, is too high.
   /// @param raw present sample [1/4096 of the range, 0 to 4095]
   /// @pre The motor has no current until the zero is computed.
   /// @isr{yes}

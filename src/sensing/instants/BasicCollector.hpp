@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief The collector that all other collectors extend.
 /// @function Records the time of the last edge.
-/// @secret That only the last edge is stored.
+/// @secret The choice to store only the last edge.
 /// @role{instant-collectors, Concrete Component}
 class BasicCollector final : public InstantCollector {
  public:

@@ -10,8 +10,8 @@ namespace wr {
 /// @brief One edge of a signal.
 /// @datatype
 struct Edge {
-  Instant at{};               ///< when it came
-  bool rising = false;        ///< the level is high after it
+  Instant at{};               ///< time of the edge
+  bool rising = false;        ///< the level is high after the edge
   std::int8_t direction = 0;  ///< 1 forwards, -1 backwards, 0 when the signal has no direction
 };
 

@@ -17,7 +17,7 @@ class WidthCollector final : public CollectorDecorator {
   explicit WidthCollector(InstantCollector& wrapped);
 
   /// @brief Forwards the edge; a rising edge begins a pulse, and the next falling edge ends it. A
-  /// falling edge without a rising one before it ends no pulse: the width is then unknown.
+  /// falling edge without a rising edge before it ends no pulse, and the width is then unknown.
   /// @param edge the edge
   /// @isr{yes}
   /// @satisfies FR-52

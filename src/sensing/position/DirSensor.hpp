@@ -40,22 +40,22 @@ class DirSensor final {
   [[nodiscard]] bool measure();
 
  private:
-  static constexpr std::int32_t kSamples = 8;  // of a measurement
+  static constexpr std::int32_t kSamples = 8;  // samples of a measurement
 
   /// @brief Writes the mean of the samples, if none is missing.
   void finish();
 
   /// @brief Returns the mean angle of the samples, rounded to the nearest number, if the function
-  /// returns one.
+  /// returns an angle.
   [[nodiscard]] std::optional<Angle> mean() const;
 
   AnalogInput& input_;
   const Function& function_;
   const Timebase& timebase_;
   Pipe<Angle>& pipe_;
-  std::int32_t calls_ = 0;  // since the measurement began
+  std::int32_t calls_ = 0;  // calls since the measurement began
   std::int32_t good_ = 0;   // samples in sum_
-  std::int32_t sum_ = 0;    // of the valid samples
+  std::int32_t sum_ = 0;    // sum of the valid samples
 };
 
 }  // namespace wr

@@ -6,8 +6,8 @@ namespace wr {
 
 namespace {
 
-// Returns the direction of an edge from the levels before and after it; 0 when none or both
-// changed.
+// Returns the direction of an edge from the levels before and after it; 0 when no level or both
+// levels changed.
 constexpr std::array<std::array<std::int8_t, 4>, 4> kDirections = {{
     {0, 1, -1, 0},
     {-1, 0, 0, 1},

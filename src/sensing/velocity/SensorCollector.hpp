@@ -14,7 +14,7 @@ namespace wr {
 /// @datatype
 struct HallRecord {
   Instants instants;            ///< times and number of the steps
-  std::uint32_t unclear = 0;    ///< interrupts since start in which no level or both changed
+  std::uint32_t unclear = 0;    ///< interrupts since start in which no level or both levels changed
   std::uint32_t reversals = 0;  ///< steps since start that reversed faster than a turning wheel can
 };
 
@@ -35,11 +35,11 @@ class SensorCollector final {
 
   /// @brief Records the levels after an edge. The first call only records the levels. An edge at
   /// which exactly one level changed is a step and is counted, at any time after the previous edge.
-  /// An edge is unclear
-  /// when no level or both changed. A step that reverses the direction within 25 ms is counted as a
-  /// step and as a reversal: a turning wheel cannot cause this, but a wheel at rest on an edge can.
-  /// @param phase levels of the sensors, bit 0 the first, bit 1 the second [0 to 3]; forwards they
-  /// are 0, 1, 3, 2
+  /// An edge is unclear when no level or both levels changed. A step that reverses the direction
+  /// within 25 ms is counted as a step and as a reversal. A turning wheel cannot cause a reversal,
+  /// but a wheel at rest on an edge can.
+  /// @param phase levels of the sensors, bit 0 the first, bit 1 the second [0 to 3]; a wheel that
+  /// turns forwards gives 0, 1, 3, 2
   /// @param at time of the edge
   /// @isr{yes}
   /// @satisfies FR-121
@@ -60,8 +60,8 @@ class SensorCollector final {
 
   InstantCollector& instants_;
   std::optional<std::uint8_t> phase_;
-  std::int8_t direction_ = 0;  // of the last step
-  Instant last_{};             // its time
+  std::int8_t direction_ = 0;  // direction of the last step
+  Instant last_{};             // time of the last step
   HallRecord newest_;
   Pipe<HallRecord> record_;
 };

@@ -20,7 +20,7 @@ constexpr Velocity kMaxVelocity{6000};
 // A wheel that turns at least this fast cannot come to rest within a cycle.
 constexpr Velocity kMoving{300};
 
-// Implausible edges in a cycle: one short disturbance of a line causes two.
+// Greatest number of implausible edges in a cycle. One short disturbance of a line causes two.
 constexpr std::uint32_t kMaxImplausible = 3;
 
 // One turn in one microsecond is 600000000 [0.1 rpm]. One edge in one microsecond is this number
@@ -28,7 +28,7 @@ constexpr std::uint32_t kMaxImplausible = 3;
 constexpr std::int32_t kTurnPerMicrosecond = 600'000'000;
 constexpr std::int32_t kEdgesPerTurn = SystemConstants::instance().hallEdgesPerTurn();
 constexpr std::int32_t kEdgePerMicrosecond = kTurnPerMicrosecond / kEdgesPerTurn;
-static_assert(kEdgePerMicrosecond * kEdgesPerTurn == kTurnPerMicrosecond, "the part is exact");
+static_assert(kEdgePerMicrosecond * kEdgesPerTurn == kTurnPerMicrosecond, "the division is exact");
 
 // A wheel without an edge for this time counts as being at rest.
 constexpr Microseconds kStandstill = milliseconds(500);

@@ -21,7 +21,7 @@ class VelSensor final {
  public:
   /// @brief Binds the sensor.
   /// @param collector returns the edges
-  /// @param function calculates the velocity; it rejects an impossible one
+  /// @param function calculates the velocity; it rejects an impossible value
   /// @param timebase returns the time
   /// @param velocity receives the velocity, with the time of the measurement
   VelSensor(SensorCollector& collector, const Function& function, const Timebase& timebase,
@@ -32,14 +32,14 @@ class VelSensor final {
 
   /// @brief Reads the record of the edges, measures the velocity and writes it to the pipe. With
   /// new edges the velocity is the number of forward edges minus backward edges, divided by the
-  /// time from the last old edge to the newest one. After a standstill it is this number minus half
-  /// an edge, divided by the time since the previous measurement. Without new edges it is the
+  /// time from the last old edge to the newest edge. After a standstill it is this number minus
+  /// half an edge, divided by the time since the previous measurement. Without new edges it is the
   /// previous velocity. In all cases it is at most the velocity at which the next edge would come
-  /// now, so that a falling velocity does not jump when an edge comes at the moment of the
+  /// now. A falling velocity then does not jump when an edge comes at the moment of the
   /// measurement. It is 0 when no edge came for 500 ms.
-  /// @errors The velocity is not written, and the value in the pipe becomes old, when the function
-  /// rejects it, when more than 3 edges of the cycle were unclear, and when a wheel that turned
-  /// with 30 rpm or more had more than 3 edges that were unclear or reversed its direction.
+  /// @errors The velocity is not written, and the value in the pipe becomes old, in three cases.
+  /// The function rejects the velocity. More than 3 edges of the cycle were unclear. The wheel
+  /// turned with 30 rpm or more, and more than 3 edges were unclear or reversed its direction.
   /// @return time of the measurement
   /// @isr{no}
   /// @satisfies FR-120
@@ -49,7 +49,7 @@ class VelSensor final {
   Instant measure();
 
   /// @brief Returns the position of the wheel at the last measurement.
-  /// @return Hall edges since start, rising forwards
+  /// @return Hall edges since start, increasing forwards
   /// @isr{no}
   /// @satisfies FR-121
   [[nodiscard]] HallCount position() const;
@@ -65,7 +65,8 @@ class VelSensor final {
   /// measure a velocity.
   [[nodiscard]] bool plausible(const HallRecord& record) const;
 
-  /// @brief Returns the velocity of a number of edges in a time, if the function returns one.
+  /// @brief Returns the velocity of a number of edges in a time, if the function returns a
+  /// velocity.
   [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
 
   /// @brief Returns the velocity when edges came since the previous measurement.
@@ -92,7 +93,7 @@ class VelSensor final {
   Instant measuredAt_{};         // time of the previous measurement
   std::optional<Instant> edge_;  // newest edge at the previous measurement
   std::int32_t count_ = 0;       // count of edges at the previous measurement
-  HallCount position_{};         // at the last measurement
+  HallCount position_{};         // position at the last measurement
   std::uint32_t unclear_ = 0;    // unclear edges at the previous measurement
   std::uint32_t reversals_ = 0;  // reversals at the previous measurement
   Velocity velocity_{};          // velocity of the previous measurement

@@ -6,9 +6,9 @@ namespace wr {
 
 /// @brief Turns when the position is out of a dead band, and brakes in time.
 ///
-/// @function Starts to turn when the position differs from the target by more than the dead band, at the
-/// full rate; brakes so that the steering is slow when it arrives; stops just before the target.
-/// Noise of the position alone does not start a turn.
+/// @function Starts to turn at the full rate when the position differs from the target by more than the
+/// dead band. Brakes, so that the steering is slow when it arrives, and stops just before the
+/// target. Noise of the position alone does not start a turn.
 ///
 /// @secret The widths of the dead band, and the curve along which the steering brakes.
 /// @hides{DeadbandTurn::kDeadband}
@@ -20,7 +20,7 @@ class DeadbandTurn final : public SteeringAlgorithm {
   /// @brief Greatest difference at which a steering at rest stays at rest.
   static constexpr Angle kDeadband{20};
 
-  /// @brief Difference at which a steering that turns towards the target stops. It comes to rest
+  /// @brief A steering that turns towards the target stops at this difference. It comes to rest
   /// about one step later.
   static constexpr Angle kArrived{10};
 

@@ -10,8 +10,8 @@ namespace wr {
 /// @role{steering-control-algorithm, Strategy}
 ///
 /// @patternapp{steering-control-algorithm, Strategy, Control algorithm for the steering device}
-/// @why The rule that decides in which direction the steering turns can be improved without any
-/// other change to the controller, so it is an object that is passed to the controller.
+/// @why A rule decides in which direction the steering turns. The rule is an object that is passed
+/// to the controller, so the rule can be improved without any other change to the controller.
 /// @changes The rule, or its constants. A second rule, for example for another motor.
 class SteeringAlgorithm {
  public:

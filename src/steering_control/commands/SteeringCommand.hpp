@@ -10,9 +10,8 @@ namespace wr {
 /// @role{steering-commands, Command}
 ///
 /// @patternapp{steering-commands, Command, Commands to control the steering device}
-/// @why To switch the steering on or off, or to set its turn, needs actions on several elements.
-/// The
-/// controller executes command objects, so it does not depend on these elements.
+/// @why Switching the steering on or off, and setting its turn, need actions on several elements.
+/// The controller executes command objects, so it does not depend on these elements.
 /// @changes The elements on which a command acts, or the actions. A new command.
 class SteeringCommand {
  public:
@@ -21,7 +20,7 @@ class SteeringCommand {
 
   /// @brief Executes the action.
   /// @param rate speed of the motor [steps/s], -500 to 500, positive to the left; a command that needs
-  /// none ignores it
+  /// no rate ignores it
   /// @isr{yes}
   virtual void execute(StepRate rate) = 0;
 

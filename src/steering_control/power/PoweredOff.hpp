@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief The motor is off: a force from outside can move the steering.
-/// @function Switches the motor on when that is ordered, and makes no step.
+/// @function Switches the motor on when an order demands it, and makes no step.
 /// @secret The event that switches the motor on.
 /// @role{steering-switch, Concrete State}
 class PoweredOff final : public SteeringPower {

@@ -5,8 +5,8 @@
 namespace wr {
 
 /// @brief The motor is on: it holds the steering, or turns it.
-/// @function Lets the motor step at each tick, and switches it off when that is ordered.
-/// @secret The event that switches the motor off, and the work of a motor that is on at a tick.
+/// @function Lets the motor step at each tick, and switches it off when an order demands it.
+/// @secret The event that switches the motor off, and the work of each tick while the motor is on.
 /// @role{steering-switch, Concrete State}
 class PoweredOn final : public SteeringPower {
  public:

@@ -11,8 +11,9 @@ class SteeringDevice;
 /// @role{steering-switch, State}
 ///
 /// @patternapp{steering-switch, State, Switch on and switch off the steering device}
-/// @why The steps that switch the steering on or off, and whether it can step, depend on whether it
-/// is on. Each case is a module, so no operation has to check it.
+/// @why The steps that switch the steering on or off depend on whether its motor is on. The
+/// steering can step only while its motor is on. Each case is a module, so no operation has to
+/// check the case.
 /// @changes The actions that switch the motor on or off. Another case, such as a motor that is on with
 /// less current.
 class SteeringPower {

@@ -14,7 +14,7 @@ class DirFault final : public DirState {
   /// @param off state after the fault; only its address is used before the first tick
   explicit DirFault(DirState& off);
 
-  /// @brief Ends the fault when an order released it after it began.
+  /// @brief Ends the fault if a release was ordered after the fault began.
   /// @param controller controller that ticks
   /// @isr{yes}
   /// @satisfies FR-112

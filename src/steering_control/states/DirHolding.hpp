@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief The motor is on, and the steering keeps its position.
-/// @function Begins a turn when the algorithm demands one, and keeps the position until then.
+/// @function Keeps the position until the algorithm demands a turn, and then begins the turn.
 /// @secret The event that begins a turn.
 /// @role{steering-controller-states, Concrete State}
 class DirHolding final : public DirState {

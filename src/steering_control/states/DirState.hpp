@@ -14,8 +14,8 @@ class DirController;
 /// @patternapp{steering-controller-states, State, Operation states of the steering device controller}
 /// @why The work of the steering controller at a tick depends on the state of the steering. Each
 /// state is a module, so the rules of one state are in one place.
-/// @changes The actions of a state, or its transitions. A new state, such as one that
-/// searches the middle after start.
+/// @changes The actions of a state, or its transitions. A new state, such as a state that searches
+/// the middle after start.
 class DirState {
  public:
   DirState(const DirState&) = delete;
@@ -38,8 +38,8 @@ class DirState {
   explicit DirState(SteeringState id);
   ~DirState() = default;
 
-  /// @brief Leaves a state with the motor on when necessary: without orders the next state is off,
-  /// and when the steering cannot be controlled it is fault.
+  /// @brief Leaves a state in which the motor is on, when necessary. Without orders the next state
+  /// is off. When the steering cannot be controlled, the next state is fault.
   /// @param controller controller that ticks
   /// @param off state after the orders ended
   /// @param fault state after a fault

@@ -11,11 +11,11 @@ namespace {
 constexpr std::int32_t kMicrovolts = 1000;  // in a millivolt
 constexpr std::int32_t kMaxIntegral = SystemConstants::instance().supply().count() * kMicrovolts;
 
-// A smaller missing voltage does not explain an error: a demand of less than 0.1 V may wait for a
-// change of orientation, and the integral must be able to raise it.
+// A smaller missing voltage does not explain an error. A demand of less than 0.1 V may wait for a
+// change of orientation, and the integral must be able to raise this demand.
 constexpr Tension kMinShortfall(100);
 
-// A wheel with less voltage than calculated is too slow, and a wheel with more is too fast.
+// A wheel with less voltage than calculated is too slow, and a wheel with more voltage is too fast.
 bool explains(Tension shortfall, std::int32_t error) {
   return (shortfall >= kMinShortfall && error > 0) || (shortfall <= -kMinShortfall && error < 0);
 }

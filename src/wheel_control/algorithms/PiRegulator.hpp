@@ -19,9 +19,9 @@ struct PiGains {
 /// @function Computes a voltage from a part of the present error and a part of each earlier error.
 /// An error that comes from a voltage that could not be applied is not added to the integral.
 ///
-/// @secret How the integral is limited while the voltage is limited, how fractions of a millivolt
-/// are stored, and how a bit that changes in the memory of the integral is corrected. Otherwise the
-/// wheels of a robot would work against each other for a long time.
+/// @secret How the integral is limited while the voltage is limited, and how fractions of a
+/// millivolt are stored. How a changed bit in the memory of the integral is corrected. A wrong
+/// integral would make the wheels of a robot work against each other for a long time.
 class PiRegulator final {
  public:
   /// @brief Three copies of a number: a bit that changes in one copy has no effect.
@@ -30,7 +30,8 @@ class PiRegulator final {
 
   /// @brief Returns a number from its three copies.
   /// @param copies the copies
-  /// @return the number, in the unit of the copies; at least two copies have each bit of it
+  /// @return the number, in the unit of the copies; each of its bits is equal in at least two
+  /// copies
   /// @satisfies FR-224
   /// @isr{no}
   [[nodiscard]] static std::int32_t majority(const Copies& copies);
@@ -43,7 +44,7 @@ class PiRegulator final {
   PiRegulator& operator=(const PiRegulator&) = delete;
 
   /// @brief Processes the error of the cycle that ends.
-  /// @param error expected value less measured value, in the unit of the gains, -65535 to 65535
+  /// @param error expected value minus measured value, in the unit of the gains, -65535 to 65535
   /// @return voltage that works against the error [mV], rounded towards zero
   /// @post The part of the integral is at most the supply.
   /// @satisfies FR-83
@@ -56,7 +57,7 @@ class PiRegulator final {
   /// @brief Records the voltage that the wheel will lack in the cycle that begins. An error of that
   /// cycle that the missing voltage explains is not added to the integral. A missing voltage of
   /// less than 0.1 V does not explain an error.
-  /// @param shortfall calculated less applied voltage [mV]
+  /// @param shortfall calculated minus applied voltage [mV]
   /// @satisfies FR-301
   /// @isr{no}
   void missed(Tension shortfall);

@@ -6,9 +6,9 @@ namespace wr {
 
 /// @brief Sets the voltage of a wheel to its set-point.
 ///
-/// @function Passes the set-point on as voltage.
+/// @function Returns the set-point as the voltage.
 ///
-/// @secret That a tension order needs no measurement.
+/// @secret The rule that a tension order needs no measurement.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class TensionAlgorithm final : public WheelAlgorithm {

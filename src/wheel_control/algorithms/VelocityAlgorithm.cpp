@@ -17,18 +17,17 @@ constexpr std::int32_t kMean = 806;   // [1/1000] mean of a deviation during a c
 constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 
 // Lost edges make the measured velocity too low. The velocity is doubtful when the motor induces
-// more voltage than at this velocity, and the tolerances of supply, winding and motor constant do
-// not explain the difference.
+// more voltage than this velocity explains, and the tolerances of supply, winding and motor
+// constant do not explain the difference.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
-constexpr std::int32_t kModelToleranceDivisor = 3;  // plus this part of the voltage
+constexpr std::int32_t kModelToleranceDivisor = 3;  // this part of the voltage is added
 constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // cycles in a row
 
-// Used before the model has begun.
+// Velocity of the model before the model has begun.
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();
 
-// Part of a deviation. The product would have more than 32 bits, which the core divides slowly;
-// therefore thousands and remainder are computed separately. A set-point has 16 bits, and no
-// measured velocity has more.
+// Returns a part of a deviation. The core divides numbers of more than 32 bits slowly, so thousands
+// and remainder are computed separately. A set-point and a measured velocity have at most 16 bits.
 std::int32_t part(std::int32_t deviation, std::int32_t thousandths) {
   return deviation / kThousand * thousandths + deviation % kThousand * thousandths / kThousand;
 }

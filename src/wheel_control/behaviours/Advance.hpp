@@ -9,7 +9,7 @@ namespace wr {
 ///
 /// @function Applies the demand at once.
 ///
-/// @secret That the demand is not changed.
+/// @secret The rule that the demand is not changed.
 ///
 /// @role{wheel-behaviours, Concrete Strategy}
 /// @role{behaviour-extensions, Concrete Component}

@@ -6,16 +6,17 @@ namespace wr {
 
 /// @brief A behaviour that extends another behaviour.
 ///
-/// @function Forwards the operations that a behaviour does not extend to the behaviour that it wraps.
+/// @function Forwards each operation to the wrapped behaviour, unless a subclass extends it.
 ///
 /// @secret Which operations of the wrapped behaviour are forwarded unchanged.
 ///
 /// @role{behaviour-extensions, Decorator}
 ///
 /// @patternapp{behaviour-extensions, Decorator, Algorithm extensions to establish the wheels' behaviour}
-/// @why Some movements of a wheel combine or extend simpler ones: a reversal is a stop, and then an
-/// advance in the other orientation.
-/// @changes An extension may change, or a new one may be needed, without change to the extended behaviour.
+/// @why Some movements of a wheel combine or extend simpler movements: a reversal is a stop, and
+/// then an advance in the other orientation.
+/// @changes An extension may change, or a new extension may be needed, without change to the extended
+/// behaviour.
 class BehaviourDecorator : public WheelBehaviour {
  public:
   Tension apply(Tension demand, Velocity velocity) override;

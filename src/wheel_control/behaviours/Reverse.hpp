@@ -9,8 +9,8 @@ namespace wr {
 
 /// @brief Changes the orientation of a wheel when it is slow.
 ///
-/// @function Extends a behaviour: when the demand opposes the present orientation the wheel is
-/// stopped, then its orientation changes, and then the extended behaviour continues.
+/// @function Extends a behaviour: when the demand opposes the present orientation, stops the wheel,
+/// then changes its orientation, and then lets the extended behaviour continue.
 ///
 /// @secret How a slow wheel is detected, and the conditions for a change of its orientation.
 ///
@@ -24,11 +24,11 @@ class Reverse final : public BehaviourDecorator {
   /// @param setOrientation changes the orientation
   Reverse(WheelBehaviour& wrapped, WheelBehaviour& stop, WheelCommand& setOrientation);
 
-  /// @brief Applies the demand when it agrees with the orientation. Otherwise the wheel is stopped
-  /// until, in two cycles in a row, its velocity was below 40 rpm, or below 80 rpm after ten cycles
-  /// without voltage, or had the direction of the demand, and it has no voltage; then the
-  /// orientation changes. A demand of less than 0.1 V against the orientation counts as 0: the
-  /// noise of a measurement must not turn a wheel at rest.
+  /// @brief Applies the demand when it agrees with the orientation. Otherwise stops the wheel, and
+  /// changes the orientation when the wheel has no voltage and was slow in two cycles in a row. A
+  /// wheel is slow below 40 rpm, and after ten cycles without voltage below 80 rpm. A wheel that
+  /// turns in the direction of the demand counts as slow. A demand of less than 0.1 V against the
+  /// orientation counts as 0, because the noise of a measurement must not turn a wheel at rest.
   /// @param demand demanded voltage [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards

@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-constexpr Tension kMaxRisePerCycle(12000);  // of the magnitude of the voltage
+constexpr Tension kMaxRisePerCycle(12000);  // greatest rise of the magnitude of the voltage
 
 }  // namespace
 

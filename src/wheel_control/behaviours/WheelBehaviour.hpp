@@ -4,7 +4,7 @@
 
 namespace wr {
 
-/// @brief How a demanded voltage is applied to a wheel.
+/// @brief A rule that applies a demanded voltage to a wheel.
 ///
 /// @function Applies a voltage in each cycle through commands of the wheel, and returns the applied voltage.
 ///

@@ -9,7 +9,7 @@ namespace wr {
 ///
 /// @function Sets the magnitude of the wheel's voltage; its orientation does not change.
 ///
-/// @secret That the voltage of a wheel has no sign.
+/// @secret The rule that the voltage of a wheel has no sign.
 ///
 /// @role{wheel-commands, Concrete Command}
 class SetTension final : public WheelCommand {

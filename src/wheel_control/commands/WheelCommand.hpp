@@ -13,8 +13,8 @@ namespace wr {
 /// @role{wheel-commands, Command}
 ///
 /// @patternapp{wheel-commands, Command, Commands to control wheel behaviour}
-/// @why To stop a wheel, to set its voltage and to change its orientation are actions that can affect
-/// several elements of the system. The caller does not name these elements.
+/// @why Stopping a wheel, setting its voltage and changing its orientation can affect several
+/// elements of the system. The caller does not name these elements.
 /// @changes The actions that carry out an order may change, and so may the elements on which they act.
 class WheelCommand {
  public:

@@ -21,8 +21,8 @@ class HaltWheel final : public WheelOrder {
   /// @param wheel wheel with the overcurrent trip
   HaltWheel(WheelController& controller, Wheel& wheel);
 
-  /// @brief Stops the wheel. When a release is ordered, the faults of the controller end, and so does an
-  /// overcurrent trip if the velocity is known and below 40 rpm.
+  /// @brief Stops the wheel. An order to release ends the faults of the controller. It also ends an
+  /// overcurrent trip if the velocity is valid and below 40 rpm.
   /// @param work order to release; receives voltage and state of the wheel
   /// @satisfies FR-88
   /// @satisfies FR-89

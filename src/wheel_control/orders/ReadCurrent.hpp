@@ -8,10 +8,11 @@ namespace wr {
 
 /// @brief The order to read the current of a wheel.
 ///
-/// @function Triggers the measurement of the current, and adds the value of the controller to the work of the
-/// cycle.
+/// @function Triggers the measurement of the current, and writes the value that the controller uses into
+/// the work of the cycle.
 ///
-/// @secret Which module measures a current, and that the report shows the value that control uses.
+/// @secret Which module measures a current, and the rule that the report shows the value that
+/// control uses.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class ReadCurrent final : public WheelOrder {

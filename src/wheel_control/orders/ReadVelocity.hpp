@@ -8,10 +8,11 @@ namespace wr {
 
 /// @brief The order to read the velocity of a wheel.
 ///
-/// @function Triggers the measurement of the velocity, and adds the value of the controller to the work of the
-/// cycle.
+/// @function Triggers the measurement of the velocity, and writes the value that the controller uses into
+/// the work of the cycle.
 ///
-/// @secret Which module measures a velocity, and that the report shows the value that control uses.
+/// @secret Which module measures a velocity, and the rule that the report shows the value that
+/// control uses.
 ///
 /// @role{wheel-orders, Concrete Strategy}
 class ReadVelocity final : public WheelOrder {

@@ -72,7 +72,7 @@ TEST(FrameDecoder, FR41_AFrameWithOneWrongBitIsDamaged) {
   }
 }
 
-/// @brief COBS that points beyond the end, or ends before it, is damaged.
+/// @brief A frame whose COBS code points beyond the end, or ends before it, is damaged.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_BadCobsIsDamaged) {
   FrameDecoder decoder;
@@ -119,7 +119,7 @@ TEST(FrameDecoder, FR42_ABodyOfMoreThan205BytesIsTooLong) {
               ElementsAre(Decoded::TooLong));
 }
 
-/// @brief A whole frame of another version is not damaged, and its type can be read.
+/// @brief A complete frame of another version is not damaged, and its type can be read.
 /// @verifies FR-43
 TEST(FrameDecoder, FR43_AFrameOfAnotherVersionIsNotDamaged) {
   FrameDecoder decoder;

@@ -204,7 +204,7 @@ TEST_F(PcConnectionTest, FR37_AllFramesOfACycleTakeEffectInIt) {
   EXPECT_TRUE(orders.available());
 }
 
-/// @brief Many Hellos of one cycle get one Welcome. Its session is the only one that can be confirmed.
+/// @brief Many Hellos of one cycle get one Welcome. Only its session can be confirmed.
 /// @verifies FR-245
 /// @verifies FR-30
 TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
@@ -365,8 +365,8 @@ TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
 }
 
 /// @brief The silence counts from the last byte of the last accepted frame to the last byte of the
-/// next one, independent of the cycles that read them: after 1 s the connection has ended, and the
-/// frame is unexpected.
+/// next frame, independent of the cycles that read them. After 1 s the connection has ended, and
+/// the frame is unexpected.
 /// @verifies FR-33
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR33_TheSilenceEndsWithTheLastByteOfTheNextFrame) {
@@ -556,9 +556,9 @@ TEST_F(PcConnectionTest, FR241_ADroppedOrderDoesNotReleaseAStop) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief An order is stale when its sequence number is that of the last accepted frame, or one of
-/// the 128 numbers before it: the order is dropped and counted. An order with one of the 127
-/// numbers after it is new.
+/// @brief An order is stale when its sequence number is the number of the last accepted frame, or
+/// one of the 128 numbers before this number. A stale order is dropped and counted. An order with
+/// one of the 127 numbers after this number is new.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOrderMustBeNewerThanTheFrameBefore) {
   for (int ahead = 0; ahead < 256; ++ahead) {
@@ -794,7 +794,7 @@ TEST_F(PcConnectionTest, FR251_CountsSurviveTheConnection) {
   EXPECT_EQ(connection.counts().damaged, 1);
 }
 
-/// @brief At most 1280 bytes are read in one cycle. The others are read in the next cycle.
+/// @brief At most 1280 bytes are read in one cycle. The other bytes are read in the next cycle.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   receive(Bytes(2000, 0));
@@ -830,8 +830,8 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
   EXPECT_EQ(connection.counts().reportsNotSent, 0);
 }
 
-/// @brief A report for which the port has no space is dropped whole and counted; its sequence
-/// number is used by the next one.
+/// @brief A report for which the port has no space is dropped as a whole and counted. The next
+/// report uses its sequence number.
 /// @verifies FR-64
 /// @verifies FR-252
 TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
@@ -976,7 +976,7 @@ Bytes withThisBuild(Bytes body) {
 }
 
 /// @brief The connection accepts each example of the PC, in the order of the examples. Its Welcome
-/// equals that of the examples, except for the build id.
+/// equals the Welcome of the examples, except for the build id.
 /// @verifies FR-30
 /// @verifies FR-31
 /// @verifies FR-40

@@ -83,8 +83,8 @@ TEST_F(BufferReaderTest, FR50_BothSignalsMustBeNew) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief The velocity signal is the set-point of all wheels, the direction signal that of the
-/// steering. Such an order has the number 0 and no stop.
+/// @brief The velocity signal is the set-point of all wheels, the direction signal is the set-point
+/// of the steering. The order has the number 0 and no stop.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, FR51_OneVelocityForAllWheelsAndOneAngle) {
   velocitySignal(-1500);
@@ -124,7 +124,7 @@ TEST_F(BufferReaderTest, FR51_AnOrderHoldsOneValueOfEachSignal) {
   EXPECT_TRUE(reader.available());
 }
 
-/// @brief The first field of a read, whichever it is, determines the values of the order.
+/// @brief The first field of a read, which can be any field, determines the values of the order.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, FR51_TheFirstFieldTakesTheSignals) {
   const std::array<std::function<void()>, 4> reads{
@@ -144,7 +144,7 @@ TEST_F(BufferReaderTest, FR51_TheFirstFieldTakesTheSignals) {
   }
 }
 
-/// @brief A read that reads no field consumes the signals as well.
+/// @brief A read of no field also consumes the signals.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_AReadWithoutFieldsConsumes) {
   velocitySignal(1);
@@ -172,7 +172,8 @@ TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A field that such an order does not have is read as 0, and finish() reports it.
+/// @brief A field that an order of the remote control does not have is read as 0, and finish()
+/// reports it.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, UnknownFieldsFail) {
   velocitySignal(1);

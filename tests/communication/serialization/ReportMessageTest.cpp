@@ -203,8 +203,8 @@ TEST(ReportMessage, FR62_EachValueHasItsBitAndItsPlace) {
     EXPECT_EQ(u16(bytes, one.place), 0x1234U);
     EXPECT_EQ(u16(bytes, 62), one.measured);
     EXPECT_EQ(bytes[73], one.applied);
-    EXPECT_EQ(bytes[98], 0) << "a value is no overcurrent trip";
-    EXPECT_EQ(bytes[99], 0) << "and no missing motion feedback";
+    EXPECT_EQ(bytes[98], 0) << "a value does not show an overcurrent trip";
+    EXPECT_EQ(bytes[99], 0) << "a value does not show missing motion feedback";
   }
 }
 
@@ -247,8 +247,8 @@ TEST(ReportMessage, FR175_EachFlagHasItsBit) {
   EXPECT_EQ(written(armed)[11], 16);
 }
 
-/// @brief One byte each contains: the reason why the robot does not follow its set-points, the
-/// cause of a protective stop, the wheel of this cause, and the sources that order stop.
+/// @brief The reason why the robot does not follow its set-points, the cause of a protective stop,
+/// the wheel of this cause, and the sources that order stop have one byte each.
 /// @verifies FR-242
 TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   ReportData data;

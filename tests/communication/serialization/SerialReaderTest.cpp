@@ -113,8 +113,8 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeChangesNothing) {
   EXPECT_EQ(read().setPoints().orderId, 1);
 }
 
-/// @brief An order out of range does not make the previous order available again when that order
-/// was already read.
+/// @brief An order out of range does not make the previous order available again when the previous
+/// order was already read.
 /// @verifies FR-20
 /// @verifies FR-46
 TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {
@@ -203,7 +203,7 @@ TEST_F(SerialReaderTest, FR33_ADroppedOrderIsNotAvailable) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief Numbers are little-endian; signed ones are in two's complement.
+/// @brief Numbers are little-endian; signed numbers are in two's complement.
 /// @verifies FR-170
 TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
   ASSERT_TRUE(offer(orderBytes(0x8001, -2, 0, 0x0102, 0, 0xFFFE0000)));

@@ -8,7 +8,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// @brief Numbers are written little-endian, signed ones in two's complement.
+/// @brief Numbers are written little-endian, and signed numbers in two's complement.
 /// @verifies FR-170
 TEST(SerialWriter, FR170_NumbersAreLittleEndian) {
   SerialWriter writer;
@@ -22,7 +22,7 @@ TEST(SerialWriter, FR170_NumbersAreLittleEndian) {
                                           0xFD, 0xFF, 0xFF, 0xFF));
 }
 
-/// @brief A cleared writer starts from the beginning: the next field is the first one.
+/// @brief A cleared writer starts from the beginning: the next field is the first field.
 /// @verifies FR-170
 TEST(SerialWriter, BeginsAnew) {
   SerialWriter writer;

@@ -42,7 +42,8 @@ TEST(Arguments, FR120_TimeIsLimited) {
   EXPECT_EQ(valueOf(BaseArguments(0, Microseconds(-1)), ArgumentId::Elapsed), 0);
 }
 
-/// @brief Each decorator writes the values of its own names and those of the wrapped arguments, in any order of wrapping.
+/// @brief Each decorator writes the values of its names and the values of the wrapped arguments, in any order of
+/// wrapping.
 /// @verifies FR-120
 /// @verifies FR-124
 TEST(Arguments, FR120_DecoratorsAddUp) {
@@ -65,7 +66,7 @@ TEST(Arguments, FR120_DecoratorsAddUp) {
   EXPECT_FALSE(valueOf(range, ArgumentId::Scale));
 }
 
-/// @brief Of two scales the outermost one is used.
+/// @brief Of two scales the outermost scale is used.
 /// @verifies FR-120
 TEST(Arguments, FR120_OutermostCounts) {
   const BaseArguments base(1, Microseconds(2));

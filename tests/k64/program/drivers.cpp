@@ -92,7 +92,7 @@ struct Numbered {
 };
 
 // Passes numbers through a pipe, and checks the received numbers. Each side may interrupt the other
-// one.
+// side.
 class Handover {
  public:
   Handover() = default;
@@ -200,7 +200,7 @@ void takeSamples() {
     if (const auto value = analogInputs[input]->sample()) {
       samples[input] = {static_cast<std::uint16_t>(samples[input].count + 1), *value};
     }
-    // One is already requested: nothing happens.
+    // A sample is already requested, so this call has no effect.
     static_cast<void>(analogInputs[input]->sample());
   }
 }

@@ -41,7 +41,7 @@ class ModeTest : public ControllerFixture {
   BasicMode basicRc{rcReader};
 };
 
-/// @brief The basic mode has a message as long as its reader has one.
+/// @brief The basic mode has a message as long as its reader has an order.
 /// @verifies FR-20
 TEST_F(ModeTest, FR20_BasicModeAsksItsReader) {
   connect();
@@ -84,7 +84,7 @@ TEST_F(ModeTest, FR17_BasicModeChangesNothing) {
   EXPECT_EQ(basicRc.id(), ModeId::None);
 }
 
-/// @brief The mode RC marks the set-points as given by the remote control.
+/// @brief The mode RC records the remote control as the source of the set-points.
 /// @verifies FR-11
 /// @verifies FR-19
 TEST_F(ModeTest, FR19_RcMarksTheSource) {
@@ -98,7 +98,7 @@ TEST_F(ModeTest, FR19_RcMarksTheSource) {
   EXPECT_EQ(rc.id(), ModeId::RC);
 }
 
-/// @brief The mode PC marks the set-points as given by the PC.
+/// @brief The mode PC records the PC as the source of the set-points.
 /// @verifies FR-12
 /// @verifies FR-19
 TEST_F(ModeTest, FR19_PcMarksTheSource) {

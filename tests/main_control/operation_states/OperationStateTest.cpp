@@ -14,7 +14,7 @@ namespace {
 // Each state has fake successors, whose steps show whether they are current.
 class OperationStateTest : public ControllerFixture {
  protected:
-  // Makes a state current, and the given mode the one that is read.
+  // Makes a state current, and lets it read from the given mode.
   void enter(OperationState& entered) { controller.changeOpState(entered); }
 
   void read(bool message) {

@@ -87,7 +87,7 @@ TEST_F(BluetoothRobot, FR150_ModesFollowEachOtherWithoutOrders) {
   EXPECT_EQ(cycleWithPc().mode, kBluetooth);
 }
 
-/// @brief An order of the device reaches the set-points, and the report shows that it is of Bluetooth.
+/// @brief An order of the device reaches the set-points, and the report shows Bluetooth as its source.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
   waitForMode(kBluetooth);
@@ -105,8 +105,8 @@ TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief While the PC orders, the device does not command the robot; when the PC is silent the
-/// device does, and when the device is silent the PC does again.
+/// @brief While the PC orders, the device does not command the robot. When the PC is silent the
+/// device commands it, and when the device is silent the PC commands it again.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {
   for (std::uint16_t order = 1; order <= 3 * kWaitingCycles; ++order) {
@@ -152,7 +152,7 @@ TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInAnyMode) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A stop of the device acts in its own mode too.
+/// @brief A stop of the device also acts in the mode of the device.
 /// @verifies FR-151
 TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInItsMode) {
   waitForMode(kBluetooth);
@@ -206,8 +206,8 @@ TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
   EXPECT_FALSE(deviceStop.value);
 }
 
-/// @brief Noise has no effect, and neither have orders and stops without a correct tag; the PC
-/// continues to command.
+/// @brief Noise, and orders and stops without a correct tag, have no effect; the PC continues to
+/// command.
 /// @verifies FR-151
 /// @verifies FR-262
 TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {

@@ -72,7 +72,7 @@ TEST_F(BluetoothTest, FR150_HasAMessageWhileAnOrderIsFresh) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief The mode reads an order once, and marks its set-points as given by Bluetooth.
+/// @brief The mode reads an order once, and records Bluetooth as the source of its set-points.
 /// @verifies FR-150
 TEST_F(BluetoothTest, FR150_ReadsAnOrderOnceAndMarksTheSource) {
   connectDevice();
@@ -83,7 +83,7 @@ TEST_F(BluetoothTest, FR150_ReadsAnOrderOnceAndMarksTheSource) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief The mode changes to the mode that it was given.
+/// @brief The mode changes to its successor.
 /// @verifies FR-150
 TEST_F(BluetoothTest, FR150_ChangesToTheOtherMode) {
   mode.changeMode(controller);

@@ -59,7 +59,7 @@ TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
   EXPECT_EQ(given(), std::vector<scenario::Bytes>{order});
 }
 
-/// @brief Each single wrong bit of a frame, of its counter or of its tag causes it to be dropped.
+/// @brief A frame is dropped when a single bit of the frame, of its counter or of its tag is wrong.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
   const scenario::Bytes right = device.sign(frames.order({.id = 3}));
@@ -74,7 +74,7 @@ TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
   EXPECT_EQ(given().size(), 1U);
 }
 
-/// @brief A frame that is sent again is dropped, and so is one with an older counter.
+/// @brief A frame that is sent again is dropped, and so is a frame with an older counter.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_ReplayedFrameIsDropped) {
   const scenario::Bytes order = frames.order({.id = 3});
@@ -143,8 +143,9 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
   EXPECT_TRUE(device.verifies(1, line.takeSent()));
 }
 
-/// @brief The port returns the values of its line: the time of the frame, lost bytes, and room for a frame with its
-/// counter and tag. A frame for which the line has no space is not sent and uses no counter.
+/// @brief The port returns the values of its line: the time of the frame, lost bytes, and the space for a frame
+/// with its counter and tag. A frame for which the line has no space is not sent and uses no
+/// counter.
 /// @verifies FR-263
 /// @verifies FR-262
 /// @verifies FR-20
@@ -199,7 +200,8 @@ TEST_F(SignedPortTest, FR262_TheLongestFrameIsGiven) {
   EXPECT_TRUE(given().empty());
 }
 
-/// @brief A frame with the greatest length of the protocol is sent; a longer one and an empty one are not.
+/// @brief A frame with the greatest length of the protocol is sent; a longer frame and an empty frame are
+/// not sent.
 /// @verifies FR-263
 TEST_F(SignedPortTest, FR263_TheLongestFrameIsSent) {
   EXPECT_TRUE(signedPort.write(scenario::Bytes(FrameEncoder::kMaxBytes, 7)));
@@ -209,8 +211,8 @@ TEST_F(SignedPortTest, FR263_TheLongestFrameIsSent) {
   EXPECT_TRUE(line.takeSent().empty());
 }
 
-/// @brief Each dropped frame is answered with a challenge, whatever is wrong with it. A zero byte
-/// alone is no frame and gets no answer.
+/// @brief Each dropped frame is answered with a challenge, for any error. A zero byte alone is not
+/// a frame and gets no answer.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   line.arrive(device.signWith(9, frames.hello()));
@@ -227,7 +229,7 @@ TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   }
 }
 
-/// @brief A challenge leaves room for a frame: it is sent only when two frames have room.
+/// @brief A challenge leaves space for a frame: it is sent only when there is space for two frames.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
   FakeSerialPort port;

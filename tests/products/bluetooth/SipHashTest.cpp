@@ -27,7 +27,7 @@ struct Vector {
 // the tag in reverse.
 class SipHashVectors : public testing::TestWithParam<Vector> {};
 
-/// @brief The tags of known bytes are those of the reference implementation.
+/// @brief The tags of known bytes are equal to the tags of the reference implementation.
 /// @verifies FR-261
 TEST_P(SipHashVectors, FR261_TagsAreThoseOfTheReference) {
   SipHash hash(kKey);
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Vector{7, 0xab0200f58b01d137}, Vector{8, 0x93f5f5799a932462},
                     Vector{15, 0xa129ca6149be45e5}, Vector{63, 0x958a324ceb064572}));
 
-/// @brief Bytes that are added in parts give the tag of the whole.
+/// @brief Bytes that are added in parts give the tag of all bytes.
 /// @verifies FR-261
 TEST(SipHashOfParts, FR261_PartsGiveTheTagOfTheWhole) {
   const std::vector<std::uint8_t> bytes = bytesFromZero(15);

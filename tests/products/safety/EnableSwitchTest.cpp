@@ -21,7 +21,7 @@ class EnableSwitchTest : public ControllerFixture {
  protected:
   EnableSwitchTest() { time.advance(milliseconds(1000)); }
 
-  /// Signals of the remote control, 100 ms after the last ones.
+  /// Signals of the remote control, 100 ms after the previous signals.
   void signals(int width, int velocityNow = 0, int directionNow = 0) {
     time.advance(milliseconds(100));
     enable.write(Microseconds(width), time.now());
@@ -64,7 +64,7 @@ TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Pulses below 1250 us order a stop; those of the bands "PC" and "drive" do not.
+/// @brief Pulses below 1250 us order a stop; pulses of the bands "PC" and "drive" do not.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
   for (const int width : {1350, 1650, 1750, 2100}) {

@@ -23,8 +23,8 @@ class WatchedInterrupts : public testing::Test {
   InterruptWatch watch_;
 };
 
-/// @brief A tick 20 ms after the previous tick is in time; a later tick is not. Nothing precedes
-/// the first tick.
+/// @brief A tick 20 ms after the previous tick is in time; a later tick is not. The first tick is
+/// always in time.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {
   tick(milliseconds(500));

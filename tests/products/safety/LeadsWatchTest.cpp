@@ -14,7 +14,7 @@ struct Motor {
   double supply = 24;
   double resistance = 1.5;    // [ohm]
   double constant = 0.05236;  // [V per rpm]
-  double offset = 0;          // [A] of the current sensor
+  double offset = 0;          // [A] offset of the current sensor
   double position = 0.5;      // [edges]
   bool swapped = false;
 };
@@ -168,7 +168,7 @@ TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
 }
 
 /// @brief After a reset, the watch behaves as at the start: it detects swapped leads in the same
-/// cycle, for each velocity and load, whatever motor it learned before.
+/// cycle, for each velocity and load, and for any motor that it learned before.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {
   const auto detected = [this](double resistance, double rpm, double amperes) {
@@ -207,7 +207,7 @@ TEST_F(WatchedLeads, FR307_InDoubtNothingIsLearned) {
 }
 
 /// @brief At a low velocity with a great load, a cycle is weak evidence: more cycles are needed. A
-/// motor that was learned for 4 s gives more evidence than one that is unknown.
+/// motor that was learned for 4 s gives more evidence than an unknown motor.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_WeakEvidenceNeedsMoreCycles) {
   struct Case {

@@ -25,8 +25,8 @@ WheelFeedback measured(int rpm, int milliamperes) {
 }
 
 /// @brief Far from the limit, and for a wheel whose voltage is unknown, the demand is not changed.
-/// With 12 A the voltage does not rise; with 10 A it rises by 2 V, as the winding has more than 1
-/// ohm. The other direction has the same limits.
+/// With 12 A the voltage does not rise; with 10 A it rises by 2 V, because the winding has more
+/// than 1 ohm. The other direction has the same limits.
 /// @verifies FR-296
 TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   DirectAlgorithm direct;

@@ -147,7 +147,7 @@ TEST_F(PersistentStopTest, FR290_AStopOutlivesAReset) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief After power-on there is no stop, whatever the memory contains.
+/// @brief After power-on there is no stop, for any content of the memory.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_PowerOnBeginsWithoutAStop) {
   cells = {.value = 0x12345678, .check = 0x9ABCDEF0};

@@ -49,7 +49,7 @@ TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
 using CheckedProgramDeathTest = CheckedProgram;
 
 /// @brief Each changed bit of a program that fills the lower RAM ends the program within 300 ticks, which
-/// are 0.3 s, wherever the check is.
+/// are 0.3 s, at any position of the check.
 /// @verifies FR-309
 TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   ticks(200);
@@ -63,7 +63,8 @@ TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   }
 }
 
-/// @brief Between two ticks the program is not checked more than once, however often the processor wakes.
+/// @brief Between two ticks the program is checked at most once, even when the processor wakes more
+/// often.
 /// @verifies FR-309
 TEST_F(CheckedProgram, FR309_WithoutATickNothingIsChecked) {
   copy_.front().front() ^= 1U;

@@ -71,7 +71,7 @@ class RobotOfPool : public SafetyChain {
 };
 
 /// @brief The robot as one control system passes each order on to every control system, with the
-/// number of the cycle, and is complete when all control systems are.
+/// number of the cycle. It has completed a cycle when all control systems have completed the cycle.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   order(robot, alike(123));
@@ -121,7 +121,7 @@ class ProtectiveStopTest : public SafetyChain {
 
   ProtectiveStopTest() { contact.set(false); }
 
-  /// Checks that the robot is held in this cycle and in all that follow, with any order.
+  /// Checks that the robot is held in this cycle and in all following cycles, with any order.
   void expectLatched(StopCause cause, std::uint8_t wheel) {
     for (int cycles = 0; cycles < 20; ++cycles) {
       order(stop, alike(100));
@@ -217,8 +217,8 @@ TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   }
 }
 
-/// @brief The memory returns each cause with each wheel, or without a wheel. A number that is no
-/// wheel counts as a protective stop for a doubtful memory.
+/// @brief The memory returns each cause with each wheel, or without a wheel. A number that does not
+/// belong to a wheel counts as a protective stop for a doubtful memory.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   RetainedProtection::Cells cells{};
@@ -292,7 +292,7 @@ TEST(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   EXPECT_FALSE(watch.opened());
 }
 
-/// @brief An opening of the contact before an acknowledgement is cleared by it.
+/// @brief An acknowledgement clears an earlier opening of the contact.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnOpeningBeforeTheAcknowledgementEnds) {
   contact.set(true);
@@ -535,7 +535,7 @@ class SetPointRampTest : public SafetyChain {
 };
 
 /// @brief From 0 to 300 rpm, which are 0.85 m/s, the set-point takes at least 1.7 s, then it is the
-/// ordered one; the decrease takes as long.
+/// ordered set-point; the decrease takes the same time.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   constexpr double kMetresPerSecond = 0.85 / 3000;
@@ -665,8 +665,8 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
 }
 
 /// @brief While one wheel turns faster than 310.0 rpm, or will do so in two cycles, the set-points
-/// of all wheels fall by 6 % per cycle, to a tenth at least. Otherwise they rise by 1 % per cycle.
-/// In a curve of 5 degrees the limit is 270.0 rpm.
+/// of all wheels fall by 6 % per cycle, but not below a tenth. Otherwise they rise by 1 % per
+/// cycle. In a curve of 5 degrees the limit is 270.0 rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   const auto at = [&](int velocity) {
@@ -700,7 +700,7 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
 }
 
 /// @brief Any single wheel that is too fast lowers the set-points, also while it loses velocity. A
-/// wheel that will be at the limit in two cycles does not.
+/// wheel that will be at the limit in two cycles does not lower them.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

@@ -65,7 +65,7 @@ TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief A robot that only the PC commands welcomes it and reports; its mode is PC.
+/// @brief A robot that only the PC commands welcomes the PC and reports; its mode is PC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotForThePcReports) {
   begin(pcDirector);
@@ -98,7 +98,7 @@ TEST_F(SafetyBuilderDeathTest, FR78_UseBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(builder.tickCommand()), "assertion 1 failed");
 }
 
-/// @brief The robot as one control system contains eight control systems, and not nine.
+/// @brief The robot as one control system can contain eight control systems, but not nine.
 /// @verifies FR-78
 TEST_F(SafetyBuilderDeathTest, FR78_ControlSystemTooManyEndsTheProgram) {
   SpySystem spy;
@@ -109,7 +109,7 @@ TEST_F(SafetyBuilderDeathTest, FR78_ControlSystemTooManyEndsTheProgram) {
   EXPECT_DEATH(stage.add(spy), "assertion 2 failed");
 }
 
-/// @brief The control systems are built, started and ticked as one.
+/// @brief The control systems are built, started and ticked as a single control system.
 /// @verifies FR-293
 /// @verifies FR-78
 TEST_F(SafetyBuilderTest, FR293_ControlSystemsAreBuiltAsOne) {

@@ -38,8 +38,9 @@ class ComparedWheels : public testing::Test {
   WheelComparison comparison;
 };
 
-/// @brief A wheel that does not move is detected after two comparisons of 20 edges of the others.
-/// This is a distance of 0.114 m: a wheel with a radius of 0.272 m has 600 edges in a turn.
+/// @brief A wheel that does not move is detected after two comparisons, each over 20 edges of the
+/// other wheels. This is a distance of 0.114 m: a wheel with a radius of 0.272 m has 600 edges in a
+/// turn.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   for (const int direction : {1, -1}) {
@@ -66,7 +67,7 @@ TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   EXPECT_EQ(move({13, 26, 26, 26}), std::uint8_t{0});
 }
 
-/// @brief A wheel whose sensors count the wrong way, and one whose position is missing, are
+/// @brief A wheel whose sensors count the wrong way, and a wheel whose position is missing, are
 /// reported. The different velocities in the tightest curve are not reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
@@ -80,8 +81,8 @@ TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
   EXPECT_EQ(comparison.behind(measurements), std::nullopt);
 }
 
-/// @brief More than 11.0 A in ten cycles in a row are too much, in either direction; 11.0 A are
-/// not, and a cycle with less current restarts the count.
+/// @brief More than 11.0 A in ten cycles in a row are too much, in either direction. 11.0 A are
+/// permitted, and a cycle with less current restarts the count.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_AGreatCurrentMayNotLast) {
   for (const int sign : {1, -1}) {

@@ -228,8 +228,8 @@ TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
   }
 }
 
-/// @brief At 10 V and 2 A, 3 V lie across the winding. The difference may be 0.7 V, 20 % of 10 V, 25 % of 3 V and
-/// 10 % of the induced voltage; a greater one is a cause in the second cycle.
+/// @brief At 10 V and 2 A the winding has 3 V. The difference may be 0.7 V, 20 % of 10 V, 25 % of 3 V and 10 % of
+/// the induced voltage. A greater difference is a cause in the second cycle.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   // 10 V - 3 V - e = 3.45 V + e / 10 holds for e = 3.227 V.
@@ -274,9 +274,9 @@ TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
   EXPECT_GT(points, 1000);
 }
 
-/// @brief A deviation that is equal to the permitted one is no cause; one that is 1 mV greater is. At
-/// 60 rpm and 2 A, 3.740 V are permitted: 0.7 V, 20 % of the voltage, 25 % of 3 V and 10 % of 3.141
-/// V.
+/// @brief A deviation that is equal to the permitted deviation is no cause; a deviation that is 1 mV
+/// greater is a cause. At 60 rpm and 2 A, 3.740 V are permitted: 0.7 V, 20 % of the voltage, 25 %
+/// of 3 V and 10 % of 3.141 V.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
   const WheelSetPoint followed = velocity(60);
@@ -297,7 +297,8 @@ TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief A wheel that the others pull forwards against its swapped leads is a cause in the second cycle.
+/// @brief A wheel that the other wheels pull forwards against its swapped leads is a cause in the second
+/// cycle.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   for (const double rpm : {50, 80, 150, 300}) {
@@ -346,7 +347,8 @@ TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, -1.001)), StopCause::Tracking);
 }
 
-/// @brief A measurement that is missing in two cycles is permitted; the third one is a cause.
+/// @brief A measurement that is missing in two cycles is permitted; the third missing measurement
+/// is a cause.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   WheelMeasurements missing;
@@ -365,7 +367,7 @@ TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
 /// @brief Implausible Hall edges of a wheel, cycle after cycle.
 class RejectedEdges : public SupervisedWheel {
  protected:
-  // The last cause of some cycles with as many implausible edges each.
+  // Returns the last cause of some cycles, each with the same number of implausible edges.
   StopCause rejected(int cycles, std::uint16_t edges, double rpm = 150, double volts = 9.354) {
     StopCause found = StopCause::None;
     for (int number = 0; number < cycles; ++number) {
@@ -384,7 +386,7 @@ class RejectedEdges : public SupervisedWheel {
 };
 
 /// @brief Nine implausible edges while the wheel has voltage are a cause. One cycle counts at most
-/// five edges, and subtracts half an edge. Those before the first cycle do not count.
+/// five edges, and subtracts half an edge. Edges before the first cycle do not count.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 200), StopCause::None);
@@ -394,8 +396,8 @@ TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 5), StopCause::HallSignals);
 }
 
-/// @brief A lost edge gives two implausible ones. Ten lost edges in a second are a cause within 0.7 s; two are
-/// none.
+/// @brief A lost edge gives two implausible edges. Ten lost edges in a second are a cause within 0.7 s; two
+/// lost edges are no cause.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_SingleLostEdgesAddUp) {
   EXPECT_EQ(rejected(6, 2), StopCause::None);
@@ -487,7 +489,7 @@ class FaultyWheel : public SupervisedWheel {
   }
 };
 
-/// @brief After a reset, the supervision behaves as at the start: any faults before the reset, in any
+/// @brief After a reset, the supervision behaves as at the start. Faults before the reset, in any
 /// number of cycles, do not change the cycle in which a later fault is detected.
 /// @verifies FR-275
 /// @verifies FR-276

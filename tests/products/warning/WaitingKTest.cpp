@@ -15,7 +15,7 @@ class WaitingKTest : public ControllerFixture {
     controller.read();
   }
 
-  // Whether a fake state controls.
+  // Returns whether a fake state controls.
   bool isCurrent(FakeState& fake) {
     fake.steps.clear();
     controller.control();

@@ -72,7 +72,7 @@ TEST_F(WarningRobot, FR152_MessageEndsTheWarning) {
   }
 }
 
-/// @brief While a stop is in force the lamp stays dark, in all states up to the last one.
+/// @brief While a stop is in force the lamp stays off, in all states up to the last state.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
   port.arrive(pc.order({.id = 9, .stop = true}));

@@ -37,14 +37,14 @@ FAULTS = [
         "src/communication/pc_connection/PcConnection.cpp",
         "frame.payload.size() < *length",
         "frame.payload.size() + 1 < *length",
-        "the counts of dropped frames are those of the protocol",
+        "the counts of dropped frames agree with the protocol",
     ),
     Fault(
         "an unchecked length of the frame",
         "src/communication/framing/FrameDecoder.cpp",
         "if (count_ > bytes_.size()) {",
         "if (count_ > bytes_.size() + 1) {",
-        "the counts of dropped frames are those of the protocol",
+        "the counts of dropped frames agree with the protocol",
     ),
     Fault(
         "a stop that is lost while no PC is connected",

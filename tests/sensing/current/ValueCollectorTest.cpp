@@ -64,7 +64,7 @@ class CurrentTest : public testing::Test {
 };
 
 /// @brief Each tick of the second timer reads the sample that the previous tick requested, and
-/// requests the next one.
+/// requests the next sample.
 /// @verifies FR-100
 /// @verifies FR-125
 TEST_F(CurrentTest, FR100_EachBeatSamples) {
@@ -77,7 +77,7 @@ TEST_F(CurrentTest, FR100_EachBeatSamples) {
   EXPECT_EQ(collector.record().at, time.now());
 }
 
-/// @brief The record is published again with each eighth sample, with the time of that sample.
+/// @brief The record is written again with each eighth sample, with the time of that sample.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_RecordInGroupsOfEight) {
   ticks(64 + 7, 2049);
@@ -127,7 +127,8 @@ TEST_F(CurrentTest, FR125_BeatWithoutSample) {
   EXPECT_EQ(collector.record().number, 8U);
 }
 
-/// @brief The current of a cycle is the mean of its samples: 0.1 V is 1 A, and 3.3 V are 4096.
+/// @brief The current of a cycle is the mean of its samples: 0.1 V is 1 A, and 3.3 V are 4096
+/// steps.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_MeanOfTheCycle) {
   ticks(64, 2048);
@@ -164,7 +165,7 @@ TEST_F(CurrentTest, FR125_NoSampleIsLost) {
   ticks(100, 2048);
   EXPECT_EQ(measured()->value, Current(0));
   ticks(4, 2048 + 1000);
-  EXPECT_EQ(measured()->value, Current(4028)) << "4 samples of before, and 4 new ones";
+  EXPECT_EQ(measured()->value, Current(4028)) << "4 earlier samples, and 4 new samples";
 }
 
 /// @brief Without a sample since the previous measurement nothing is written: the value becomes
@@ -242,8 +243,8 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
 }
 
 /// @brief Five samples in a row beyond 15 A switch the driver off, forwards and backwards. The
-/// command is executed in the interrupt of the fifth sample and of each following one that is too
-/// high.
+/// command is executed in the interrupt of the fifth sample and of each following sample that is
+/// too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);
@@ -347,8 +348,8 @@ class FakeSwitch final : public DigitalOutput {
   bool on = false;
 };
 
-/// @brief From the tick of the timer to the driver: the fifth sample switches it off, before any
-/// control cycle.
+/// @brief The fifth sample switches the driver off, before any control cycle. The test includes the
+/// whole path from the tick of the timer to the driver.
 /// @verifies FR-128
 TEST(Overcurrent, FR128_SwitchesTheDriverOff) {
   FakeTimebase time;

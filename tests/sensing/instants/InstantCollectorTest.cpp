@@ -37,7 +37,7 @@ TEST(InstantCollector, FR120_BasicKnowsTheLastEdge) {
   EXPECT_EQ(known(basic).count, 0);
 }
 
-/// @brief A period lies between the two last rising edges.
+/// @brief A period is the time between the two last rising edges.
 /// @verifies FR-55
 TEST(InstantCollector, FR55_PeriodBetweenRisingEdges) {
   BasicCollector basic;
@@ -55,7 +55,7 @@ TEST(InstantCollector, FR55_PeriodBetweenRisingEdges) {
   EXPECT_EQ(known(period).last, Instant(61));
 }
 
-/// @brief A width is the time from a rising edge to the falling one that follows.
+/// @brief A width is the time from a rising edge to the next falling edge.
 /// @verifies FR-52
 TEST(InstantCollector, FR52_WidthOfTheLastPulse) {
   BasicCollector basic;
@@ -71,7 +71,7 @@ TEST(InstantCollector, FR52_WidthOfTheLastPulse) {
   EXPECT_EQ(known(width).last, Instant(102));
 }
 
-/// @brief A falling edge without a rising one before it ends no pulse.
+/// @brief A falling edge without a rising edge before it ends no pulse.
 /// @verifies FR-52
 TEST(InstantCollector, FR52_NoWidthWithoutWholePulse) {
   BasicCollector basic;
@@ -97,7 +97,7 @@ TEST(InstantCollector, FR121_CountIsTheSumOfDirections) {
   EXPECT_EQ(known(count).last, Instant(1));
 }
 
-/// @brief Decorators add up: each value is available in any order of wrapping.
+/// @brief Decorators can be combined: each value is available in any order of wrapping.
 /// @verifies FR-52
 /// @verifies FR-55
 /// @verifies FR-121

@@ -40,7 +40,8 @@ class DirSensorTest : public testing::Test {
   DirSensor sensor{input, function, time, pipe};
 };
 
-/// @brief Each tick reads the sample that the previous tick requested, and requests the next one.
+/// @brief Each tick reads the sample that the previous tick requested, and requests the next
+/// sample.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   ticks(3, 2048);
@@ -48,7 +49,7 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   EXPECT_FALSE(input.result);
 }
 
-/// @brief There is no angle before 8 samples have come; then there is a new one at each 8th tick,
+/// @brief There is no angle before 8 samples have come; then there is a new angle at each 8th tick,
 /// with its time, and the sensor reports it.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
@@ -89,7 +90,8 @@ TEST_F(DirSensorTest, FR129_ArgumentsOfTheFunction) {
   EXPECT_EQ(recorded.values[ArgumentId::Offset], 8 * 2048);
 }
 
-/// @brief The whole range is 80 degrees, its middle is straight on, and higher is to the left.
+/// @brief The whole range is 80 degrees, its middle is straight on, and a higher value is to the
+/// left.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_ScaleOfTheSensor) {
   for (const int sample : {82, 512, 1024, 2047, 2048, 2049, 3000, 3686, 4013}) {
@@ -143,8 +145,8 @@ TEST_F(DirSensorTest, FR129_NoiseIsSmoothed) {
   EXPECT_LT(std::sqrt(squares / kMeasurements), 2.1);
 }
 
-/// @brief A sample near an end of the range is rejected, and no angle is written until 8 good ones
-/// have followed. The measurement still ends at its 8th tick.
+/// @brief A sample near an end of the range is rejected, and no angle is written until 8 valid
+/// samples have followed. The measurement still ends at its 8th tick.
 /// @verifies FR-130
 TEST_F(DirSensorTest, FR130_RefusesTheEndsOfTheRange) {
   for (const int broken : {0, 81, 4014, 4095}) {
@@ -176,7 +178,7 @@ TEST_F(DirSensorTest, FR130_BrokenForLong) {
   EXPECT_FALSE(pipe.read());
 }
 
-/// @brief A measurement with a missing sample writes nothing; the next one does.
+/// @brief A measurement with a missing sample writes nothing; the next measurement writes an angle.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_TickWithoutSample) {
   ticks(8, 2148);
@@ -190,7 +192,7 @@ TEST_F(DirSensorTest, FR129_TickWithoutSample) {
   EXPECT_EQ(pipe.read()->at, time.now());
 }
 
-/// A function that gives no angle.
+/// A function that returns no angle.
 class NoFunction final : public Function {
  public:
   [[nodiscard]] std::optional<std::int32_t> calculate(

@@ -80,7 +80,7 @@ TEST(HallEdges, FR121_EdgeRisesWithItsLevel) {
   EXPECT_EQ(rises.rising, (std::vector{true, true, false, false, true, true, false, false}));
 }
 
-/// @brief The record has the time when the last edge came.
+/// @brief The record contains the time of the last edge.
 /// @verifies FR-120
 TEST_F(SensorCollectorTest, FR120_TellsTheLastEdge) {
   edge(0);
@@ -150,8 +150,8 @@ TEST_F(SensorCollectorTest, FR123_DisturbanceLeavesThePosition) {
   EXPECT_EQ(unclear(), 0U);
 }
 
-/// @brief Each edge of either sensor goes through its interrupt to the collector; both are
-/// acknowledged.
+/// @brief The interrupt of each edge of either sensor passes the edge to the collector. The edges
+/// of both sensors are acknowledged.
 /// @verifies FR-121
 /// @verifies FR-123
 TEST(HallInterrupt, FR121_EdgeOfEitherSensorIsCollected) {
@@ -178,7 +178,7 @@ TEST(HallInterrupt, FR123_InterruptOfAnotherPinIsNoEdge) {
   EXPECT_EQ(wheel.collector.record().unclear, 0U);
 }
 
-/// @brief Two edges before one interrupt are one, with a double change.
+/// @brief Two edges before one interrupt count as one edge at which both levels changed.
 /// @verifies FR-123
 TEST(HallInterrupt, FR123_TwoEdgesBeforeOneInterrupt) {
   TurningWheel wheel;

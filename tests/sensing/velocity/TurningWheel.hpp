@@ -23,7 +23,7 @@ struct TurningWheel {
 
   /// @brief Turns the wheel evenly.
   /// @param rpm velocity at the shaft, negative backwards
-  /// @param duration how long
+  /// @param duration duration of the turn
   void turn(double rpm, Microseconds duration) {
     const double speed = rpm / 1e6;  // edges in a microsecond
     const double end = moment + static_cast<double>(duration.count());
@@ -50,7 +50,7 @@ struct TurningWheel {
     show(phase());
   }
 
-  /// @brief Shows levels to the sensors and serves the interrupt.
+  /// @brief Sets the levels of the sensors and serves the interrupt.
   void show(unsigned levels) {
     a.set((levels & 1U) != 0);
     if (!deadB) {
@@ -86,7 +86,7 @@ struct TurningWheel {
   bool deadB = false;       // the second sensor keeps its level
   double misplacement = 0;  // displacement of every second edge, relative to the distance between
                             // two edges
-  long passed = 0;          // edges forwards less edges backwards
+  long passed = 0;          // edges forwards minus edges backwards
 
  private:
   [[nodiscard]] double place(long edge) const {

@@ -79,7 +79,8 @@ TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   EXPECT_NEAR(measured, 500, 1.5);
 }
 
-/// @brief One edge after a standstill counts as half: the wheel may have been at rest right before it.
+/// @brief One edge after a standstill counts as half: the wheel may have been at rest directly before
+/// it.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
   for (const int direction : {1, -1}) {
@@ -153,7 +154,7 @@ TEST_F(VelSensorTest, FR122_KeepsAVelocityThatNoEdgeDenies) {
   }
 }
 
-/// @brief A measurement right after the previous one does not change its velocity.
+/// @brief A measurement directly after the previous measurement does not change the velocity.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_MeasuresTwiceInARow) {
   cycles(300, 3);
@@ -178,8 +179,8 @@ TEST_F(VelSensorTest, FR122_StandsAfterHalfASecond) {
   EXPECT_EQ(wheel.measure(), 0);
 }
 
-/// @brief When a wheel changes its direction within a cycle, its velocity is that of the net
-/// movement.
+/// @brief When a wheel changes its direction within a cycle, its velocity is the velocity of the
+/// net movement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_TurnsBack) {
   cycles(100, 5);
@@ -190,7 +191,8 @@ TEST_F(VelSensorTest, FR120_TurnsBack) {
   EXPECT_NEAR(measured, -1000, 2.5);
 }
 
-/// @brief One lost edge removes two edges from one measurement; the next one is correct again.
+/// @brief One lost edge removes two edges from one measurement; the next measurement is correct
+/// again.
 /// @verifies FR-120
 /// @verifies FR-123
 TEST_F(VelSensorTest, FR123_OneLostEdge) {
@@ -207,8 +209,8 @@ TEST_F(VelSensorTest, FR123_OneLostEdge) {
   EXPECT_EQ(wheel.velocity.position() - before, HallCount(18));
 }
 
-/// @brief A wheel that turns with 599 rpm is measured; one with 601 rpm is not, and neither is one that
-/// an unloaded motor cannot reach.
+/// @brief A velocity of 599 rpm is measured. A velocity of more than 600 rpm, which an unloaded
+/// motor cannot reach, is rejected.
 /// @verifies FR-124
 TEST_F(VelSensorTest, FR124_RefusesMoreThan600Rpm) {
   for (const int direction : {1, -1}) {
@@ -223,8 +225,8 @@ TEST_F(VelSensorTest, FR124_RefusesMoreThan600Rpm) {
   }
 }
 
-/// @brief A sensor that is displaced by 30 electrical degrees, a third of the distance between two
-/// edges: the velocity is correct within 5 % from 70 rpm up to 450 rpm.
+/// @brief With a sensor that is displaced by 30 electrical degrees, a third of the distance between
+/// two edges, the velocity is correct within 5 % from 70 rpm up to 450 rpm.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   for (const int rpm : {70, 150, 300, 450, -70, -300}) {
@@ -241,8 +243,8 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   }
 }
 
-/// @brief One sensor stops sending edges while the wheel turns: from the second cycle on the last
-/// velocity is more than 150 ms old.
+/// @brief When one sensor stops sending edges while the wheel turns, the last velocity is more than
+/// 150 ms old from the second cycle on.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   for (const int rpm : {100, 150, 300, -300}) {
@@ -262,8 +264,8 @@ TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   }
 }
 
-/// @brief A short disturbance of one line gives two implausible edges; the velocity stays valid. Two in one
-/// cycle make it invalid for this cycle.
+/// @brief A short disturbance of one line gives two implausible edges; the velocity stays valid. Two
+/// disturbances in one cycle make the velocity invalid for this cycle.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   const auto disturb = [this](int times) {
@@ -286,8 +288,8 @@ TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   EXPECT_NEAR(measured, 1000, 20);
 }
 
-/// @brief From 30 rpm on, forwards and backwards, edges to and fro are implausible: two disturbances
-/// in a cycle make the velocity invalid.
+/// @brief At 30 rpm or more in either direction, edges that alternate in direction are implausible:
+/// two disturbances in a cycle make the velocity invalid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DisturbancesCountFrom30Rpm) {
   for (const int direction : {1, -1}) {
@@ -310,7 +312,8 @@ TEST_F(VelSensorTest, FR220_DisturbancesCountFrom30Rpm) {
   }
 }
 
-/// @brief A wheel at rest on an edge may give many edges to and fro: its velocity stays valid.
+/// @brief A wheel at rest on an edge may give many edges forwards and backwards: its velocity stays
+/// valid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_JitterAtRestIsNoDisturbance) {
   cycles(0, 3);
@@ -368,7 +371,7 @@ TEST_F(VelSensorTest, FR123_CountStops) {
 }
 
 /// @brief Position and velocity of a cycle belong to the same time: edges after the measurement
-/// wait for the next one.
+/// belong to the next measurement.
 /// @verifies FR-121
 TEST_F(VelSensorTest, FR121_PositionIsThatOfTheMeasurement) {
   cycles(100, 2);
@@ -408,14 +411,14 @@ TEST_F(VelSensorTest, FR120_ArgumentsOfTheFunction) {
   EXPECT_EQ(function.values[ArgumentId::Offset], 0);
 }
 
-/// @brief A value carries the time of its measurement.
+/// @brief A value has the time of its measurement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_TellsWhenItWasMeasured) {
   cycles(100, 3);
   EXPECT_EQ(wheel.pipe.read()->at, wheel.time.now());
 }
 
-/// @brief The position counts forwards up and backwards down, for any movement of the wheel.
+/// @brief The position increases forwards and decreases backwards, for any movement of the wheel.
 /// @verifies FR-121
 TEST_F(VelSensorTest, FR121_FollowsAnyMovement) {
   std::mt19937 random(seed());

@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 class OtherFormatTest : public testing::TestWithParam<const char*> {};
 
-/// @brief A file of another format is refused with the way to convert it.
+/// @brief A file of another format is rejected; the error names the command that converts it.
 TEST_P(OtherFormatTest, IsRefused) {
   const auto file = std::filesystem::temp_directory_path() / "other_format.bin";
   std::ofstream(file, std::ios::binary) << GetParam() << "more";

@@ -61,7 +61,7 @@ TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   EXPECT_EQ(pulses[0].share, 250'000U);
 }
 
-/// @brief Low-true pulses are low for that share.
+/// @brief Low-true pulses are low for the share of the channel.
 TEST(PulsesOfBoard, LowTruthTurnsTheShareRound) {
   VirtualBoard board(Guest("pulsesWithLowTruth").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -262,8 +262,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief The program reads a level from the time of the level on, in whatever order the test sets
-/// the levels.
+/// @brief The program reads a level from the time of the level on, for any order in which the test
+/// sets the levels.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -285,7 +285,7 @@ TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   EXPECT_NEAR(static_cast<double>((entered[1] - 3ms).count()), 12 * kBusClock, 100);
 }
 
-/// @brief Of two levels for the same time the one that was set last is valid; a level for a past
+/// @brief Of two levels for the same time the level that was set last is valid; a level for a past
 /// time is set now.
 TEST(WorldOfBoard, LevelsOfOneTimeComeInTheirOrder) {
   Guest guest("watchesEdges");

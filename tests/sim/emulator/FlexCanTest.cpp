@@ -9,8 +9,8 @@
 namespace wr::emulator {
 namespace {
 
-// The addresses and bits of this test are those of the memory map and the register descriptions of
-// the reference manual K64P144M120SF5RM, chapter CAN (FlexCAN).
+// The addresses and bits of this test come from the memory map and the register descriptions of the
+// reference manual K64P144M120SF5RM, chapter CAN (FlexCAN).
 constexpr std::uint32_t kMcr = 0x00;
 constexpr std::uint32_t kCtrl1 = 0x04;
 constexpr std::uint32_t kTimer = 0x08;
@@ -108,7 +108,8 @@ TEST_F(CanOfTheBoard, ReceivesTheFramesOfItsIdentifier) {
   EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0xA1B2C300U);
 }
 
-/// @brief A frame that comes before the previous one was read overwrites it, and the code of the buffer shows it.
+/// @brief A frame that comes before the previous frame was read overwrites it, and the code of the buffer shows
+/// it.
 TEST_F(CanOfTheBoard, ShowsALostFrame) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});
@@ -123,7 +124,7 @@ TEST_F(CanOfTheBoard, ShowsALostFrame) {
   EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0x03000000U);
 }
 
-/// @brief Of two frames that wait for the bus, the one with the smaller identifier is sent first.
+/// @brief Of two frames that wait for the bus, the frame with the smaller identifier is sent first.
 TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
   bringUp();
   can.arrive({.identifier = 0x7FF, .data = {}});
@@ -132,14 +133,15 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
   pass(std::chrono::microseconds(100));
   EXPECT_EQ(can.read(kIflag1, 4), 0U);
   pass(std::chrono::microseconds(110));
-  EXPECT_EQ(can.read(kIflag1, 4), 2U) << "the other node wins the bus behind its first frame";
+  EXPECT_EQ(can.read(kIflag1, 4), 2U)
+      << "after its first frame the other node sends its second frame";
   pass(std::chrono::milliseconds(1));
   EXPECT_EQ(can.read(kIflag1, 4), 6U);
 }
 
-/// @brief Each use that the manual forbids is a finding: to write the timing outside of the freeze
-/// mode, the clock source while the controller is enabled, or a buffer while it is disabled, and to
-/// send without pins.
+/// @brief Each use that the manual forbids is a finding: a write of the timing outside of the
+/// freeze mode, a write of the clock source while the controller is enabled, a write of a buffer
+/// while the controller is disabled, and a frame without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
   EXPECT_EQ(now.findings.size(), 1U) << "buffer while disabled";

@@ -19,7 +19,8 @@ using testing::ElementsAre;
 // The core clock after reset: 32768 Hz * 640.
 constexpr std::uint32_t kStartHz = 20'971'520;
 
-/// @brief An interrupt of higher priority runs inside the handler of a lower one.
+/// @brief An interrupt of higher priority runs inside the handler of an interrupt of lower
+/// priority.
 TEST(ProcessorOfBoard, HigherPriorityPreempts) {
   Guest guest("pendsHigherPriority");
   guest.handleLine(1, "pendsTwoInside").handleLine(2, "notesTwo");
@@ -45,7 +46,7 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
 }
 
 /// @brief Masked interrupts wait, and are entered in the order of their priorities and numbers; an
-/// interrupt behind PRIMASK ends the sleep and comes when the mask is removed.
+/// interrupt that PRIMASK masks ends the sleep, and is entered when the mask is removed.
 TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
   Guest guest("pendsTwoBehindMask");
   guest.handleLine(1, "notesOne").handleLine(2, "notesTwo").handleLine(3, "notesThree");

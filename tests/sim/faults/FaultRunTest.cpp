@@ -77,8 +77,8 @@ TEST_F(FaultRunTest, AJumpToNowhereIsDetectedByAReset) {
   EXPECT_LE(result.verdict.safeAfter, 10);
 }
 
-// The firmware reports it when the angle is wrong by 3 degrees, and the outputs are wrong from 1
-// degree on.
+// The firmware reports the drift when the angle is wrong by 3 degrees, and the outputs are wrong
+// from 1 degree on.
 TEST_F(FaultRunTest, ADriftOfTheAngleIsReportedLate) {
   const auto result = drive().injectOne({Kind::Sensor, kAngleDrift, 0, 130}, kAt);
   EXPECT_EQ(result.verdict.outcome, Outcome::Late);

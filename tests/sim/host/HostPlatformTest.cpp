@@ -162,7 +162,7 @@ TEST(HostSerialPortTest, ReadEndsWithAZeroByte) {
   EXPECT_EQ(port.read(read), 0U);
 }
 
-/// @brief A write is taken whole or not at all.
+/// @brief A write is accepted as a whole or not at all.
 TEST(HostSerialPortTest, WritesAllOrNothing) {
   host::HostSerialPort port;
   EXPECT_TRUE(port.write(counting(host::HostSerialPort::kSent - 2)));

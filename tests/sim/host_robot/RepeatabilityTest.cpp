@@ -13,7 +13,7 @@
 namespace wr::test {
 namespace {
 
-// All but the longest example, which the virtual board repeats: ScenariosOnBoard.
+// All examples except the longest example, which ScenariosOnBoard repeats on the virtual board.
 std::vector<std::string> examples() {
   std::vector<std::string> names;
   const auto folder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples";

@@ -438,8 +438,8 @@ TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
   EXPECT_GT(highest, 28.5);
 }
 
-/// @brief Both front wheels turn about the same centre of the curve: at 32 degrees the inner wheel
-/// is turned by 38.2 degrees, the outer wheel by 27.4 degrees (cot outer - cot inner = track /
+/// @brief Both front wheels turn about the same centre of the curve. At 32 degrees the inner wheel
+/// is turned by 38.2 degrees, and the outer wheel by 27.4 degrees (cot outer - cot inner = track /
 /// wheelbase).
 TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   plant::SteeringLinkage linkage;
@@ -487,7 +487,8 @@ class CurveTest : public RobotTest {
 };
 
 // Distance of each wheel relative to the middle of the rear axle at 32 degrees: its distance from
-// the middle of the curve over that of the rear axle, 1.582 m / tan 32 degrees = 2.532 m.
+// the middle of the curve divided by the distance of the rear axle, 1.582 m / tan 32 degrees =
+// 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
 /// @brief With set-points that match the geometry, the robot drives the curve of the geometry, and

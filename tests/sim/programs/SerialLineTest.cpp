@@ -20,7 +20,7 @@
 namespace wr::test {
 namespace {
 
-// Reads until so many bytes have come; gives up after a second.
+// Reads until the given number of bytes has come, or until a second has passed.
 Bytes readAll(programs::SerialLine& line, std::size_t count) {
   Bytes all;
   Bytes read(4096);
@@ -66,7 +66,7 @@ TEST(PseudoTerminalTest, PassesEveryByteValue) {
   EXPECT_EQ(client.receive(300), counting(256));
 }
 
-/// @brief A client may leave and another may come.
+/// @brief A client can disconnect, and another client can connect.
 TEST(PseudoTerminalTest, SurvivesAClientThatLeaves) {
   programs::PseudoTerminal port;
   Bytes read(8);

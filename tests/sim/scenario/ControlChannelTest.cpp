@@ -59,7 +59,7 @@ class ControlChannelTest : public testing::Test {
   ControlChannelTest() { robot.start(); }
   ~ControlChannelTest() override { std::filesystem::remove_all(folder); }
 
-  /// Lets 2 s pass for the robot alone.
+  /// Lets 2 s pass for the robot.
   void rest() {
     for (int step = 0; step <= 2000; ++step) {
       (void)robot.robot().step();
@@ -114,7 +114,7 @@ TEST_F(ControlChannelTest, WordsThatAreNoActionAreRefused) {
 TEST_F(ControlChannelTest, ActionsOfThePcAreRefused) {
   scenario::ControlChannel channel("", robot);
   for (const char* words : {"connect", "hello", "order velocity 5", "bytes 00", "mark", "arm"}) {
-    EXPECT_THAT(channel.perform(words), HasSubstr("in a scenario only")) << words;
+    EXPECT_THAT(channel.perform(words), HasSubstr("only possible in a scenario")) << words;
   }
   EXPECT_EQ(robot.takeSent().size(), 0U);
 }

@@ -21,8 +21,8 @@ namespace wr::test {
 
 namespace {
 
-constexpr int kCyclesToMode = 12;  // until the mode PC reads
-constexpr int kCycles = 30;        // of a drive
+constexpr int kCyclesToMode = 12;  // cycles until the mode PC reads
+constexpr int kCycles = 30;        // cycles of a drive
 constexpr int kTicks = 100;        // in a cycle
 constexpr std::uint32_t kLongestCycle =
     100'100'000;  // ns; an interrupt that runs delays the next pulse

@@ -24,7 +24,8 @@ struct DeadbandTurnTest : testing::Test {
   SteeringAlgorithm& algorithm = rule;
 };
 
-/// @brief A steering at rest stays at rest up to 0.20 degrees from the target, and turns beyond.
+/// @brief A steering at rest stays at rest up to 0.20 degrees from the target, and turns at a
+/// greater distance.
 /// @verifies FR-102
 TEST_F(DeadbandTurnTest, FR102_AtRestItTurnsBeyondTheDeadBand) {
   EXPECT_EQ(turn(0, kRest), kRest);

@@ -50,7 +50,7 @@ TEST_F(SteeringPowerTest, FR107_AMotorThatIsOnStaysReady) {
 }
 
 /// @brief A motor that is switched off has no current and no rate at once; its last pulse ends with
-/// the next tick, and no other follows.
+/// the next tick, and no other pulse follows.
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR113_AMotorThatIsSwitchedOffStopsAtOnce) {
   motor.settle();

@@ -78,7 +78,7 @@ TEST_F(ControlCycleOfRobotOnHost, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOver
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
-/// @brief A clock pulse that comes while the cycle controls marks this very cycle as an overrun.
+/// @brief A clock pulse that comes while the cycle controls marks this cycle as an overrun.
 /// @verifies FR-4
 TEST_F(ControlCycleOfRobotOnHost, FR4_PulseDuringTheCycleMarksTheCycle) {
   robot.connect();

@@ -38,7 +38,7 @@ TEST_F(OrdersOfRobotOnHost, FR11_ModeRcReadsNoOrderOfThePc) {
   EXPECT_EQ(robot.report().state, kWaiting);
 }
 
-/// @brief One signal of the remote control alone is no order; the second one completes it.
+/// @brief One signal of the remote control alone is not an order; the second signal completes it.
 /// @verifies FR-50
 TEST_F(OrdersOfRobotOnHost, FR50_OrderOfTheRemoteControlNeedsBothSignals) {
   robot.connect();
@@ -70,7 +70,8 @@ TEST_F(OrdersOfRobotOnHost, FR12_ModePcReadsNoOrderOfTheRemoteControl) {
   EXPECT_EQ(robot.report().state, kWaiting);
 }
 
-/// @brief The source of the set-points stays that of the last order, also while the mode alternates.
+/// @brief The source of the set-points stays the source of the last order, also while the mode
+/// alternates.
 /// @verifies FR-19
 TEST_F(OrdersOfRobotOnHost, FR19_SourceIsThatOfTheSetPointsInForce) {
   commandByRc();

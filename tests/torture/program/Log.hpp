@@ -11,11 +11,12 @@ namespace wr::torture {
 /// @brief The records of the program, which are passed to the machine that runs it.
 class Log {
  public:
-  /// @brief Adds a record. Callable from each exception, since exceptions only come when the
+  /// @brief Adds a record. Each exception can call it, because exceptions only come when the
   /// program triggers them.
   void add(const Record& record);
 
-  /// @brief Passes the records to the machine when many have been collected. For thread mode.
+  /// @brief Passes the records to the machine when many have been collected. Only thread mode calls
+  /// it.
   void hand();
 
   /// @brief Passes the last records to the machine and ends the run.

@@ -33,7 +33,7 @@ void probeStore(Probe& probe);
 void probeSupervisor(Probe& probe);
 /// @brief Executes an undefined instruction.
 void probeUndefined(Probe& probe);
-/// @brief Reads from the address in R0, where no memory is, to R2.
+/// @brief Reads from the address in R0, which has no memory, to R2.
 void probeBusError(Probe& probe);
 /// @brief Stores R1 at R0 and copies R3 to R2, in an IT block.
 void probeItBlock(Probe& probe);

@@ -1,4 +1,4 @@
-// Fills all registers, does one thing that may cause exceptions, and takes the registers again.
+// Fills all registers, executes one action that may cause exceptions, and stores all registers.
   .syntax unified
   .thumb
   .fpu fpv4-sp-d16
@@ -8,7 +8,7 @@
   .equ flags, 52
   .equ pad, 56          // 0 or 4: bytes by which the stack pointer is off a multiple of 8
   .equ usesFp, 60
-  .equ stack, 64        // stack pointer to come back to
+  .equ stack, 64        // stack pointer that is restored
   .equ coreAfter, 68    // R0 to R12
   .equ flagsAfter, 120
   .equ stackBefore, 124

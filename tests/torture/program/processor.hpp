@@ -58,7 +58,7 @@ inline void setBasePriority(std::uint32_t value) {
   asm volatile("msr basepri, %0\n\tisb" ::"r"(value) : "memory");
 }
 
-/// @brief Changes the base priority to a more urgent one only.
+/// @brief Changes the base priority, but only to a more urgent priority.
 inline void raiseBasePriority(std::uint32_t value) {
   asm volatile("msr basepri_max, %0\n\tisb" ::"r"(value) : "memory");
 }

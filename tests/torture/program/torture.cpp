@@ -40,7 +40,7 @@ constexpr std::uint32_t bit(std::uint32_t number) {
   return std::uint32_t{1} << number;
 }
 
-/// @brief One to three lines, often including the running one.
+/// @brief One to three lines, often including the running line.
 std::uint32_t randomLines() {
   std::uint32_t lines = bit(random(32));
   if (random(3) == 0) {
@@ -209,7 +209,8 @@ void maskInterrupts(std::uint32_t inner) {
   setInterruptMask(before);
 }
 
-/// @brief Sometimes an exception leaves the mask set: its return clears it.
+/// @brief Sometimes an exception leaves the mask set, and the return of the exception clears the
+/// mask.
 void maskFaults(std::uint32_t inner) {
   if (unmaskable > 0) {
     return;

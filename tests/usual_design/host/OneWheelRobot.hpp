@@ -29,11 +29,10 @@ struct DesignName {
   }
 };
 
-/// The number of the first successive failed read that changes the mode; each later one also
-/// changes it. The
-/// baseline design changes it when its counter reaches N, as Figure 7 of the paper does. In the
-/// state machine the N-th failed read leads to the last waiting state, the next one to
-/// Reconnecting, and the one after it changes the mode.
+/// The number of the first successive failed read that changes the mode; each later failed read
+/// also changes it. The baseline design changes it when its counter reaches N, as Figure 7 of the
+/// paper does. In the state machine the N-th failed read leads to the last waiting state, the next
+/// failed read leads to Reconnecting, and the failed read after it changes the mode.
 template <class Design>
 inline constexpr int kFirstAlternation = kN + 2;
 template <>
@@ -60,14 +59,14 @@ class OneWheelRobot : public SteppedRobot {
     }
   }
 
-  /// Sends orders until the robot reads one: it may be reading another source.
+  /// Sends orders until the robot reads an order, because the robot may first read another source.
   void commandByPcAgain(const scenario::PcOrder& same) {
     for (int i = 0; i < 4 && !report().orderRead(); ++i) {
       orderedCycles(same, 1);
     }
   }
 
-  /// Runs such cycles, and returns the mean of the velocities in their reports.
+  /// Runs cycles with the same order, and returns the mean of the velocities in their reports.
   double meanVelocity(const scenario::PcOrder& same, int count) {
     double sum = 0;
     for (int i = 0; i < count; ++i) {

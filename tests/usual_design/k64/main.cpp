@@ -1,5 +1,5 @@
-// The composition of Main Control and one wheel for the K64. The design is that of the folder whose
-// Design.hpp the build finds.
+// The composition of Main Control and one wheel for the K64. The build selects the design by the
+// folder in which it finds Design.hpp.
 
 #include "Design.hpp"
 #include "k64/core.hpp"

@@ -13,7 +13,7 @@
 
 namespace wr {
 
-/// Main Control and one wheel of the modules of the robot: a composition, as that of each product.
+/// Main Control and one wheel, composed of the modules of the robot like each product.
 class PatternDesign {
  public:
   explicit PatternDesign(const Devices& devices);

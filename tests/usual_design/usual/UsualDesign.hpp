@@ -20,7 +20,8 @@
 namespace wr {
 
 /// Main Control and one wheel in the baseline design: one class, variables for the state, and
-/// conditions on them. Interrupts collect; the main loop runs a control cycle at each clock pulse.
+/// conditions on them. Interrupts collect values; the main loop runs a control cycle at each clock
+/// pulse.
 class UsualDesign {
  public:
   explicit UsualDesign(const Devices& devices);
@@ -178,7 +179,7 @@ class UsualDesign {
   CurrentRecord current_;
   Pipe<CurrentRecord> currentRecord_;
 
-  // Measured velocity and current, and when.
+  // Measured velocity and current, with their times.
   bool standing_ = true;
   Instant measuredAt_{};
   std::optional<Instant> seenEdge_;

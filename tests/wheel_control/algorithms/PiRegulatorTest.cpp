@@ -73,7 +73,7 @@ TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
   EXPECT_EQ(regulator.regulate(-100), Tension(-300));
 }
 
-/// @brief A missing voltage explains also the least error.
+/// @brief A missing voltage also explains the least error.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_LeastErrorIsExplained) {
   for (const int sign : {1, -1}) {

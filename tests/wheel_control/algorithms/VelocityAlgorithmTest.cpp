@@ -71,8 +71,8 @@ TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   EXPECT_GT(calculate(3000, 400, 9600), explained);
 }
 
-/// @brief A wheel at 100 rpm with 7 V and 1.1 A: a measured velocity of 10 rpm is impossible. For 5
-/// cycles the voltage does not change; then the measured velocity is used.
+/// @brief For a wheel at 100 rpm with 7 V and 1.1 A, a measured velocity of 10 rpm is impossible.
+/// For 5 cycles the voltage does not change; then the measured velocity is used.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
   Tension steady;

@@ -82,7 +82,8 @@ TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
 }
 
 /// @brief The orientation of a wheel that turns in the direction of the demand changes after two
-/// such cycles, at any speed; the orientation of a wheel that turns against it does not.
+/// such cycles, at any speed. The orientation of a wheel that turns against the demand does not
+/// change.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(-5000, -2000), Tension(0));
@@ -131,8 +132,8 @@ TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
   EXPECT_EQ(apply(-5000, 0), Tension(-5000));
 }
 
-/// @brief After a change of orientation the next one needs two slow cycles again, also when a trip
-/// has removed the voltage at once.
+/// @brief After a change of orientation the next change needs two slow cycles again, also when a
+/// trip has removed the voltage at once.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_NextTurnCountsFromZero) {
   apply(-5000, 0);

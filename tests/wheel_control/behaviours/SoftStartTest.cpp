@@ -16,7 +16,7 @@ class SoftStartTest : public testing::Test, protected SpiedCommands {
   SoftStart softStart{advance};
 };
 
-/// @brief The voltage rises by 12 V a cycle at most, and reaches the demand.
+/// @brief The voltage rises by at most 12 V per cycle, and reaches the demand.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_RisesStepByStep) {
   EXPECT_EQ(apply(24000), Tension(12000));
@@ -25,7 +25,7 @@ TEST_F(SoftStartTest, FR81_RisesStepByStep) {
   EXPECT_EQ(log, (CommandLog{{"tension", 12000}, {"tension", 24000}, {"tension", 24000}}));
 }
 
-/// @brief Backwards the magnitude rises by 12 V a cycle at most.
+/// @brief Backwards the magnitude rises by at most 12 V per cycle.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_MagnitudeRisesStepByStep) {
   EXPECT_EQ(apply(-20000), Tension(-12000));

@@ -71,7 +71,7 @@ TEST_F(WheelOrderTest, FR80_FR94_AppliesAndTells) {
   EXPECT_FALSE(work.measured.blind);
 }
 
-/// @brief Without a position the wheel counts as one that does not turn.
+/// @brief Without a position the wheel counts as a wheel that does not turn.
 /// @verifies FR-91
 /// @verifies FR-94
 TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
@@ -199,7 +199,8 @@ TEST_F(WheelOrderTest, FR89_AcknowledgementNeedsASlowWheel) {
   EXPECT_FALSE(work.measured.cutOff);
 }
 
-/// @brief No motion and a late reversal stay through a halt, and end with the order to release.
+/// @brief The faults of missing motion and of a late reversal last during a halt, and end with the
+/// order to release.
 /// @verifies FR-91
 /// @verifies FR-222
 TEST_F(WheelOrderTest, FR91_FR222_OnlyAnAcknowledgementReleasesTheFaults) {

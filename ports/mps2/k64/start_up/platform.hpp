@@ -12,9 +12,9 @@
 #include "services/StartRecord.hpp"
 #include "units/SetPoints.hpp"
 
-// Replaces the file with this name in src: the composition of the robot includes it. The names come
-// from the K64, and the devices belong to the board MPS2. K64Thread uses the interrupt controller
-// of the core alone.
+// This file replaces the file of the same name in src, so that the composition of the robot
+// includes it. The names come from the K64, and the devices belong to the board MPS2. K64Thread
+// uses only the interrupt controller of the core.
 
 namespace wr::platform {
 
@@ -53,7 +53,7 @@ struct RcEdges {
   bool direction;
 };
 
-/// @brief Returns that no signal has an edge: the board has no remote control.
+/// @brief Returns no edges: the board has no remote control.
 /// @isr{yes}
 inline RcEdges enterRcInterrupt() {
   return {.velocity = false, .direction = false};

@@ -20,7 +20,7 @@
 namespace wr::emulator::reference {
 namespace {
 
-constexpr int kTimes = 1000;  // for each encoding
+constexpr int kTimes = 1000;  // instructions for each encoding
 constexpr std::uint32_t kMiddle = kRam + kRamSize / 2;
 constexpr std::array<unsigned, 5> kPointers{0, 1, 2, 3, 13};
 constexpr std::array<unsigned, 4> kIndices{4, 5, 6, 7};

@@ -131,9 +131,8 @@ TEST_F(FaultTest, FirstUseOfTheFloatingPointUnitTakesItsDefaults) {
   EXPECT_EQ(core_.registers.control, Registers::kFpActive);
 }
 
-/// @brief A conversion from a fixed-point number rounds to the nearest one, independent of FPSCR:
-/// A7.7.230.
-/// Unicorn rounds it by FPSCR.
+/// @brief A conversion from a fixed-point number rounds to the nearest number, independent of
+/// FPSCR: A7.7.230. Unicorn rounds it by FPSCR.
 TEST_F(FaultTest, ConversionFromFixedPointRoundsToNearest) {
   constexpr std::uint32_t kUp = 1U << 22;
   core_.registers.fpscr = kUp;

@@ -35,9 +35,9 @@ class UnicornCore {
   UnicornCore& operator=(const UnicornCore&) = delete;
 
   /// @brief Executes the given code, from its start to its end.
-  /// @param code one instruction, or IT and one
-  /// @param state before, and after
-  /// @return false when it is undefined or faults
+  /// @param code one instruction, or IT and one instruction
+  /// @param state state before the instruction; receives the state after it
+  /// @return false when the instruction is undefined or causes a fault
   bool execute(std::span<const std::uint8_t> code, State& state);
 
   /// @brief The memory that instructions read and write.

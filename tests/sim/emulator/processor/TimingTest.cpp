@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Rows, TimingTest, testing::ValuesIn(rows()),
 
 constexpr std::uint16_t kNop = 0xBF00;
 
-/// @brief To enter a phrase of 8 bytes of code costs 5 cycles; the next instructions in the phrase
+/// @brief Entering a phrase of 8 bytes of code costs 5 cycles; the next instructions in the phrase
 /// cost nothing more.
 TEST(SlowFlashTest, EachPhraseCostsOnce) {
   Program program(Timing::SlowFlash, 0x100, std::vector<std::uint16_t>(8, kNop));
@@ -181,7 +181,7 @@ TEST(SlowFlashTest, DataOfFlashCostsEachTime) {
   EXPECT_EQ(program.cyclesOf(1), 2U);
 }
 
-/// @brief Several words cost as many reads, and an unaligned word costs two.
+/// @brief Each of several words costs a read, and an unaligned word costs two reads.
 TEST(SlowFlashTest, EachWordOfDataCosts) {
   Program program(Timing::SlowFlash, 0x100, {0xC93C, 0xF8D1, 0x0002, kNop});  // LDM of 4, LDR
   program.core().registers.r[1] = 0x200;

@@ -1,5 +1,5 @@
-// A third reading mode: a Bluetooth device sends orders over a second serial port, in frames like
-// those of the PC, without a handshake. The modes follow each other as RC, PC, Bluetooth.
+// A third reading mode: a Bluetooth device sends orders over a second serial port, in the frames of
+// the PC protocol, without a handshake. The modes follow each other as RC, PC, Bluetooth.
 
 #include "sim/host/HostSerialPort.hpp"
 #include "usual_design/host/OneWheelRobot.hpp"
@@ -39,7 +39,7 @@ TYPED_TEST(BluetoothMode, FollowsPcAndIsFollowedByRc) {
   }
 }
 
-/// @brief In its mode the orders of the device are read, and the mode does not change.
+/// @brief In the mode of the device its orders are read, and the mode does not change.
 TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
   this->robot.commandByPc();
   this->waitForMode(kBluetooth);

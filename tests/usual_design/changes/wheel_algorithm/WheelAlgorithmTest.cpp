@@ -10,12 +10,13 @@ template <class Design>
 class RampedVelocity : public OfBothDesigns<Design> {};
 TYPED_TEST_SUITE(RampedVelocity, Designs, DesignName);
 
-// Tension that turns an unloaded motor at a velocity: 5236 mV at 100 rpm.
+// Voltage that turns an unloaded motor at a velocity: 5236 mV at 100 rpm.
 constexpr int unloaded(int tenthRpm) {
   return 5236 * tenthRpm / 1000;
 }
 
-/// @brief The first cycles after a step apply the voltage of a set-point that rises by 20 rpm in each.
+/// @brief The first cycles after a step apply the voltage of a set-point that rises by 20 rpm per
+/// cycle.
 TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   const scenario::PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);  // so that the error stays small
