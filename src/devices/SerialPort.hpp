@@ -16,8 +16,8 @@ class SerialPort {
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /// @brief Reads received bytes, oldest first, at most up to and including the first zero byte that
-  /// follows another byte. Never waits.
+  /// @brief Reads received bytes, oldest first, at most up to and including the first zero byte. Never
+  /// waits. A port may drop a zero byte that follows another zero byte: it ends no frame.
   /// @param bytes receives the bytes
   /// @return number of stored bytes; 0 only when no byte was received, or when the buffer of the
   /// caller is empty
@@ -25,8 +25,7 @@ class SerialPort {
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
 
   /// @brief Returns the time at which the zero byte that ended the last read was received.
-  /// @return time of its stop bit. A zero byte directly after another zero byte may have the time
-  /// of that byte.
+  /// @return time of its stop bit
   /// @pre The last read ended with a zero byte.
   /// @isr{no}
   /// @satisfies FR-20

@@ -103,7 +103,10 @@ bool K64Uart::store(std::uint8_t byte) {
   if (received_.free() == 0) {
     return false;
   }
-  if (byte == 0 && lastStored_ != 0) {
+  if (byte == 0) {
+    if (lastStored_ == 0) {
+      return true;  // it ends no frame
+    }
     endings_.put(clock_.now());
   }
   received_.put(byte);
@@ -134,19 +137,14 @@ std::size_t K64Uart::read(std::span<std::uint8_t> bytes) {
   const std::size_t most = std::min(bytes.size(), received_.count());
   const std::size_t from = received_.next();
   std::size_t count = 0;
-  std::uint8_t last = lastRead_;
   bool ended = false;
   while (count != most && !ended) {
     const std::uint8_t byte = received_.at(from + count);
     bytes[count] = byte;
     ++count;
-    if (byte == 0) [[unlikely]] {
-      ended = last != 0;
-    }
-    last = byte;
+    ended = byte == 0;
   }
   received_.drop(count);
-  lastRead_ = last;
   if (ended) {
     receivedAt_ = endings_.take();
   }

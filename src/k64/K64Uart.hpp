@@ -119,13 +119,11 @@ class K64Uart final : public SerialPort {
   const Timebase& clock_;
   // 115200 baud transfer 1152 bytes in one cycle.
   Ring<std::uint8_t, 2048> received_;
-  // Times of the zero bytes that follow another byte; at most every second byte is such a zero
-  // byte.
+  // Times of the zero bytes; at most every second stored byte is zero.
   Ring<Instant, 1024> endings_;
   Ring<std::uint8_t, 512> toSend_;
   std::atomic<std::uint32_t> lost_{0};
   std::uint8_t lastStored_ = 0;
-  std::uint8_t lastRead_ = 0;
   Instant receivedAt_;
 };
 

@@ -37,9 +37,12 @@ class DriverBoard {
   /// Sends an order, and reads the numbers of the answer.
   std::vector<std::uint16_t> ask(char order, std::uint8_t first = 0, std::int16_t second = 0) {
     const auto number = static_cast<std::uint16_t>(second);
-    board.receive(std::array{static_cast<std::uint8_t>(order), first,
-                             static_cast<std::uint8_t>(number & 0xFFU),
-                             static_cast<std::uint8_t>(number >> 8U)});
+    std::vector<std::uint8_t> line{static_cast<std::uint8_t>(order)};
+    for (const unsigned byte : {unsigned{first}, number & 0xFFU, unsigned{number} >> 8U}) {
+      line.push_back(static_cast<std::uint8_t>('A' + (byte >> 4U)));
+      line.push_back(static_cast<std::uint8_t>('A' + (byte & 0xFU)));
+    }
+    board.receive(line);
     run(milliseconds(6));
     const std::vector<std::uint8_t> bytes = board.takeSent();
     std::vector<std::uint16_t> numbers;

@@ -176,6 +176,29 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   EXPECT_EQ(robot.report().overruns, 1);
 }
 
+/// @brief A zero byte after another zero byte takes no storage: a busy robot stores the frame that
+/// follows more of them than its storage has places.
+/// @verifies FR-171
+TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
+  constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each
+  BoardRobot robot(
+      withHandler(emulator::readImage(imageFile()), kUnusedException, stubs::takeTime(kRounds)));
+  robot.startUp();
+  robot.connect();
+  robot.run(std::chrono::microseconds(300));  // between two ticks no other handler runs
+  robot.board.raise(kUnusedException);
+  robot.run(milliseconds(1));
+  robot.arrive(scenario::Bytes(2048 + 100, 0));
+  robot.arrive(robot.pc.frame(0x55, {}));
+  robot.run(milliseconds(230));
+  static_cast<void>(robot.line.takeSent());
+  robot.keepAlive();
+  robot.cycle();
+  EXPECT_EQ(robot.report().lostBytes, 0);
+  EXPECT_EQ(robot.report().damaged, 0);
+  EXPECT_EQ(robot.report().unknownType, 1);
+}
+
 /// @brief The second port, which has another clock, receives and sends at the same speed. A line that
 /// is never idle in both directions loses no byte, even while the first port is in use.
 /// @verifies FR-171
@@ -184,7 +207,7 @@ TEST(K64UartOnSecondPort, LineThatIsNeverIdleLosesNoByte) {
   DriverBoard drivers;
   drivers.startUp();
   std::vector<std::uint8_t> bytes;
-  for (int i = 0; i < 20'000; ++i) {
+  for (int i = 1; i <= 20'000; ++i) {
     bytes.push_back(static_cast<std::uint8_t>(i * 7));
   }
   drivers.board.receiveOn(kSecondPort, bytes);

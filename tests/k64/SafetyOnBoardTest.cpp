@@ -290,6 +290,33 @@ INSTANTIATE_TEST_SUITE_P(Lines, InterruptsOfTheSafeRobot,
                                          HeldInterrupt{"HallSensors", kHallLine, milliseconds(40)}),
                          [](const auto& held) { return std::string(held.param.name); });
 
+/// @brief The thread of a wheel runs once in a control cycle. It runs twice in the cycle that finds the
+/// cause of a protective stop: it applies the set-point, and then it halts the wheel. The proven
+/// bound of the cycle contains these two activations.
+/// @verifies FR-270
+TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
+  constexpr std::uint32_t kPulse = 16 + board_robot::BoardSession::kPulseInterrupt;
+  constexpr std::uint32_t kFirstWheel = 16 + 75;
+  const auto scenario = scenario::Scenario::load(kFolder / "steering_stuck.scenario");
+  const std::unique_ptr<board_robot::BoardSession> robot = switchSafeRobotOn();
+  std::array<int, plant::kWheels> runs{};
+  std::vector<std::array<int, plant::kWheels>> cycles;
+  robot->onEvent([&](const emulator::Event& event) {
+    if (event.kind == emulator::Event::Kind::LineRaised && event.number == kPulse) {
+      cycles.push_back(std::exchange(runs, {}));
+    } else if (event.kind == emulator::Event::Kind::ExceptionEntered &&
+               event.number >= kFirstWheel && event.number < kFirstWheel + plant::kWheels) {
+      ++runs.at(event.number - kFirstWheel);
+    }
+  });
+  static_cast<void>(scenario::ScenarioPlayer(scenario, *robot).play());
+  ASSERT_GE(cycles.size(), 99U);
+  constexpr std::array<int, plant::kWheels> kOnce{1, 1, 1, 1};
+  constexpr std::array<int, plant::kWheels> kTwice{2, 2, 2, 2};
+  EXPECT_EQ(std::ranges::count(cycles, kTwice), 1);
+  EXPECT_GE(std::ranges::count(cycles, kOnce), std::ssize(cycles) - 2);  // the first has no cycle
+}
+
 /// @brief A changed bit of the program in RAM causes a reset within 0.3 s. This is tested in a
 /// function that runs in each cycle, in a function that does not run, in the vectors and in the
 /// constants. After the reset the program is correct again.

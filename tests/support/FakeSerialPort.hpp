@@ -21,6 +21,7 @@ class FakeSerialPort final : public SerialPort {
     std::copy(received.begin(), end, bytes.begin());
     const auto count = static_cast<std::size_t>(end - received.begin());
     received.erase(received.begin(), end);
+    ++reads;
     return count;
   }
 
@@ -42,6 +43,7 @@ class FakeSerialPort final : public SerialPort {
   std::vector<std::uint8_t> sent;      // bytes that the system has written
   std::size_t room = std::numeric_limits<std::size_t>::max();
   std::uint16_t lost = 0;
+  std::size_t reads = 0;  // calls of read()
   Instant at{};  // time at which the bytes were received
 };
 

@@ -53,10 +53,12 @@ def prove_times(
         }
         for entry in declared["arrival"]
     }
+    activations = {entry["context"]: entry["without"] for entry in declared["activations"]}
     contexts = with_responses(
         bound
         for context in model.contexts.values()
-        if context.kind != "start" and (bound := _of_context(context, times, arrivals))
+        if context.kind != "start"
+        and (bound := _of_context(context, times, arrivals, activations.get(context.id, [[]])))
     )
     cycle_ms = cycle_response(contexts, noise=False) / CLOCK
     return TimeProof(
@@ -84,7 +86,12 @@ def declared_times(
         Limit(entry["method"], entry["within"], entry["counter"]) for entry in declared["limited"]
     ]
     spread = [
-        Spread(entry["method"], entry["within"], bounds.value(entry["rounds"]))
+        Spread(
+            entry["method"],
+            entry["within"],
+            bounds.value(entry.get("rounds", "0")),
+            entry.get("counter", ""),
+        )
         for entry in declared["spread"]
     ]
     flows, wrong = _flows(declared["flow"], bounds)
@@ -110,15 +117,23 @@ def _flows(
 
 
 def _of_context(
-    context: ExecutionContext, times: Times, arrivals: Mapping[str, Mapping[str, Any]]
+    context: ExecutionContext,
+    times: Times,
+    arrivals: Mapping[str, Mapping[str, Any]],
+    activations: Iterable[Iterable[str]],
 ) -> TimeBound | None:
-    """The sum over the handlers of a thread, which all run in a cycle; else the longest handler."""
+    """The sum over the handlers of a thread, which all run in a cycle; else the longest handler.
+
+    Each activation of a cycle has the methods that it does not call.
+    """
     arrival = arrivals.get(context.id)
     if arrival and not arrival["entries"]:
         return None  # the handler ends the firmware
-    times.use_body(context.body)
     handlers = [handler for handler in context.handlers if handler in times.codes]
-    cycles = [times.of(handler) + ENTRY_AND_EXIT for handler in handlers]
+    cycles = []
+    for without in activations:
+        times.use_body(context.body, without)
+        cycles += [times.of(handler) + ENTRY_AND_EXIT for handler in handlers]
     if not cycles:
         return None
     if context.kind == "interrupt" and context.id not in (*arrivals, CYCLE_TIMER):
@@ -157,27 +172,25 @@ def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
     return _busy(own, interrupts, _waits(all_bounds, noise=noise), noise=noise)
 
 
-def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, int]:
-    """Ticks for which an interrupt of each context may wait for its handler."""
-    waits = {bound.context: 1 for bound in contexts if bound.entries is not None}
+def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, float]:
+    """Cycles for which an interrupt of each context may wait for its handler."""
+    waits: dict[str, float] = {bound.context: 0 for bound in contexts if bound.entries is not None}
     for _ in range(MOST_ROUNDS):
         now = {
-            bound.context: _whole_ticks(_response(bound, contexts, waits, noise=noise))
+            bound.context: min(
+                _response(bound, contexts, waits, noise=noise), float(MOST_ROUNDS * CLOCK)
+            )
             for bound in contexts
             if bound.entries is not None
         }
         if now == waits:
             break
-        waits = {name: max(ticks, waits[name]) for name, ticks in now.items()}
+        waits = {name: max(cycles, waits[name]) for name, cycles in now.items()}
     return waits
 
 
-def _whole_ticks(cycles: float) -> int:
-    return math.ceil(min(cycles, MOST_ROUNDS * CLOCK) / CLOCK)
-
-
 def _response(
-    bound: TimeBound, contexts: Iterable[TimeBound], waits: Mapping[str, int], *, noise: bool
+    bound: TimeBound, contexts: Iterable[TimeBound], waits: Mapping[str, float], *, noise: bool
 ) -> float:
     above = [
         other
@@ -197,7 +210,7 @@ def _response(
 
 
 def _busy(
-    own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, int], *, noise: bool
+    own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, float], *, noise: bool
 ) -> float:
     """Cycles that pass until a number of own cycles is executed, with all interrupts in between."""
     cycles = own
@@ -211,7 +224,7 @@ def _busy(
     return float("inf")
 
 
-def _entries(bound: TimeBound, cycles: int, waits: Mapping[str, int], *, noise: bool) -> int:
+def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noise: bool) -> int:
     """The entries of an interrupt in a time, including requests that wait at its beginning.
 
     With noise an input gets its edges once more after each tick in this time, and the handler of
@@ -219,8 +232,9 @@ def _entries(bound: TimeBound, cycles: int, waits: Mapping[str, int], *, noise: 
     """
     assert bound.entries is not None
     if noise and bound.noise is not None:
-        return -(-(cycles + (1 + waits.get(TICK_TIMER, 1)) * CLOCK) // CLOCK) * bound.noise
-    return -(-(cycles + waits[bound.context] * CLOCK) // (CLOCK * bound.ticks)) * bound.entries
+        late = waits.get(TICK_TIMER, CLOCK)
+        return math.ceil((cycles + CLOCK + late) / CLOCK) * bound.noise
+    return math.ceil((cycles + waits[bound.context]) / (CLOCK * bound.ticks)) * bound.entries
 
 
 def _paths(

@@ -38,11 +38,13 @@ class Limit:
 
 @dataclass(frozen=True)
 class Spread:
-    """A method whose loop has a greatest number of rounds in all calls below another method."""
+    """A method whose loop has a greatest number of rounds in all calls below another method: a
+    number, or a counter of the facts about that method."""
 
     method: str
     within: str
-    rounds: int
+    rounds: int = 0
+    counter: str = ""
 
 
 @dataclass(frozen=True)
@@ -69,6 +71,7 @@ class Times:
         self.limited = {one.method: one for one in facts.limited}
         self.spread = {(one.within, one.method): one for one in facts.spread}
         self.inside: frozenset[str] = frozenset()  # methods with facts that are now being entered
+        self.without: frozenset[str] = frozenset()  # methods that this activation does not call
         self.flows = facts.flows
         self.rounds: int | None = None  # of the loops of a method in ``spread``
         self.known: dict[tuple[object, ...], int] = {}
@@ -78,9 +81,10 @@ class Times:
         self.unbound: set[tuple[str, Place]] = set()  # loops without a bound: function and place
         self.unresolved: set[tuple[str, Place]] = set()  # calls without a known target
 
-    def use_body(self, body: str) -> None:
-        """The command that the next thread executes."""
+    def use_body(self, body: str, without: Iterable[str] = ()) -> None:
+        """The command that the next thread executes, and the methods that it does not call."""
         self.prover.body = body
+        self.without = frozenset(without)
         self.known.clear()
 
     def of(self, symbol: str, entered: Mapping[str, int] = MappingProxyType({})) -> int:
@@ -105,10 +109,11 @@ class Times:
             inside = [one for one in self.limited.values() if one.within == method]
             apart = {one.counter: self._each(one.method) for one in inside}
             spread = [one for one in self.spread.values() if one.within == method]
+            apart |= {one.counter: self._round(one)[1] for one in spread if one.counter}
             self.known[key] = (
                 self._longest(code, cost, method, apart)
                 + sum(single.values())
-                + sum(one.rounds * self._round(one)[1] for one in spread)
+                + sum(one.rounds * self._round(one)[1] for one in spread if not one.counter)
             )
         self.inside = outside
         return self.known[key]
@@ -249,6 +254,8 @@ class Times:
             return 0
         if home in self.prover.graph:
             name = short_name(self.prover.graph[home].name)
+            if name in self.without:
+                return 0
             for within in self.inside:
                 if (within, name) in self.spread:
                     # Its rounds are counted at their limit.
@@ -303,7 +310,8 @@ class Times:
     def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[FlowFact]:
         """The declared facts about the marked lines of a function, as facts about its blocks."""
         marked: dict[str, list[list[int | str]]] = {one: [[one]] for one in apart}
-        marked |= self._marked(code)
+        for name, copies in self._marked(code).items():
+            marked.setdefault(name, []).extend([*copy] for copy in copies)
         declared = self.flows.get(method, ())
         return [fact for one in declared for fact in self._facts_of(code, one, marked)]
 

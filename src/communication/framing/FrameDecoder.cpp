@@ -1,7 +1,7 @@
 #include "communication/framing/FrameDecoder.hpp"
 
-#include <algorithm>
 #include <span>
+#include <utility>
 
 #include "communication/framing/Crc16.hpp"
 
@@ -18,17 +18,25 @@ constexpr std::size_t kPayloadAt = kBodyAt + 3;
 
 }  // namespace
 
-Decoded FrameDecoder::push(std::span<const std::uint8_t>& bytes) {
-  const std::size_t collected = collect(bytes);
-  if (collected == bytes.size()) {
-    bytes = {};
+std::span<std::uint8_t> FrameDecoder::storage() {
+  return std::span(bytes_).subspan(count_);
+}
+
+Decoded FrameDecoder::push(std::size_t number) {
+  count_ += number;
+  if (bytes_[count_ - 1] != 0) {
+    if (count_ == bytes_.size()) {
+      tooLong_ = true;
+      count_ = 0;
+    }
     return Decoded::Nothing;
   }
-  // counts: zeros
-  bytes = bytes.subspan(collected + 1);
-  const Decoded decoded = end();
-  count_ = 0;
-  return decoded;
+  // counts: ends
+  const std::size_t coded = std::exchange(count_, 0) - 1;
+  if (std::exchange(tooLong_, false)) {
+    return Decoded::TooLong;
+  }
+  return coded == 0 ? Decoded::Nothing : end(coded);
 }
 
 Frame FrameDecoder::frame() const {
@@ -37,51 +45,24 @@ Frame FrameDecoder::frame() const {
           .payload = std::span(bytes_).subspan(kPayloadAt, length_ - kMinBody)};
 }
 
-std::size_t FrameDecoder::collect(std::span<const std::uint8_t> bytes) {
-  const auto place = std::span(bytes_).subspan(std::min(count_, bytes_.size()));
-  const std::size_t most = std::min(bytes.size(), place.size());
-  std::size_t next = 0;
-  // bound: kMaxBytesPerService in all
-  for (; next != most && bytes[next] != 0; ++next) {
-    // counts: bytes
-    place[next] = bytes[next];
-  }
-  count_ += next;
-  // bound: kMaxBytesPerService in all
-  for (; next != bytes.size() && bytes[next] != 0; ++next) {
-    // counts: beyond
-    count_ = bytes_.size() + 1;  // marks a frame that is too long
-  }
-  return next;
-}
-
-Decoded FrameDecoder::end() {
-  if (count_ == 0) {
-    return Decoded::Nothing;
-  }
-  // counts: ends
-  if (count_ > bytes_.size()) {
-    return Decoded::TooLong;
-  }
-  length_ = count_ - 1;
+Decoded FrameDecoder::end(std::size_t coded) {
+  length_ = coded - 1;
   if (length_ < kMinBody) {
     return Decoded::Damaged;
   }
   // counts: bodies
-  if (!removeStuffing() || !crcIsRight()) {
+  if (!removeStuffing(coded) || !crcIsRight()) {
     return Decoded::Damaged;
   }
   return bytes_[kVersionAt] == kProtocolVersion ? Decoded::Whole : Decoded::UnknownVersion;
 }
 
-bool FrameDecoder::removeStuffing() {
-  const std::size_t end = count_;
+bool FrameDecoder::removeStuffing(std::size_t end) {
   std::size_t code = bytes_[0];
   // bound: kMaxBytesPerService + kMaxBody + 1 in all; a frame may have begun in the cycle before
-  for (std::size_t codes = 0; codes < end && code < end; ++codes) {
+  while (code < end) {
     // counts: stuffed
-    const std::size_t distance = bytes_[code];
-    bytes_[code] = 0;
+    const std::size_t distance = std::exchange(bytes_[code], std::uint8_t{0});
     code += distance;
   }
   return code == end;

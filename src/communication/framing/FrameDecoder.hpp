@@ -30,15 +30,21 @@ class FrameDecoder final {
   /// @brief Constructs a decoder that waits for the first byte of a frame.
   FrameDecoder() = default;
 
-  /// @brief Processes bytes from the line until a frame ends.
-  /// @param bytes the bytes in their order; receives those that are not yet processed
+  /// @brief Returns the storage for the next bytes from the line.
+  /// @return storage for at least one byte, valid until the next push
+  /// @isr{no}
+  [[nodiscard]] std::span<std::uint8_t> storage();
+
+  /// @brief Processes bytes at the beginning of the storage. Only the last of them may be zero.
+  /// @param number number of these bytes, at least 1
   /// @return the frame that ended, if any
+  /// @pre The bytes fit into the storage.
   /// @isr{no}
   /// @satisfies FR-40
   /// @satisfies FR-41
   /// @satisfies FR-42
   /// @satisfies FR-43
-  Decoded push(std::span<const std::uint8_t>& bytes);
+  Decoded push(std::size_t number);
 
   /// @brief Returns the frame that was received.
   /// @return the frame, valid until the next push
@@ -47,33 +53,29 @@ class FrameDecoder final {
   [[nodiscard]] Frame frame() const;
 
  private:
-  /// @brief Collects the bytes up to a zero byte.
-  /// @param bytes bytes from the line
-  /// @return number of bytes before the zero byte; of all bytes if there is no zero byte
-  /// @satisfies FR-42
-  std::size_t collect(std::span<const std::uint8_t> bytes);
-
   /// @brief Checks the collected bytes at the end of a frame.
+  /// @param coded number of bytes before the zero byte, at least 1
   /// @return the result of the zero byte
   /// @satisfies FR-41
-  /// @satisfies FR-42
   /// @satisfies FR-43
-  Decoded end();
+  Decoded end(std::size_t coded);
 
   /// @brief Replaces each code by the zero that it encodes: the body is then in place.
+  /// @param end number of coded bytes
   /// @return false when the COBS is bad
   /// @satisfies FR-41
-  bool removeStuffing();
+  bool removeStuffing(std::size_t end);
 
   /// @brief Returns whether the CRC at the end of the body matches the bytes before it.
   /// @return true when it matches
   /// @satisfies FR-41
   [[nodiscard]] bool crcIsRight() const;
 
-  std::array<std::uint8_t, kMaxBody + 1> bytes_{};  // coded bytes; after the end of the frame, the
-                                                    // first code and the body
-  std::size_t count_ = 0;                           // coded bytes since the last zero
-  std::size_t length_ = 0;                          // of the last complete body
+  std::array<std::uint8_t, kMaxCoded> bytes_{};  // coded bytes; after the end of the frame, the
+                                                 // first code and the body
+  std::size_t count_ = 0;                        // bytes of the frame that has not ended
+  std::size_t length_ = 0;                       // of the last complete body
+  bool tooLong_ = false;                         // bytes of this frame were dropped
 };
 
 }  // namespace wr

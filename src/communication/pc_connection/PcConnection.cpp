@@ -56,17 +56,17 @@ void PcConnection::service() {
   bool more = true;
   // bound: kMaxBytesPerService in all
   while (more) {
-    const std::size_t asked = std::min(left, chunk_.size());
+    const std::span<std::uint8_t> storage = decoder_.storage();
+    const std::size_t asked = std::min(left, storage.size());
     // counts: reads
-    const std::size_t received = port_.read(std::span(chunk_).first(asked));
+    const std::size_t received = port_.read(storage.first(asked));
     left -= received;
-    // bound: kMaxBytesPerService in all
-    for (std::span<const std::uint8_t> rest = std::span(chunk_).first(received); !rest.empty();) {
-      // counts: pushes
-      receive(rest);
+    more = false;
+    if (received != 0) {
+      // A shorter read that ends no frame has emptied the port.
+      more = left != 0 && (received == asked || storage[received - 1] == 0);
+      receive(received);
     }
-    // The port is empty after a read that returned too few bytes and did not end a frame.
-    more = left != 0 && (received == asked || (received != 0 && chunk_[received - 1] == 0));
   }
   counts_.lostBytes = port_.lostBytes();
   at_ = clockPulse_;
@@ -137,8 +137,8 @@ Microseconds PcConnection::sinceWelcome() const {
   return welcomeDue_ ? Microseconds() : at_ - welcomed_;
 }
 
-void PcConnection::receive(std::span<const std::uint8_t>& bytes) {
-  switch (decoder_.push(bytes)) {
+void PcConnection::receive(std::size_t number) {
+  switch (decoder_.push(number)) {
     case Decoded::Nothing:
       break;
     case Decoded::Whole:

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -129,11 +128,11 @@ class PcConnection final {
   [[nodiscard]] Microseconds sinceWelcome() const;
 
  private:
-  /// @brief Decodes bytes until a frame ends, and handles this frame.
-  /// @param bytes received bytes; afterwards the bytes that are not yet decoded
+  /// @brief Decodes bytes of a frame, and handles the frame when it has ended.
+  /// @param number number of bytes that were read into the storage of the decoder
   /// @satisfies FR-246
   /// @satisfies FR-251
-  void receive(std::span<const std::uint8_t>& bytes);
+  void receive(std::size_t number);
 
   /// @brief Handles a frame of another version: answers a Hello, and counts any other frame.
   /// @satisfies FR-43
@@ -190,13 +189,10 @@ class PcConnection final {
   /// @satisfies FR-252
   bool send(FrameType type);
 
-  static constexpr std::size_t kChunkSize = 64;
-
   SerialPort& port_;
   SerialReader& orders_;
   ConnectionState* state_;
   const StartRecord& start_;
-  std::array<std::uint8_t, kChunkSize> chunk_{};  // the last bytes from the port
   FrameDecoder decoder_;
   FrameEncoder encoder_;
   SerialWriter writer_;

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "support/LineBytes.hpp"
@@ -16,11 +17,19 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
 
-/// @brief Returns the results of the decoder for bytes from the line, except Nothing.
+/// @brief Stores bytes from the line in the decoder, in reads that end with a zero byte or fill its
+/// storage.
+/// @return the results of the decoder, except Nothing
 std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   std::vector<Decoded> said;
   for (std::span<const std::uint8_t> rest = line; !rest.empty();) {
-    const Decoded decoded = decoder.push(rest);
+    const std::span<std::uint8_t> storage = decoder.storage();
+    const auto zero = std::ranges::find(rest, 0);
+    const auto whole = static_cast<std::size_t>(zero - rest.begin()) + (zero == rest.end() ? 0 : 1);
+    const auto read = rest.first(std::min(whole, storage.size()));
+    std::ranges::copy(read, storage.begin());
+    rest = rest.subspan(read.size());
+    const Decoded decoded = decoder.push(read.size());
     if (decoded != Decoded::Nothing) {
       said.push_back(decoded);
     }
@@ -101,6 +110,18 @@ TEST(FrameDecoder, FR41_ABadCrcIsDamaged) {
     FrameDecoder decoder;
     EXPECT_THAT(push(decoder, test::stuffed(body)), ElementsAre(Decoded::Damaged));
   }
+}
+
+/// @brief A frame is found although each read has only one byte of it.
+/// @verifies FR-40
+TEST(FrameDecoder, FR40_FindsAFrameInSingleBytes) {
+  FrameDecoder decoder;
+  const Bytes line = test::lineBytes(1, 0, Bytes(kMaxPayload, 7));
+  for (const std::uint8_t byte : std::span(line).first(line.size() - 1)) {
+    EXPECT_THAT(push(decoder, {byte}), IsEmpty());
+  }
+  EXPECT_THAT(push(decoder, {0}), ElementsAre(Decoded::Whole));
+  EXPECT_THAT(decoder.frame().payload, ElementsAreArray(Bytes(kMaxPayload, 7)));
 }
 
 /// @brief A body of 206 bytes or more is too long. The decoder returns this result once, when the

@@ -256,6 +256,11 @@ void obey(std::uint8_t order, std::uint8_t first, std::uint8_t second, std::uint
   }
 }
 
+// A byte of an order in two letters, because the port drops a zero byte after another zero byte.
+std::uint8_t number(std::uint8_t high, std::uint8_t low) {
+  return static_cast<std::uint8_t>((high - 'A') << 4U | (low - 'A'));
+}
+
 void echo() {
   std::array<std::uint8_t, 64> bytes{};
   const std::size_t count =
@@ -323,12 +328,13 @@ void runRobot() {
   K64Thread::enable(kSecondPortErrorLine, kInterruptPriority);
   platform::cycleTimer.start(milliseconds(100));
   platform::tickTimer.start(milliseconds(1));
-  std::array<std::uint8_t, 4> order{};
+  std::array<std::uint8_t, 7> order{};
   std::size_t count = 0;
   for (;;) {
     count += platform::pcPort.read(std::span(order).subspan(count));
     if (count == order.size()) {
-      obey(order[0], order[1], order[2], order[3]);
+      obey(order[0], number(order[1], order[2]), number(order[3], order[4]),
+           number(order[5], order[6]));
       count = 0;
     }
     echo();

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import subprocess
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
+from traceability.model.image_code import Program
 from traceability.model.longest_path import FlowFact, Problem
 from traceability.model.response_times import CLOCK, RETRY, cycle_response, with_responses
+from traceability.model.stack import Prover
+from traceability.model.time_bounds import DeclaredFacts, Spread, Times
+from traceability.reading.call_graph import Function
 from traceability.reading.flow_facts import Inequality, read_inequality
 from traceability.reading.loop_bounds import Bound, Bounds
 from traceability.reading.machine_code import REFILL, Code, read_code
@@ -58,6 +63,34 @@ MEMORY = """
     push {r4, lr}
     pop {r4, pc}
 """
+# A thread that halts a wheel: a call with a loop.
+ROUNDS = 10
+HALT = """
+    push {r4, lr}
+    bl halt
+    pop {r4, pc}
+    .thumb_func
+    .global halt
+halt:
+1:  subs r0, r0, #1
+    bne 1b
+    bx lr
+"""
+NAMES = {"run": "wr::Thread::run()", "halt": "wr::Halt::execute()"}
+
+
+def times_of(folder: Path, facts: DeclaredFacts) -> Times:
+    """The bounds of the thread that halts a wheel."""
+    code_of(folder, HALT)
+    graph = {symbol: Mock(spec=Function) for symbol in NAMES}
+    for symbol, function in graph.items():
+        function.name = NAMES[symbol]
+    prover = Mock(spec=Prover, graph=graph, most={}, symbols={"Halt::execute": ["halt"]})
+    prover.is_full.return_value = False
+    codes = read_code(folder / "p.elf")
+    places = {loop.head: [("halt.cpp", 2)] for loop in codes["halt"].loops}
+    (folder / "halt.cpp").write_text(f"// bound: {ROUNDS}\nwhile (on) {{\n", encoding="utf-8")
+    return Times(Program(codes, places, {}), Bounds(folder, {}), prover, facts)
 
 
 def code_of(folder: Path, text: str) -> Code:
@@ -186,8 +219,9 @@ def context(name: str, cycles: int, priority: int, entries: int | None = None) -
 
 def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() -> None:
     contexts = [context("thread", CLOCK, 12), context("edge", 1_000, 1, entries=2)]
-    # The cycle lasts more than a tick: three windows with the one in which requests wait.
-    assert cycle_response(contexts, noise=False) == CLOCK + 3 * 2 * (1_000 + RETRY)
+    # The cycle lasts more than a tick. The requests that wait at its beginning are not older than
+    # the greatest response time: all these requests are in two windows of a tick.
+    assert cycle_response(contexts, noise=False) == CLOCK + 2 * 2 * (1_000 + RETRY)
     # With noise the handler of the first tick may be late.
     assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
 
@@ -203,8 +237,38 @@ def test_a_busy_loop_in_a_thread_moves_the_cycle_and_no_interrupt() -> None:
 def test_only_higher_and_equal_priorities_delay_an_interrupt() -> None:
     contexts = [context("high", 50, 1, entries=1), context("low", 9_000, 3, entries=1)]
     high, low = with_responses(contexts)
-    assert (high.response_ms or 0) * CLOCK == 50 + 2 * (50 + RETRY)
-    assert (low.response_ms or 0) * CLOCK == 9_000 + 2 * (9_000 + RETRY) + 2 * (50 + RETRY)
+    assert (high.response_ms or 0) * CLOCK == 50 + 50 + RETRY
+    assert (low.response_ms or 0) * CLOCK == 9_000 + 9_000 + RETRY + 50 + RETRY
+
+
+def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:
+    """A cycle of less than a tick, with and without the time of the wait more than a tick."""
+    waits = context("edge", 20_000, 1, entries=1)
+    alone = [context("thread", 70_000, 12), waits]
+    assert cycle_response(alone, noise=False) == 70_000 + 2 * (20_000 + RETRY)
+    assert cycle_response([context("thread", 50_000, 12), waits], noise=False) == (
+        50_000 + 20_000 + RETRY
+    )
+
+
+def test_an_activation_does_not_cost_the_methods_that_it_does_not_call(tmp_path: Path) -> None:
+    times = times_of(tmp_path, DeclaredFacts())
+    times.use_body("")
+    whole = times.of("run")
+    times.use_body("", without=["Halt::execute"])
+    assert whole - times.of("run") == longest(times.codes["halt"], ROUNDS)
+
+
+def test_a_fact_limits_the_rounds_of_a_callee(tmp_path: Path) -> None:
+    """A round costs a subtraction and a jump. The call itself has no round."""
+    costs = []
+    for rounds in (0, 5):
+        spread = Spread("Halt::execute", "Thread::run", counter="rounds")
+        flows = {"Thread::run": [Inequality({"rounds": 1}, rounds)]}
+        times = times_of(tmp_path, DeclaredFacts(spread=[spread], flows=flows))
+        costs.append(times.of("run"))
+        assert not times.unbound
+    assert costs[1] - costs[0] == 5 * (2 + REFILL)
 
 
 def test_an_interrupt_that_takes_all_the_time_has_no_bound() -> None:

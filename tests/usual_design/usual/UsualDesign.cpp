@@ -27,7 +27,6 @@ constexpr std::uint32_t kStopCommand = 1;
 constexpr std::uint32_t kCommands = 3;
 constexpr std::size_t kReportLength = 130;
 constexpr std::size_t kWelcomeLength = 29;
-constexpr std::size_t kChunk = 64;
 constexpr std::size_t kMostBytes = 4096;
 constexpr std::uint32_t kMostAhead = 127;
 
@@ -383,33 +382,31 @@ void UsualDesign::sendReport() {
 // ---- link to the PC ----------------------------------------------------------------------------
 
 void UsualDesign::servePc() {
-  std::array<std::uint8_t, kChunk> chunk{};
   std::size_t left = kMostBytes;
-  std::size_t received = chunk.size();
+  std::size_t received = 1;
   while (left != 0 && received != 0) {
-    received = devices_.pcPort.read(std::span(chunk).first(std::min(left, chunk.size())));
+    const std::span<std::uint8_t> storage = decoder_.storage();
+    received = devices_.pcPort.read(storage.first(std::min(left, storage.size())));
     left -= received;
-    for (std::span<const std::uint8_t> rest = std::span(chunk).first(received); !rest.empty();) {
-      switch (decoder_.push(rest)) {
-        case Decoded::Nothing:
-          break;
-        case Decoded::Whole:
+    switch (received == 0 ? Decoded::Nothing : decoder_.push(received)) {
+      case Decoded::Nothing:
+        break;
+      case Decoded::Whole:
+        receive(decoder_.frame());
+        break;
+      case Decoded::Damaged:
+        count(counts_.damaged);
+        break;
+      case Decoded::TooLong:
+        count(counts_.tooLong);
+        break;
+      case Decoded::UnknownVersion:
+        if (decoder_.frame().type == FrameType::Hello) {
           receive(decoder_.frame());
-          break;
-        case Decoded::Damaged:
-          count(counts_.damaged);
-          break;
-        case Decoded::TooLong:
-          count(counts_.tooLong);
-          break;
-        case Decoded::UnknownVersion:
-          if (decoder_.frame().type == FrameType::Hello) {
-            receive(decoder_.frame());
-          } else {
-            count(counts_.unknownVersion);
-          }
-          break;
-      }
+        } else {
+          count(counts_.unknownVersion);
+        }
+        break;
     }
   }
   counts_.lostBytes = devices_.pcPort.lostBytes();
