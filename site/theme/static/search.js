@@ -73,7 +73,8 @@
   }
 
   let index = null;
-  const { entries, synonyms } = window.PORTAL_SEARCH;
+  const { entries, synonyms, aliases } = window.PORTAL_SEARCH;
+  const titles = new Map(aliases.map(([query, title]) => [same(query), same(title)]));
   function prepare() {
     if (index) return;
     index = new MiniSearch({
@@ -147,7 +148,7 @@
     if (!words.length) return [];
     const wanted = meanings(words);
     const isSentence = large.length < all.length;
-    const whole = same(text);
+    const whole = titles.get(same(text)) || same(text);
     const options = {
       tokenize: pieces,
       prefix: (term) => term.length > 1 || words.length === 1,
@@ -166,7 +167,7 @@
     const queries = [...wanted.map(asked), ...(words.length > 1 ? [joined] : [])];
     const found = index.search({ combineWith: "OR", queries }, options).map((hit) => {
       const terms = new Set(hit.queryTerms);
-      const share = terms.has(whole) ? wanted.length : wanted.filter((one) => has(terms, one)).length;
+      const share = terms.has(stem(whole)) ? wanted.length : wanted.filter((one) => has(terms, one)).length;
       const score = hit.score * (share / wanted.length) ** 3;
       return { id: hit.id, terms: hit.terms, score, share, exact: named(entries[hit.id]), wanted, isSentence };
     });
@@ -199,7 +200,7 @@
     const hits = find(text);
     /* A hand-written page is an entry with its words. */
     hits.forEach(({ id }) => entries[id][0] === "Explanations" && written.add(entries[id][4]));
-    const isName = hits.some((hit) => hit.exact && NAMES.has(entries[hit.id][0]));
+    const isName = hits.some((hit) => hit.exact && (titles.has(same(text)) || NAMES.has(entries[hit.id][0])));
     const near = NEAR * Math.max(...hits.map((hit) => hit.score));
     const asked = isName ? [] : hits.filter((hit) => asks(hit, near));
     if (asked.length) groups.set(ANSWERS, asked);
