@@ -239,8 +239,9 @@ def test_the_differences_of_two_commits_have_a_page(tmp_path: Path) -> None:
 
 def test_the_tests_are_filtered_by_their_values(portal: Portal) -> None:
     test = portal.model.tests["RcTest.Reads"]
-    facets = facets_of_test(test)
+    facets = facets_of_test(test, portal.model, ["RC"])
     assert facets["requirement"] == ["FR-15"]
+    assert (facets["module"], facets["level"]) == (["RC"], ["high"])
     assert facets["target"] == list(test.results)
     assert facets["folder"] == ["/".join(test.place.file.split("/")[1:-1])]
     found = options([{"requirement": ["FR-10", "SR-1"]}, {"requirement": ["FR-2"]}])
