@@ -49,6 +49,7 @@
   const DEFINED = 4; // weight of a term for such a question
   const ENOUGH = 8; // hits with all words; with fewer hits, those without one word are also shown
   const NEAR = 0.45; // least score of a question with two words, as a share of the best score
+  const IDENTIFIER = /\b(?:FR|NFR|SG|HZ|AU)[- ]?\d+\b/gi; // of requirements, goals, hazards, assumptions
   const FEW = 3; // least number of letters of a word that may contain a typing error
 
   /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15. */
@@ -147,6 +148,7 @@
     const words = (large.length ? large : all).map(stem);
     if (!words.length) return [];
     const wanted = meanings(words);
+    const identifiers = (text.match(IDENTIFIER) || []).map(same);
     const isSentence = large.length < all.length;
     const whole = titles.get(same(text)) || same(text);
     const options = {
@@ -160,11 +162,12 @@
     const named = ([group, , title]) => {
       const method = title.split("::").pop();
       const names = pieces(method).length > 1 ? [title, method] : [title];
-      return group !== "Paper" && names.some((name) => same(name) === whole);
+      return group !== "Paper" && names.some((name) => same(name) === whole || identifiers.includes(same(name)));
     };
     /* Finds a name that is written as one word with an error. */
     const joined = { queries: [whole], prefix: false, boost: { title: 12, also: 10 }, ...tolerance(whole) };
-    const queries = [...wanted.map(asked), ...(words.length > 1 ? [joined] : [])];
+    const ownNames = identifiers.map((own) => ({ queries: [own], prefix: false, fuzzy: false }));
+    const queries = [...wanted.map(asked), ...ownNames, ...(words.length > 1 ? [joined] : [])];
     const found = index.search({ combineWith: "OR", queries }, options).map((hit) => {
       const terms = new Set(hit.queryTerms);
       const share = terms.has(stem(whole)) ? wanted.length : wanted.filter((one) => has(terms, one)).length;
