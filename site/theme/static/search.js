@@ -44,7 +44,7 @@
     Tests: 0.15,
     Source: 0.3,
   };
-  const DEFINES = /\b(mean|means|meaning|definition)\b/i; // asks for the glossary
+  const DEFINES = /\b(mean|means|meaning|definition)\b|^what (is|are) (an? )?[\w-]+( here)?\??$/i; // asks for the glossary
   const MAY = /^can (?=(i|you|we|it|this|the|a)\b)/i;
   const DEFINED = 4; // weight of a term for such a question
   const ENOUGH = 8; // hits with all words; with fewer hits, those without one word are also shown
