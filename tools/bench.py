@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import re
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -22,6 +21,7 @@ from traceability.reading.bench_record import (
     SCENARIOS,
     SLOW,
     Record,
+    orders_in,
     spread,
 )
 from traceability.reading.results import read_record
@@ -37,7 +37,6 @@ from weeding_robot_client.script import Wish
 BESIDES = (task_record.BASELINE, task_record.TESTS_TRACE, task_record.TESTS_PLAIN)
 CORE_PER_MS = 120_000
 BOARD = "board"  # the run of a connected board
-ORDER = re.compile(r"from (\d+) to (\d+) every (\d+) order velocity (-?\d+)(?: steering (-?\d+))?$")
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -99,13 +98,14 @@ class Orders:
 
 def orders_of(text: str) -> list[Orders]:
     """The orders of a scenario of the bench."""
-    periods = []
-    for line in text.splitlines():
-        if match := ORDER.match(line.strip()):
-            first, last, _, velocity, steering = match.groups(default="0")
-            wish = Wish.of(Quantity.VELOCITY, int(velocity) / 10, int(steering) / 100)
-            periods.append(Orders(int(first) / 1000, int(last) / 1000, wish))
-    return periods
+    return [
+        Orders(
+            order.first / 1000,
+            order.last / 1000,
+            Wish.of(Quantity.VELOCITY, order.velocity, order.steering),
+        )
+        for order in orders_in(text)
+    ]
 
 
 def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:

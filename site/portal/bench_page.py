@@ -7,12 +7,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from portal.plots import HEIGHT, WIDTH, Axis, Drawing, Line, axis
+from portal.plots import HEIGHT, WIDTH, Axis, Drawing, Line, Mark, Tick, axis, path
 from portal.portal import Portal
 from traceability.reading import bench_record
-from traceability.reading.bench_record import MANUAL, SCENARIOS, SHARE, SLOW, TIMINGS, Paper
+from traceability.reading.bench_record import (
+    FOLDER,
+    MANUAL,
+    SCENARIOS,
+    SHARE,
+    SLOW,
+    TIMINGS,
+    Paper,
+    measured_orders,
+)
 from traceability.reading.fault_record import LOADS
-from traceability.schema import BenchRun
+from traceability.schema import HOST, BenchRun, Curve
 
 Runs = Mapping[str, BenchRun]  # by the model of time
 
@@ -37,6 +46,7 @@ def bench(portal: Portal) -> dict[str, Any]:
         "comparison": comparison(runs),
         "longest": longest(runs),
         "bands": {name: bands(run) for name, run in runs.items()},
+        "set_points": {name: set_points(portal, name) for name in runs},
         "wide": True,
         "distributions": {name: distribution(run) for name, run in runs.items()},
         "board": any("board" in run for run in runs.values()),
@@ -107,7 +117,35 @@ def bands(run: Runs) -> Drawing:
         lines.append(Line(f"band {style}", "", f"M{'L'.join([*high, *reversed(low)])}Z"))
         lines.append(Line(f"truth {style} thin", WORDS[kind], f"M{'L'.join(mean)}"))
     words = "; ".join(f"{WORDS[kind]}: up to {max(micros)} us" for kind, micros in times.items())
-    return Drawing("Time of the cycle", "ms", x.ticks, y.ticks, lines, words)
+    most, at = max((max(own), own.index(max(own))) for own in times.values())
+    mark = Mark(f"maximum {most / 1000:.3f}", x.place(at), y.place(most / 1000))
+    return Drawing("Time of the cycle", "ms", x.ticks, y.ticks, lines, words, [mark])
+
+
+def set_points(portal: Portal, name: str) -> list[Drawing]:
+    """The set-points of the measured cycles: of the wheels, and of the steering if it is moved."""
+    file = portal.root / FOLDER / f"{name}.scenario"
+    orders = measured_orders(file.read_text(encoding="utf-8")) if file.is_file() else []
+    quantities = {
+        ("Set-point of the wheels", "rpm"): [order.velocity for order in orders],
+        ("Set-point of the steering", "degrees"): [order.steering for order in orders],
+    }
+    return [steps(*title, values) for title, values in quantities.items() if any(values)]
+
+
+def steps(title: str, unit: str, values: list[float]) -> Drawing:
+    """A value for each cycle; each value applies until the next value."""
+    x = axis(0.0, float(len(values)), rounded=False)
+    low, high = min(0.0, *values), max(values)
+    y = Axis(low, high, [])
+    y.ticks = [Tick(f"{value:g}", y.place(value)) for value in sorted({low, 0.0, high})]
+    changes = [
+        (float(at), value) for at, value in enumerate(values) if not at or value != values[at - 1]
+    ]
+    curve = Curve("set_point", HOST, [*changes, (float(len(values)), values[-1])])
+    line = Line("set-point", "", path(curve, x, y))
+    words = f"{title}: {len(changes)} values from {low:g} to {high:g} {unit}"
+    return Drawing(title, unit, [], y.ticks, [line], words)
 
 
 def point(across: float, time_us: float, y: Axis) -> str:

@@ -13,7 +13,7 @@ from markupsafe import Markup, escape
 
 from portal.links import ID_OR_CODE, Links
 from traceability.model.design_model import Model
-from traceability.schema import Module, Place, Test
+from traceability.schema import Method, Module, Place, Test
 
 VIEWS = [
     ("F", "diagram", "Diagram"),
@@ -121,6 +121,24 @@ class Names:
             if part in modules and part != own
             else part
             for part in parts
+        )
+
+    def signature(self, method: Method) -> Markup:
+        """A signature to read: the name first, then its parameters, and its result at the end."""
+        before, name, after = method.signature.partition(f"{method.name}(")
+        if not name:
+            return self.types(method.signature, method.module)
+        words = re.sub(r"\b(virtual|explicit)\b", "", before).split()
+        static = "static" in words
+        result = " ".join(word for word in words if word != "static")
+        parameters = re.sub(r"( override| final| = 0)+$", "", f"({after}")
+        return Markup("{}<b>{}</b>{}{}").format(
+            "static " if static else "",
+            method.name,
+            self.types(parameters, method.module),
+            Markup(" → {}").format(self.types(result, method.module))
+            if result not in ("", "void")
+            else "",
         )
 
     def function(self, name: str) -> Markup:

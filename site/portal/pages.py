@@ -226,8 +226,21 @@ def execution(portal: Portal) -> dict[str, Any]:
 
 
 def tests(portal: Portal) -> dict[str, Any]:
-    facets = {test.id: facets_of_test(test) for test in portal.model.tests.values()}
+    modules = modules_of_tests(portal)
+    facets = {
+        test.id: facets_of_test(test, portal.model, modules.get(test.id, []))
+        for test in portal.model.tests.values()
+    }
     return {"suites": suites(portal), "facets": facets, "options": options(facets.values())}
+
+
+def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
+    """Test -> the modules whose pages show this test first."""
+    modules: dict[str, list[str]] = {}
+    for name in sorted(portal.model.modules):
+        for test in portal.own_tests(portal.model.modules[name]):
+            modules.setdefault(test.id, []).append(name)
+    return modules
 
 
 def trees(portal: Portal) -> dict[str, Any]:

@@ -7,7 +7,7 @@ The theme sets colours and strokes by the classes of the lines.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from traceability.schema import HOST, Curve, LoopPlot
@@ -50,6 +50,15 @@ class Line:
 
 
 @dataclass
+class Mark:
+    """A labelled point of a drawing: its place on both axes [per cent]."""
+
+    words: str
+    across: float
+    up: float
+
+
+@dataclass
 class Drawing:
     title: str
     unit: str
@@ -57,6 +66,7 @@ class Drawing:
     y: list[Tick]
     lines: list[Line]
     words: str  # for a reader without sight
+    marks: list[Mark] = field(default_factory=list)
     width: ClassVar[int] = WIDTH
     height: ClassVar[int] = HEIGHT
 

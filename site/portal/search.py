@@ -53,7 +53,11 @@ def index_script(portal: Portal, bodies: Path) -> str:
     parts = list(section_entries(portal, bodies))
     pages = {(group, address) for group, _, _, _, address, *_ in parts if group == "Pages"}
     found = [one for one in entries(portal) if (one[0], one[4]) not in pages] + parts
-    data = {"entries": [list(entry) for entry in found], "synonyms": synonyms()}
+    data = {
+        "entries": [list(entry) for entry in found],
+        "synonyms": listed("synonyms.txt", ","),
+        "aliases": listed("search_aliases.txt", " = "),
+    }
     return assigned("PORTAL_SEARCH", data)
 
 
@@ -61,12 +65,11 @@ def assigned(name: str, data: object) -> str:
     return f"window.{name} = {json.dumps(data, ensure_ascii=False, separators=(',', ':'))};\n"
 
 
-def synonyms() -> list[list[str]]:
-    """Words that mean the same, in lower case."""
-    lines = (SITE / "synonyms.txt").read_text(encoding="utf-8").splitlines()
-    return [
-        [word.strip() for word in line.split(",")] for line in lines if line[:1] not in ("", "#")
-    ]
+def listed(name: str, separator: str) -> list[list[str]]:
+    """Returns the parts of each line of a file; empty lines and comments are left out."""
+    lines = (SITE / name).read_text(encoding="utf-8").splitlines()
+    used = (line for line in lines if line[:1] not in ("", "#"))
+    return [[part.strip() for part in line.split(separator)] for line in used]
 
 
 def card(portal: Portal, module: Module) -> dict[str, object]:

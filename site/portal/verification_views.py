@@ -91,14 +91,17 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
     }
 
 
-def facets_of_test(test: Test) -> Facets:
-    """The values of a test for the filters; a test without a requirement has no value for the
-    filter of requirements."""
+def facets_of_test(test: Test, model: Model, modules: Sequence[str]) -> Facets:
+    """The values of a test for the filters; a test without a requirement has no requirement and no
+    level."""
+    verified = [model.requirements[one] for one in test.verifies if one in model.requirements]
     folders = test.place.file.split("/")[1:-1]
     return {
         "result": sorted({run.result or "not run" for run in test.results.values()}),
         "target": list(test.results),
         "folder": ["/".join(folders)],
+        "module": modules,
+        "level": sorted({requirement.level for requirement in verified if requirement.level}),
         "requirement": list(test.verifies),
     }
 

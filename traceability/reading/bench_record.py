@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import statistics
 import subprocess
 from collections import Counter
@@ -32,6 +33,7 @@ PERIOD_MS = 100
 SPEED_LEAST, SPEED_GOAL = 30, 100  # times real time
 SHARE = 10  # the target, as a fraction of the paper's time
 LIBRARY = "C and C++ library"
+ORDER = re.compile(r"from (\d+) to (\d+) every (\d+) order velocity (-?\d+)(?: steering (-?\d+))?$")
 LINES = {
     31: "serial port to the PC",
     39: "first converter",
@@ -97,6 +99,37 @@ SCENARIOS = (
 
 
 Record = dict[str, BenchScenario]
+
+
+@dataclass(frozen=True)
+class Order:
+    """The order that a scenario sends in each cycle of a period [ms]: the velocity of the wheels
+    [rpm], and the angle of the steering [degrees]."""
+
+    first: int
+    last: int
+    velocity: float
+    steering: float
+
+
+def orders_in(text: str) -> list[Order]:
+    """The orders of a scenario of the bench."""
+    matches = (ORDER.match(line.strip()) for line in text.splitlines())
+    periods = [map(int, match.groups(default="0")) for match in matches if match]
+    return [
+        Order(first, last, velocity / 10, steering / 100)
+        for first, last, _, velocity, steering in periods
+    ]
+
+
+def measured_orders(text: str) -> list[Order]:
+    """The order of each measured cycle: the last cycles of the scenario."""
+    each = [
+        order
+        for order in orders_in(text)
+        for _ in range(order.first, order.last + 1, PERIOD_MS)
+    ]
+    return each[-CYCLES:]
 
 
 def read_bench(root: Path, path: Path = BENCH) -> Record | None:

@@ -413,7 +413,27 @@
       count.textContent =
         (left === rows.length ? "" : left + " of ") + rows.length + " " + count.dataset.noun;
     };
-    [field, ...facets].forEach((control) => control.addEventListener("input", narrow));
+    /* the address keeps the choice, so that it can be sent as a link */
+    const controls = [field, ...facets];
+    const nameOf = (control) => control.dataset.facet || "filter";
+    const keepInAddress = () => {
+      const address = new URL(location.href);
+      controls.forEach((control) => {
+        if (control.value) address.searchParams.set(nameOf(control), control.value);
+        else address.searchParams.delete(nameOf(control));
+      });
+      history.replaceState(history.state, "", address);
+    };
+    const wanted = new URL(location.href).searchParams;
+    controls.forEach((control) => {
+      const value = wanted.get(nameOf(control));
+      if (value !== null) control.value = value;
+      control.addEventListener("input", () => {
+        narrow();
+        keepInAddress();
+      });
+    });
+    if (controls.some((control) => control.value)) narrow();
   });
   all("[data-open]").forEach((control) =>
     control.addEventListener("click", () =>

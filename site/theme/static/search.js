@@ -44,11 +44,12 @@
     Tests: 0.15,
     Source: 0.3,
   };
-  const DEFINES = /\b(mean|means|meaning|definition)\b/i; // asks for the glossary
+  const DEFINES = /\b(mean|means|meaning|definition)\b|^what (is|are) (an? )?[\w-]+( here)?\??$/i; // asks for the glossary
   const MAY = /^can (?=(i|you|we|it|this|the|a)\b)/i;
   const DEFINED = 4; // weight of a term for such a question
   const ENOUGH = 8; // hits with all words; with fewer hits, those without one word are also shown
   const NEAR = 0.45; // least score of a question with two words, as a share of the best score
+  const IDENTIFIER = /\b(?:FR|NFR|SG|HZ|AU)[- ]?\d+\b/gi; // of requirements, goals, hazards, assumptions
   const FEW = 3; // least number of letters of a word that may contain a typing error
 
   /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15. */
@@ -73,7 +74,8 @@
   }
 
   let index = null;
-  const { entries, synonyms } = window.PORTAL_SEARCH;
+  const { entries, synonyms, aliases } = window.PORTAL_SEARCH;
+  const titles = new Map(aliases.map(([query, title]) => [same(query), same(title)]));
   function prepare() {
     if (index) return;
     index = new MiniSearch({
@@ -146,8 +148,9 @@
     const words = (large.length ? large : all).map(stem);
     if (!words.length) return [];
     const wanted = meanings(words);
+    const identifiers = (text.match(IDENTIFIER) || []).map(same);
     const isSentence = large.length < all.length;
-    const whole = same(text);
+    const whole = titles.get(same(text)) || same(text);
     const options = {
       tokenize: pieces,
       prefix: (term) => term.length > 1 || words.length === 1,
@@ -159,14 +162,15 @@
     const named = ([group, , title]) => {
       const method = title.split("::").pop();
       const names = pieces(method).length > 1 ? [title, method] : [title];
-      return group !== "Paper" && names.some((name) => same(name) === whole);
+      return group !== "Paper" && names.some((name) => same(name) === whole || identifiers.includes(same(name)));
     };
     /* Finds a name that is written as one word with an error. */
     const joined = { queries: [whole], prefix: false, boost: { title: 12, also: 10 }, ...tolerance(whole) };
-    const queries = [...wanted.map(asked), ...(words.length > 1 ? [joined] : [])];
+    const ownNames = identifiers.map((own) => ({ queries: [own], prefix: false, fuzzy: false }));
+    const queries = [...wanted.map(asked), ...ownNames, ...(words.length > 1 ? [joined] : [])];
     const found = index.search({ combineWith: "OR", queries }, options).map((hit) => {
       const terms = new Set(hit.queryTerms);
-      const share = terms.has(whole) ? wanted.length : wanted.filter((one) => has(terms, one)).length;
+      const share = terms.has(stem(whole)) ? wanted.length : wanted.filter((one) => has(terms, one)).length;
       const score = hit.score * (share / wanted.length) ** 3;
       return { id: hit.id, terms: hit.terms, score, share, exact: named(entries[hit.id]), wanted, isSentence };
     });
@@ -199,7 +203,7 @@
     const hits = find(text);
     /* A hand-written page is an entry with its words. */
     hits.forEach(({ id }) => entries[id][0] === "Explanations" && written.add(entries[id][4]));
-    const isName = hits.some((hit) => hit.exact && NAMES.has(entries[hit.id][0]));
+    const isName = hits.some((hit) => hit.exact && (titles.has(same(text)) || NAMES.has(entries[hit.id][0])));
     const near = NEAR * Math.max(...hits.map((hit) => hit.score));
     const asked = isName ? [] : hits.filter((hit) => asks(hit, near));
     if (asked.length) groups.set(ANSWERS, asked);

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from html import unescape
 from itertools import pairwise
 from pathlib import Path
 
@@ -239,8 +241,9 @@ def test_the_differences_of_two_commits_have_a_page(tmp_path: Path) -> None:
 
 def test_the_tests_are_filtered_by_their_values(portal: Portal) -> None:
     test = portal.model.tests["RcTest.Reads"]
-    facets = facets_of_test(test)
+    facets = facets_of_test(test, portal.model, ["RC"])
     assert facets["requirement"] == ["FR-15"]
+    assert (facets["module"], facets["level"]) == (["RC"], ["high"])
     assert facets["target"] == list(test.results)
     assert facets["folder"] == ["/".join(test.place.file.split("/")[1:-1])]
     found = options([{"requirement": ["FR-10", "SR-1"]}, {"requirement": ["FR-2"]}])
@@ -325,3 +328,19 @@ def test_a_change_that_an_extension_makes_names_two_products(portal: Portal) -> 
     assert found
     assert (found.before, found.after) == ("weeding_robot_pc", "weeding_robot_pc_bluetooth")
     assert compared(portal, replace(change, examples=[], made=None)) is None
+
+
+@pytest.mark.parametrize(
+    ("written", "read"),
+    [
+        ("void read(int order) override", "<b>read</b>(int order)"),
+        ("virtual bool read() const = 0", "<b>read</b>() const → bool"),
+        ("static Mode& read()", "static <b>read</b>() → Mode&"),
+        ("explicit read(int order)", "<b>read</b>(int order)"),
+    ],
+)
+def test_the_name_of_a_method_comes_first_in_its_signature(
+    portal: Portal, written: str, read: str
+) -> None:
+    method = replace(portal.model.modules["RC"].methods[0], name="read", signature=written)
+    assert unescape(re.sub("</?a[^>]*>", "", portal.names.signature(method))) == read

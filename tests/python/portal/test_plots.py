@@ -2,6 +2,7 @@
 
 import pytest
 
+from portal.bench_page import steps
 from portal.plots import axis, draw
 from traceability.schema import HOST, VIRTUAL_K64, Curve, LoopPlot
 
@@ -44,3 +45,10 @@ def test_a_set_point_is_drawn_once_and_in_steps() -> None:
     assert drawing.lines[1].path == "M0.0 300.0L500.0 150.0L1000.0 0.0"
     assert [line.kind for line in drawing.lines] == ["set-point", "truth host", "truth board"]
     assert "truth, host ends at 100" in drawing.words
+
+
+def test_the_set_points_of_a_scenario_are_drawn_in_steps() -> None:
+    drawing = steps("Set-point of the steering", "degrees", [-32.0, -32.0, 32.0, 32.0])
+    assert [tick.text for tick in drawing.y] == ["-32", "0", "32"]
+    assert drawing.lines[0].path == "M0.0 300.0H500.0V0.0H1000.0V0.0"
+    assert drawing.words == "Set-point of the steering: 2 values from -32 to 32 degrees"

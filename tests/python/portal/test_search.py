@@ -8,7 +8,7 @@ from pathlib import Path
 
 from portal.navigation import Entry
 from portal.page_words import parts_of
-from portal.search import synonyms
+from portal.search import listed
 from portal.sections import terms_of
 
 ROOT = Path(__file__).parents[3]
@@ -30,9 +30,9 @@ def test_a_term_of_the_glossary_is_found() -> None:
 
 
 def test_words_that_mean_the_same_are_in_small_letters() -> None:
-    words = [word for group in synonyms() for word in group]
+    words = [word for group in listed("synonyms.txt", ",") for word in group]
     assert all(word == word.lower() for word in words)
-    assert all(len(set(group)) == len(group) > 1 for group in synonyms())
+    assert all(len(set(group)) == len(group) > 1 for group in listed("synonyms.txt", ","))
 
 
 def test_a_part_of_a_page_has_the_words_below_its_heading() -> None:

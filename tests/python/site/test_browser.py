@@ -143,7 +143,7 @@ def test_pages_ask_no_other_server(server: tuple[str, Path]) -> None:
     assert found == []
 
 
-def test_a_wide_diagram_fits_a_phone_and_is_enlarged_in_a_window(
+def test_a_wide_diagram_fits_a_narrow_window_and_is_enlarged_in_a_window(
     server: tuple[str, Path],
 ) -> None:
     probe = (
@@ -166,8 +166,24 @@ def test_a_wide_diagram_fits_a_phone_and_is_enlarged_in_a_window(
         "found.push(doc.activeElement === button);"
         "return found;"
     )
-    seen, errors = look(server, ["architecture"], probe, width=390)
+    seen, errors = look(server, ["architecture"], probe, width=640)
     assert (seen["architecture"], errors) == ([True] * 7, [])
+
+
+def test_the_architecture_is_drawn_from_top_to_bottom_on_a_phone(
+    server: tuple[str, Path],
+) -> None:
+    probe = (
+        "const shown = [...doc.querySelectorAll('svg.arch-fig')].filter((svg) =>"
+        " svg.getBoundingClientRect().width);"
+        "return shown.map((svg) => [svg.viewBox.baseVal.width < svg.viewBox.baseVal.height,"
+        " svg.querySelectorAll('a').length]);"
+    )
+    narrow, _ = look(server, ["index"], probe, width=390)
+    wide, _ = look(server, ["index"], probe, width=1200)
+    ((is_tall, links),), ((is_wide_tall, wide_links),) = narrow["index"], wide["index"]
+    assert (is_tall, is_wide_tall, links) == (True, False, wide_links)
+    assert links
 
 
 def test_a_box_of_a_diagram_has_a_card_and_is_highlighted_with_its_rows(

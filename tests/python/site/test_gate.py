@@ -32,7 +32,7 @@ LOOKED_AT = [
     "patterns/index", "patterns/reading-modes", "machines", "changes/reading-modes", "products",
     "execution", "requirements/FR-15", "requirements/FR-37", "safety/SG-2", "closed_loop", "bench",
     "checks/uses-allowed", "docs/quick_start", "docs/bring_up", "modules/RC", "uses", "trees",
-    "plot",
+    "plot", "usual_design",
 ]  # fmt: skip
 WIDTHS = (320, 390, 600, 768, 821, 900, 1024, 1280, 1920)
 AXE_WIDTHS = (390, 768, 1024, 1440)
@@ -159,6 +159,19 @@ def test_escape_gives_the_focus_back_and_every_stop_is_seen(site: Site) -> None:
     seen, errors = look(site, ["patterns/reading-modes"], KEYBOARD)
     assert seen["patterns/reading-modes"] == [True, True, True, True, "main"]
     assert errors == []
+
+
+def test_a_filter_is_kept_in_the_address_and_read_from_it(site: Site) -> None:
+    probe = (
+        "const count = () => doc.querySelector('.tools .count').textContent;"
+        "const field = doc.querySelector('[data-facet=level]'), first = count();"
+        "field.value = 'system'; field.dispatchEvent(new view.Event('input'));"
+        "return [first, count(), view.location.search];"
+    )
+    seen, errors = look(site, ["tests?module=RC"], probe)
+    by_module, by_both, address = seen["tests?module=RC"]
+    assert int(by_module.split()[0]) > int(by_both.split()[0]) > 0
+    assert (address, errors) == ("?module=RC&level=system", [])
 
 
 def test_a_tour_is_kept_from_page_to_page(site: Site) -> None:

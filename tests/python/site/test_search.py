@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from portal.search import listed
 from tests.python.site.browser import BROWSER
 from tests.python.site.content import SITE, content, searched
 
@@ -65,6 +66,13 @@ def test_headings_of_generated_pages_are_found() -> None:
     sections = {tuple(entry[2:5]) for entry in searched() if entry[0] == "Sections"}
     assert ("Stack", "Execution", "execution.html#stack") in sections
     assert len(sections) > 60
+
+
+def test_the_title_of_each_alias_is_an_entry() -> None:
+    titles = {entry[2] for entry in searched()}
+    aliases = listed("search_aliases.txt", " = ")
+    assert aliases
+    assert [title for _, title in aliases if title not in titles] == []
 
 
 def test_each_expected_hit_is_a_place() -> None:

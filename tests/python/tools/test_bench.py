@@ -9,7 +9,13 @@ import pytest
 from tools import cli
 from tools.bench import costs, orders_of, wishes
 from tools.steps import FailureError
-from traceability.reading.bench_record import BENCH, CYCLES, FOLDER, SCENARIOS
+from traceability.reading.bench_record import (
+    BENCH,
+    CYCLES,
+    FOLDER,
+    SCENARIOS,
+    measured_orders,
+)
 from traceability.schema import Spread
 from weeding_robot_client.exit_codes import MISSING
 
@@ -38,6 +44,11 @@ def test_the_orders_have_the_values_of_the_paper() -> None:
         levels = [value for before, value in zip([-1.0, *steps], steps, strict=False)
                   if value != before]  # fmt: skip
         assert levels == [0, 50, 100, 150, 200, 250, 300, 250, 200, 150, 100, 50, 0]
+
+
+def test_the_measured_cycles_are_the_last_ones() -> None:
+    orders = measured_orders(scenario("velocity"))
+    assert [order.velocity for order in orders] == [0.0] * 500 + [50.0] * 500
 
 
 def told(**values: int) -> Any:
