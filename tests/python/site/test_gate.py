@@ -32,7 +32,7 @@ LOOKED_AT = [
     "patterns/index", "patterns/reading-modes", "machines", "changes/reading-modes", "products",
     "execution", "requirements/FR-15", "requirements/FR-37", "safety/SG-2", "closed_loop", "bench",
     "checks/uses-allowed", "docs/quick_start", "docs/bring_up", "modules/RC", "uses", "trees",
-    "plot", "usual_design",
+    "plot", "usual_design", "mutation", "secrets",
 ]  # fmt: skip
 WIDTHS = (320, 390, 600, 768, 821, 900, 1024, 1280, 1920)
 AXE_WIDTHS = (390, 768, 1024, 1440)
