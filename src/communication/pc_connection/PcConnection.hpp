@@ -44,7 +44,7 @@ class PcConnection final {
   /// @satisfies FR-33
   void beginCycle(Instant clockPulse);
 
-  /// @brief Serves the link: reads the received bytes, but at most 1280, lets the state handle each
+  /// @brief Serves the link: reads the received bytes, but at most 1216, lets the state handle each
   /// frame, checks the silence at the clock pulse, and sends a Welcome if a Hello requests one. The
   /// caller calls it once in each cycle.
   /// @isr{no}
