@@ -94,7 +94,16 @@ class LoadedRobot {
 
  private:
   // The bytes with which the PC loads its line.
-  enum Style : std::uint32_t { Quiet, Hellos, KeepAlives, Orders, SmallFrames, BigFrames, Bytes };
+  enum Style : std::uint32_t {
+    Quiet,
+    Hellos,
+    KeepAlives,
+    Orders,
+    Shortest,
+    SmallFrames,
+    BigFrames,
+    Bytes
+  };
   static constexpr std::uint32_t kStyles = Bytes + 1;
 
   static emulator::Options optionsOf(const CampaignOptions& settings) {
@@ -158,6 +167,8 @@ class LoadedRobot {
       case Orders:
         ++order_.id;
         return pc_.order(order_);
+      case Shortest:
+        return {static_cast<std::uint8_t>(random_.between(1, 255)), 0};
       default:
         return someFrame();
     }

@@ -134,17 +134,18 @@ void K64Uart::send() {
 }
 
 std::size_t K64Uart::read(std::span<std::uint8_t> bytes) {
-  const std::size_t most = std::min(bytes.size(), received_.count());
-  const std::size_t from = received_.next();
+  const std::size_t first = received_.first();
+  const std::size_t most = std::min(bytes.size(), received_.end() - first);
+  std::uint8_t* const to = bytes.data();
   std::size_t count = 0;
   bool ended = false;
   while (count != most && !ended) {
-    const std::uint8_t byte = received_.at(from + count);
-    bytes[count] = byte;
+    const std::uint8_t byte = received_.at(first + count);
+    to[count] = byte;
     ++count;
     ended = byte == 0;
   }
-  received_.drop(count);
+  received_.dropUpTo(first + count);
   if (ended) {
     receivedAt_ = endings_.take();
   }

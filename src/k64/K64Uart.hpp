@@ -55,9 +55,7 @@ class K64Uart final : public SerialPort {
   class Ring {
    public:
     // Always inlined, like load and store, because these few instructions run for each element.
-    [[nodiscard, gnu::always_inline]] std::size_t count() const {
-      return load(written_) - load(read_);
-    }
+    [[nodiscard, gnu::always_inline]] std::size_t count() const { return end() - first(); }
     [[nodiscard]] std::size_t free() const { return kSize - count(); }
     void put(std::span<const Element> elements) {  // only with enough space
       const std::size_t at = load(written_);
@@ -76,16 +74,17 @@ class K64Uart final : public SerialPort {
       store(written_, at + 1);
     }
     Element take() {  // only if the buffer is not empty
-      const Element element = at(next());
-      drop(1);
+      const std::size_t place = first();
+      const Element element = at(place);
+      dropUpTo(place + 1);
       return element;
     }
     // Returns the place of the next element that is read.
-    [[nodiscard]] std::size_t next() const { return load(read_); }
+    [[nodiscard]] std::size_t first() const { return load(read_); }
+    // Returns the place behind the last element.
+    [[nodiscard]] std::size_t end() const { return load(written_); }
     [[nodiscard]] Element at(std::size_t place) const { return elements_[place % kSize]; }
-    void drop(std::size_t number) {  // only if the buffer has this many elements
-      store(read_, load(read_) + number);
-    }
+    void dropUpTo(std::size_t place) { store(read_, place); }
 
    private:
     // Writer and reader run on one core: only the compiler could change the order of their

@@ -22,7 +22,7 @@ namespace wr::fuzz {
 namespace {
 
 constexpr std::int64_t kCycle = 100'000;  // [us]
-constexpr std::size_t kMostInCycle = 1280;
+constexpr std::size_t kMostInCycle = 1216;
 constexpr std::size_t kRoomForWelcome = 64;
 
 // A serial port whose bytes have the time at which they were received.

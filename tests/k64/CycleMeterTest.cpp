@@ -133,12 +133,15 @@ TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
   constexpr std::uint8_t kUnknownType = 99;
   constexpr std::size_t kBytesInACycle = 1152;
   std::uint64_t longest = 0;
+  std::vector<test::Bytes> frames{{1, 0}};  // the shortest frame, which is damaged
   for (const std::size_t payload : {0U, 1U, 3U, 95U}) {
+    frames.push_back(test::lineBytes(kUnknownType, 0, test::Bytes(payload, 3)));
+  }
+  for (const test::Bytes& frame : frames) {
     Drive drive(3);
     for (int cycle = 0; cycle < 8; ++cycle) {
       scenario::Bytes flood;
       while (flood.size() < kBytesInACycle) {
-        const auto frame = test::lineBytes(kUnknownType, 0, test::Bytes(payload, 3));
         flood.insert(flood.end(), frame.begin(), frame.end());
       }
       drive.robot.arrive(flood);

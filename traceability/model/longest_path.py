@@ -7,7 +7,7 @@ bound greater.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import highspy
@@ -31,7 +31,7 @@ class Problem:
     code: Code
     cost: Mapping[int, int]  # of each block
     rounds: Iterable[tuple[Loop, Bound]]
-    counted: Iterable[tuple[int, int]]  # block, and the greatest number of its executions
+    counted: Sequence[tuple[int, int]]  # block, and the greatest number of its executions
     facts: Iterable[FlowFact] = field(default_factory=list)
     apart: Mapping[str, int] = field(default_factory=dict)  # counted callee -> its cost
 
@@ -64,10 +64,8 @@ class Problem:
             inside = [ways[begin, loop.head] for begin in loop.back]
             outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
             entries = [v for (b, e), v in ways.items() if e in loop.blocks and b not in loop.blocks]
-            exits = self.code.blocks[loop.head].exits()
-            leaves = loop.head not in loop.back and any(edge not in loop.blocks for edge in exits)
             # A loop with its condition at the end has a round before its first jump back.
-            first = 0 if leaves else solver.qsum(outside)
+            first = solver.qsum(outside) if self._ends_with_condition(loop) else 0
             entered = 1 if bound.in_all else solver.qsum(entries)
             solver.addConstr(solver.qsum(inside) + first <= bound.rounds * entered)
         for start, most in self.counted:
@@ -89,3 +87,20 @@ class Problem:
         if solver.getModelStatus() != highspy.HighsModelStatus.kOptimal:
             return None
         return round(solver.getObjectiveValue() + 0.4999)
+
+    def _ends_with_condition(self, loop: Loop) -> bool:
+        """Whether a round that does not leave the loop early ends with the condition of the loop.
+
+        A block that is never executed, such as the end of an assertion, is no way out.
+        """
+        never = {start for start, most in self.counted if most == 0}
+
+        def leaves(block: int) -> bool:
+            return any(
+                end not in loop.blocks and end not in never
+                for end in self.code.blocks[block].exits()
+            )
+
+        return all(leaves(end) for end in loop.back) and (
+            loop.head in loop.back or not leaves(loop.head)
+        )

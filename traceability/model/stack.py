@@ -39,6 +39,8 @@ class Declared:
     calls: dict[str, str] = field(default_factory=dict)  # function -> pattern of symbols
     # Class of a chain -> number of its objects.
     entries: dict[str, int] = field(default_factory=dict)
+    # Class of a chain whose order is known -> the classes of objects that its object wraps.
+    inner: dict[str, frozenset[str]] = field(default_factory=dict)
 
 
 def read_declared(root: Path) -> Declared:
@@ -51,6 +53,12 @@ def read_declared(root: Path) -> Declared:
         calls={entry["from"]: entry["to"] for entry in data.get("call", [])},
         entries={
             name: entry["objects"] for entry in data.get("chain", []) for name in entry["classes"]
+        },
+        inner={
+            name: frozenset(entry["classes"][number + 1 :])
+            for entry in data.get("chain", [])
+            if entry.get("ordered")
+            for number, name in enumerate(entry["classes"])
         },
     )
 
@@ -83,6 +91,10 @@ def most_entries(model: Model, declared: Declared) -> dict[str, int]:
                 most = len(concrete) if role.role == "Decorator" else 1
                 entries |= {method.id: most for method in model.modules[role.module].methods}
     return entries
+
+
+def _class_of(method: str) -> str:
+    return method.rpartition("::")[0]
 
 
 class Prover:
@@ -172,8 +184,14 @@ class Prover:
         return cache[key]
 
     def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
+        """Whether no object of a chain is left whose method can be called."""
         method = short_name(self.graph[symbol].name)
-        return method in self.most and entered.get(method, 0) >= self.most[method]
+        if method not in self.most:
+            return False
+        inner = self.declared.inner.get(_class_of(method), frozenset())
+        return entered.get(method, 0) >= self.most[method] or any(
+            _class_of(other) in inner for other in entered
+        )
 
     def _in_chain(self, path: list[str], target: str) -> bool:
         cycle = path[path.index(target) :]

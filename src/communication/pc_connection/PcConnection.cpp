@@ -14,7 +14,7 @@ namespace wr {
 
 namespace {
 
-constexpr std::size_t kMaxBytesPerService = 1280;
+constexpr std::size_t kMaxBytesPerService = 1216;
 constexpr std::uint8_t kMaxSequenceStep = 127;
 
 static_assert(SerialWriter::kCapacity <= kMaxPayload, "the content of the writer fits in a frame");
@@ -55,18 +55,17 @@ void PcConnection::service() {
   std::size_t left = kMaxBytesPerService;
   bool more = true;
   // bound: kMaxBytesPerService in all
-  while (more) {
+  while (more && left != 0) {
     const std::span<std::uint8_t> storage = decoder_.storage();
-    const std::size_t asked = std::min(left, storage.size());
     // counts: reads
-    const std::size_t received = port_.read(storage.first(asked));
-    left -= received;
-    more = false;
-    if (received != 0) {
-      // A shorter read that ends no frame has emptied the port.
-      more = left != 0 && (received == asked || storage[received - 1] == 0);
-      receive(received);
+    const std::size_t received = port_.read(storage.first(std::min(left, storage.size())));
+    if (received == 0) {
+      break;
     }
+    left -= received;
+    receive(received);
+    // A read that neither ends a frame nor fills the storage has emptied the port.
+    more = decoder_.storage().size() >= storage.size();
   }
   counts_.lostBytes = port_.lostBytes();
   at_ = clockPulse_;

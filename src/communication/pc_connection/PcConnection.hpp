@@ -44,7 +44,7 @@ class PcConnection final {
   /// @satisfies FR-33
   void beginCycle(Instant clockPulse);
 
-  /// @brief Serves the link. Reads at most 1280 received bytes, lets the state handle each frame,
+  /// @brief Serves the link. Reads at most 1216 received bytes, lets the state handle each frame,
   /// and checks the silence at the clock pulse. Sends a Welcome if a Hello requests it. The caller
   /// calls it once in each cycle.
   /// @isr{no}

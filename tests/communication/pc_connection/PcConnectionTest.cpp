@@ -794,11 +794,11 @@ TEST_F(PcConnectionTest, FR251_CountsSurviveTheConnection) {
   EXPECT_EQ(connection.counts().damaged, 1);
 }
 
-/// @brief At most 1280 bytes are read in one cycle. The other bytes are read in the next cycle.
+/// @brief At most 1216 bytes are read in one cycle. The other bytes are read in the next cycle.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   receive(Bytes(2000, 0));
-  EXPECT_EQ(port.received.size(), 720U);
+  EXPECT_EQ(port.received.size(), 784U);
   service();
   EXPECT_TRUE(port.received.empty());
 }
@@ -807,7 +807,7 @@ TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
 /// reads do not make the cycle longer. The proven bound of the cycle counts on this.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheReadsOfOneCycleAreBounded) {
-  constexpr std::size_t kBytes = 1280;
+  constexpr std::size_t kBytes = 1216;
   for (const std::size_t length : {2U, 3U, 7U, 28U, 206U, 207U, 208U, 5000U}) {
     Bytes line(kBytes, 1);
     for (std::size_t end = length - 1; end < line.size(); end += length) {

@@ -66,6 +66,24 @@ def test_the_deepest_chain_counts_and_not_the_longest() -> None:
     assert proof.total == 108
 
 
+def test_an_object_of_an_ordered_chain_calls_no_object_before_it() -> None:
+    """The inner stage seems to call the outer one, because both have the same interface."""
+    functions = graph(
+        Loop_run=(8, ["Outer_follow", "Inner_follow"]),
+        Outer_follow=(100, ["Inner_follow"]),
+        Inner_follow=(10, ["Outer_stand", "Inner_stand"]),
+        Outer_stand=(1000, []),
+        Inner_stand=(1, []),
+    )
+    chained = prover(functions, [context("main", "Loop::run", None)])
+    chained.most = dict.fromkeys(("Outer::follow", "Inner::follow", "Outer::stand"), 1)
+    chained.declared = Declared(inner={"Outer": frozenset({"Inner"}), "Inner": frozenset()})
+    (deepest,) = chained.prove(36).contexts
+    assert [call.name for call in deepest.chain] == [
+        *("Loop::run", "Outer::follow", "Inner::follow", "Inner::stand")
+    ]
+
+
 def test_of_each_priority_the_greatest_counts_with_a_frame_of_the_hardware() -> None:
     functions = graph(Loop_run=(10, []), Loop_a=(20, []), Loop_b=(30, []), Loop_c=(40, []))
     contexts = [

@@ -55,6 +55,28 @@ ENTERED_TWICE = """
     bne 1b
     bx lr
 """
+# The condition is between two parts of a round; the first part has a way around an addition.
+MIDDLE = """
+    movs r0, #10
+1:  cbnz r2, 2f
+    adds r1, r1, #1
+2:  cmp r0, #0
+    beq 3f
+    subs r0, r0, #1
+    b 1b
+3:  bx lr
+"""
+# A round begins with an assertion, and ends with the condition.
+ASSERTED = """
+    movs r0, #10
+1:  cmp r2, #0
+    bne 2f
+    subs r0, r0, #1
+    bne 1b
+    bx lr
+2:  udf #0
+    bx lr
+"""
 # A copy of four registers, a load and a store of one.
 MEMORY = """
     ldm r0, {r1, r2, r3, r4}
@@ -121,6 +143,23 @@ def test_a_loop_that_is_entered_at_two_places_costs_its_rounds(tmp_path: Path) -
     # The bound permits a part of a round before the first whole one.
     first = REFILL + 3 + REFILL
     assert longest(code, 10) == 1 + 1 + first + 10 * 4 + 9 * REFILL + 1 + REFILL
+
+
+def test_a_loop_with_its_condition_in_the_middle_begins_once_more_than_it_has_rounds(
+    tmp_path: Path,
+) -> None:
+    """With ten rounds, the part before the condition is executed eleven times."""
+    before, first, second, after = 1, 1 + REFILL + 2, 2 + REFILL, REFILL + 1 + REFILL
+    assert longest(code_of(tmp_path, MIDDLE), 10) == before + 11 * first + 10 * second + after
+
+
+def test_the_end_of_an_assertion_is_not_the_condition_of_a_loop(tmp_path: Path) -> None:
+    code = code_of(tmp_path, ASSERTED)
+    cost = {start: block.cycles for start, block in code.blocks.items()}
+    end = next(s for s, b in code.blocks.items() if b.instructions[0].name.startswith("udf"))
+    rounds = [(loop, Bound(10, in_all=False)) for loop in code.loops]
+    whole = Problem(code, cost, rounds, [(end, 0)]).solve()
+    assert whole == 1 + 10 * 4 + 9 * REFILL + 1 + REFILL
 
 
 def test_the_longer_way_counts(tmp_path: Path) -> None:
