@@ -43,7 +43,7 @@ class CallRecorder {
   /// @brief Clears the events; open calls stay open.
   void clear();
 
-  /// @brief Sets the callback of each function that is entered or left; it is also called for
+  /// @brief Sets the callback of each function that is entered or left; the callback also receives
   /// events that are not recorded.
   void onCall(std::function<void(std::uint32_t function, bool left)> call) {
     call_ = std::move(call);

@@ -148,7 +148,7 @@ void Ftm::takeWritten() {
   show();
 }
 
-// A value of MOD + 1 keeps the pin high; greater values have no purpose.
+// A value of MOD + 1 keeps the pin high; greater values are not used.
 void Ftm::checkValues() {
   for (const Channel& channel : channels_) {
     if (counts() && (channel.control & kPwm) != 0 && channel.value > period()) {

@@ -8,8 +8,8 @@
 
 namespace wr::host {
 
-/// @brief A watchdog on the host. It does not reset; it records that a watchdog would have reset
-/// the robot.
+/// @brief A watchdog on the host. This watchdog causes no reset. It records that a watchdog would
+/// have reset the robot.
 class HostWatchdog final : public Watchdog {
  public:
   /// @brief Starts the watchdog, as a reset does.

@@ -48,7 +48,7 @@ class DriveTrain {
   void set(const WheelDrive& drive) { drive_ = drive; }
 
   /// @brief Blocks the wheel, or frees it.
-  /// @param blocked true: it cannot turn
+  /// @param blocked true: the wheel cannot turn
   void block(bool blocked) { blocked_ = blocked; }
 
   /// @brief Swaps the leads of the motor, or connects them in the right order.

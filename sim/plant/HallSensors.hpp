@@ -20,8 +20,8 @@ class HallSensors {
 
   /// @brief Turns the shaft by less than an edge.
   /// @param sensor 0 for a, 1 for b
-  /// @param from turns of the shaft before
-  /// @param to turns of the shaft after
+  /// @param from turns of the shaft before the movement
+  /// @param to turns of the shaft after the movement
   /// @return fraction of the movement at which the level changed; nothing without an edge
   [[nodiscard]] std::optional<double> turn(std::size_t sensor, double from, double to);
 

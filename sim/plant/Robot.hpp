@@ -42,11 +42,11 @@ enum class Fault : std::uint8_t {
   HallLosses,     ///< edges of a wheel are lost; value: edges in a second
   Leads,          ///< the leads of a motor are swapped
   Current,        ///< the cable of a current sensor is broken; its input is pulled to 0 V
-  CurrentOpen,    ///< the cable is broken, and nothing pulls the input: it follows its neighbour
+  CurrentOpen,    ///< the cable is broken, and nothing pulls the input, so it follows its neighbour
   CurrentStuck,   ///< a current sensor keeps its value
   CurrentOffset,  ///< a current sensor has an offset; value: mA
   Angle,          ///< the cable of the angle sensor is broken; its input is pulled to 0 V
-  AngleOpen,      ///< the cable is broken, and nothing pulls the input: it follows its neighbour
+  AngleOpen,      ///< the cable is broken, and nothing pulls the input, so it follows its neighbour
   AngleStuck,     ///< the angle sensor keeps its value
   AngleDrift,     ///< the angle sensor drifts; value: 0.01 degree in a second
   Stall,          ///< the steering is stuck
@@ -170,7 +170,7 @@ class Robot {
   /// wire broken.
   [[nodiscard]] bool rightEnd() const { return rightEndBroken_ || steering_.rightEnd(); }
 
-  /// @brief Returns whether the auxiliary contact of the emergency stop is open: it is pressed.
+  /// @brief Returns whether the emergency stop is pressed, which opens its auxiliary contact.
   [[nodiscard]] bool emergencyStopOpen() const { return !hasPower(); }
 
   /// @brief True velocity of a wheel's motor shaft.

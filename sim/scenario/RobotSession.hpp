@@ -81,7 +81,7 @@ class RobotSession {
 
   /// @brief Stops the external clock of 50 MHz, or starts it again. Throws std::runtime_error if
   /// there is none.
-  /// @param present false: it is lost
+  /// @param present false: the clock is lost
   virtual void setExternalClock(bool /*present*/) {
     throw std::runtime_error(
         "the host has no external clock: play the scenario on the virtual board");

@@ -29,8 +29,8 @@ class FixedRandom final : public RandomSource {
   std::optional<std::uint64_t> number_;
 };
 
-/// A Bluetooth device that has the key: it puts counter and tag on its frames, as the page of the
-/// protocol describes it.
+/// A Bluetooth device that has the key. It puts counter and tag on its frames, as the page of the
+/// protocol describes.
 class SigningDevice {
  public:
   explicit SigningDevice(const SipHash::Key& key = kSharedKey, std::uint64_t nonce = kStartNumber)

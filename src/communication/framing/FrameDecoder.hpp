@@ -31,7 +31,7 @@ class FrameDecoder final {
   FrameDecoder() = default;
 
   /// @brief Processes bytes from the line until a frame ends.
-  /// @param bytes the bytes in their order; receives those that are not yet processed
+  /// @param bytes the bytes in their order; receives the bytes that are not yet processed
   /// @return the frame that ended, if any
   /// @isr{no}
   /// @satisfies FR-40

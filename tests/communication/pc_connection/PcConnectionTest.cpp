@@ -879,8 +879,8 @@ TEST_F(PcConnectionTest, FR30_AWelcomeWithoutRoomIsDropped) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief The first frame after start follows a zero byte: it ends a frame that the firmware may
-/// have sent in part before a reset. The frames after it do not.
+/// @brief The first frame after start follows a zero byte. The zero byte ends a frame that the
+/// firmware may have sent in part before a reset. The frames after it do not.
 /// @verifies FR-247
 TEST_F(PcConnectionTest, FR247_TheFirstFrameFollowsAZeroByte) {
   send(kHello);
