@@ -49,7 +49,7 @@ class CallRecorder {
     call_ = std::move(call);
   }
 
-  /// @brief The events, oldest first.
+  /// @brief Returns the events, oldest first.
   [[nodiscard]] const std::vector<std::uint64_t>& events() const { return events_; }
 
   /// @brief Returns whether events were dropped.

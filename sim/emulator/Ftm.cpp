@@ -68,7 +68,7 @@ void Ftm::reset(Reset /*cause*/) {
   show();
 }
 
-// Bus clocks from one overflow to the next.
+// Returns the bus clocks from one overflow to the next.
 std::uint64_t Ftm::length() const {
   return std::uint64_t{period()} << (control_ & 7U);
 }
@@ -86,7 +86,7 @@ void Ftm::startFrom(std::uint32_t value) {
   from_ = bus() - (std::uint64_t{value} << (control_ & 7U));
 }
 
-// Counts of the period in which the output of a channel is high.
+// Returns the counts of the period in which the output of a channel is high.
 std::uint32_t Ftm::high(const Channel& channel) const {
   if ((channel.control & kPwm) == 0 || (channel.control & kEdges) == 0) {
     return 0;

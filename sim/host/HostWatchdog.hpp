@@ -16,7 +16,7 @@ class HostWatchdog final : public Watchdog {
   /// @param timebase returns the time
   explicit HostWatchdog(const Timebase& timebase);
 
-  /// @brief The number of refreshes.
+  /// @brief Returns the number of refreshes.
   /// @return refreshes since start.
   [[nodiscard]] std::uint32_t refreshes() const;
 

@@ -25,7 +25,7 @@ class HallSensors {
   /// @return fraction of the movement at which the level changed; nothing without an edge
   [[nodiscard]] std::optional<double> turn(std::size_t sensor, double from, double to);
 
-  /// @brief Level of a sensor.
+  /// @brief Returns the level of a sensor.
   /// @param sensor 0 for a, 1 for b
   [[nodiscard]] bool level(std::size_t sensor) const { return levels_.at(sensor); }
 

@@ -75,7 +75,7 @@ class BoardRobot : public SteppedRobot {
     return welcome.value();
   }
 
-  /// The pins that are not at their safe level, or are not outputs.
+  /// Returns the pins that are not at their safe level, or are not outputs.
   [[nodiscard]] std::string unsafePins() const {
     std::string names;
     for (const SafePin& pin : kSafePins) {

@@ -147,8 +147,8 @@ class SafeBoard final : public SteppedRobot {
     return board().resets() != before;
   }
 
-  // The number of the assertion that ended the program, from the Welcome of the next start; 0
-  // without an assertion.
+  // Returns the number of the assertion that ended the program, from the Welcome of the next start;
+  // 0 without an assertion.
   int failedAssertion() {
     constexpr int kAssertion = 1;
     static_cast<void>(line_.takeSent());  // a reset cuts the frame that is on the line

@@ -49,7 +49,7 @@ class Emulator {
   /// @brief Reads a word of the memory, or a register of a device.
   [[nodiscard]] std::uint32_t word(std::uint32_t address);
 
-  /// @brief The bytes that the program has sent since the last call.
+  /// @brief Returns the bytes that the program has sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
  private:

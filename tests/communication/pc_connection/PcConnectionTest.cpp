@@ -24,7 +24,7 @@ namespace {
 
 using test::Bytes;
 
-// Bytes of the body of a report.
+// Returns the number of bytes of the body of a report.
 std::size_t reportBody() {
   return scenario::ReportPayload{}.bytes().size() + kMinBody;
 }
@@ -84,7 +84,7 @@ struct PcConnectionTest : testing::Test {
     ASSERT_TRUE(connection.connected());
   }
 
-  /// @brief Bodies of all frames that the system has sent.
+  /// @brief Returns the bodies of all frames that the system has sent.
   [[nodiscard]] std::vector<Bytes> sent() const { return test::bodies(port.sent); }
 
   [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
@@ -1014,7 +1014,7 @@ TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   EXPECT_EQ(compared, 1);
 }
 
-/// @brief Content of the report of cycle 7 of the examples.
+/// @brief Returns the content of the report of cycle 7 of the examples.
 ReportData reportOfCycle7() {
   ReportData data;
   data.cycle = 7;
@@ -1034,7 +1034,7 @@ ReportData reportOfCycle7() {
   return data;
 }
 
-/// @brief Content of the report of cycle 8 of the examples.
+/// @brief Returns the content of the report of cycle 8 of the examples.
 ReportData reportOfCycle8() {
   ReportData data = reportOfCycle7();
   data.cycle = 8;

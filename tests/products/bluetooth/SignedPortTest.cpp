@@ -26,7 +26,7 @@ SipHash::Key erased() {
 
 class SignedPortTest : public testing::Test {
  protected:
-  // The frames that the port returns now.
+  // Returns the frames that the port returns now.
   std::vector<scenario::Bytes> given(SignedPort& from) {
     std::vector<scenario::Bytes> taken;
     std::array<std::uint8_t, 64> bytes{};
