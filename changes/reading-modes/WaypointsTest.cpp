@@ -30,7 +30,7 @@ std::vector<std::uint8_t> position(std::int16_t x, std::int16_t y) {
 
 class WaypointReaderTest : public testing::Test {
  protected:
-  /// @brief The steering angle of the order after a position, if there is an order.
+  /// @brief Returns the steering angle of the order after a position, if there is an order.
   std::optional<int> steeringAt(std::int16_t x, std::int16_t y) {
     give(position(x, y));
     reader.serve();

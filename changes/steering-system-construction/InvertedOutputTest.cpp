@@ -18,7 +18,7 @@ TEST(InvertedOutput, SetsTheOppositeLevel) {
   EXPECT_FALSE(pin.on);
 }
 
-// The level of the direction pin while the robot turns to the left.
+// Returns the level of the direction pin while the robot turns to the left.
 bool levelToTheLeft(const char* image) {
   ChangedRobot robot(image);
   robot.commandByPc();

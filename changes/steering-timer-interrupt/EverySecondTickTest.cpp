@@ -25,7 +25,7 @@ TEST(EverySecondTick, HalvesTheTicks) {
   EXPECT_EQ(work.count, 5);
 }
 
-// Steps of the motor in a second of the turn to 25 degrees.
+// Returns the number of steps of the motor in a second of the turn to 25 degrees.
 int stepsInASecond(const char* image) {
   ChangedRobot robot(image);
   robot.commandByPc();

@@ -18,7 +18,7 @@ class ChangedRobot : public SteppedRobot {
   explicit ChangedRobot(const std::string& image)
       : ChangedRobot(switchProductOn(image, emulator::readImage(imageOf(image)))) {}
 
-  /// Share of the period in which a wheel has the voltage of the supply.
+  /// Returns the share of the period in which a wheel has the voltage of the supply.
   [[nodiscard]] double duty(int wheel) const { return session_.board.pwmDuty(0, wheel); }
 
   /// The red light of the board is on while its pin is low.

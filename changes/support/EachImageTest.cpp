@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kCycles = 20;
 
-// The images of all products and kits.
+// Returns the images of all products and kits.
 std::vector<std::string> images() {
   std::vector<std::string> found;
   for (const auto& file : std::filesystem::directory_iterator(imageFile().parent_path())) {

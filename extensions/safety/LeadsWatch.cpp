@@ -40,14 +40,14 @@ float volts(Tension tension) {
   return static_cast<float>(tension.count()) * kMilli;
 }
 
-// Voltage that a velocity induces in the nominal motor.
+// Returns the voltage that a velocity induces in the nominal motor.
 float induced(Velocity velocity) {
   constexpr float kConstant =
       static_cast<float>(SystemConstants::instance().motorConstant().count()) * kMilli * kMilli;
   return static_cast<float>(velocity.count()) * kConstant;
 }
 
-// Voltage of a current across the nominal winding.
+// Returns the voltage of a current across the nominal winding.
 float across(Current current) {
   constexpr float kWinding = static_cast<float>(SystemConstants::instance().winding()) * kMilli;
   return static_cast<float>(current.count()) * kMilli * kWinding;

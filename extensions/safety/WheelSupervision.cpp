@@ -17,7 +17,7 @@ constexpr Tension kDriving(1000);
 constexpr Velocity kOpposingVelocity(50);
 constexpr std::int32_t kOpposingPercent = 50;  // share of the induced voltage
 constexpr std::int32_t kDrivingPercent = 40;   // share of the voltage, to allow for supply, winding
-                                              // and delay
+                                               // and delay
 constexpr std::uint8_t kOpposingCycles = 2;
 
 // A wheel is faster than its set-point.
@@ -56,13 +56,13 @@ constexpr T magnitude(T value) {
   return value < T() ? -value : value;
 }
 
-// Voltage that a velocity induces in the motor.
+// Returns the voltage that a velocity induces in the motor.
 Tension induced(Velocity velocity) {
   return Tension(SystemConstants::instance().motorConstant().count() * velocity.count() /
                  kThousand);
 }
 
-// Voltage of a current in the winding.
+// Returns the voltage of a current in the winding.
 Tension across(Current current) {
   return Tension(kWinding * current.count() / kThousand);
 }

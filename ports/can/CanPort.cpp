@@ -141,7 +141,7 @@ void CanPort::send() {
       .write(CS_CODE_DATA | CS.field(static_cast<std::uint32_t>(length), kLengthAt));
 }
 
-// The interrupt calls send() too, so it is blocked here.
+// The interrupt calls send() too, so the interrupt is blocked here.
 void CanPort::beginSending() {
   const InterruptLock lock;
   send();

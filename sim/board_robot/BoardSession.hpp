@@ -38,7 +38,7 @@ class BoardSession final : public scenario::RobotSession {
   /// @param call the callback
   void onEvent(std::function<void(const emulator::Event&)> call);
 
-  /// @brief Times of the clock pulses, in their order.
+  /// @brief Returns the times of the clock pulses, in their order.
   /// @return time at which the handler of each pulse was entered, since the board was switched on
   [[nodiscard]] const std::vector<std::chrono::nanoseconds>& pulses() const { return pulses_; }
 

@@ -61,10 +61,10 @@ class CycleMeter {
   CycleMeter(const CycleMeter&) = delete;
   CycleMeter& operator=(const CycleMeter&) = delete;
 
-  /// @brief Measurement of each control cycle, at most kCycles.
+  /// @brief Returns the measurement of each control cycle, at most kCycles.
   [[nodiscard]] const std::vector<Cycle>& cycles() const { return cycles_; }
 
-  /// @brief Measurement of each exception by its number.
+  /// @brief Returns the measurement of each exception by its number.
   [[nodiscard]] const std::map<unsigned, Exception>& exceptions() const { return exceptions_; }
 
   /// @brief Returns the number of executions of an instruction.

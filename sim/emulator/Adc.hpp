@@ -33,7 +33,8 @@ class Adc final : public Peripheral {
   /// @brief Puts a voltage on an input.
   void setVolts(unsigned channel, double volts) { volts_.at(channel) = volts; }
 
-  /// @brief Opens an input: it has the voltage of the previous conversion on the capacitor.
+  /// @brief Opens an input. An open input has the voltage of the previous conversion, which is left
+  /// on the capacitor.
   void open(unsigned channel) { volts_.at(channel).reset(); }
 
   void reset(Reset cause) override;

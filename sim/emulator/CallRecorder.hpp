@@ -43,13 +43,13 @@ class CallRecorder {
   /// @brief Clears the events; open calls stay open.
   void clear();
 
-  /// @brief Sets the callback of each function that is entered or left; it is also called for
+  /// @brief Sets the callback of each function that is entered or left; the callback also receives
   /// events that are not recorded.
   void onCall(std::function<void(std::uint32_t function, bool left)> call) {
     call_ = std::move(call);
   }
 
-  /// @brief The events, oldest first.
+  /// @brief Returns the events, oldest first.
   [[nodiscard]] const std::vector<std::uint64_t>& events() const { return events_; }
 
   /// @brief Returns whether events were dropped.

@@ -36,7 +36,7 @@ class Clock {
            scale(static_cast<std::uint64_t>((time - from_).count()), edges_, 0, picoseconds_);
   }
 
-  /// @brief The first time at which a count has been reached.
+  /// @brief Returns the first time at which a count has been reached.
   [[nodiscard]] Time at(std::uint64_t count) const {
     if (count <= count_) {
       return from_;

@@ -95,23 +95,23 @@ class CortexM4 {
   /// @brief Lets time pass without an instruction, as during sleep.
   void skipTo(std::uint64_t cycle);
 
-  /// @brief Cycles since construction; a reset does not clear them.
+  /// @brief Returns the cycles since construction; a reset does not clear them.
   [[nodiscard]] std::uint64_t cycles() const { return core_.cycles(); }
 
-  /// @brief Instructions since construction.
+  /// @brief Returns the instructions since construction.
   [[nodiscard]] std::uint64_t instructions() const { return core_.instructions(); }
 
-  /// @brief The instruction that runs, or the next instruction.
+  /// @brief Returns the instruction that runs, or the next instruction.
   [[nodiscard]] std::uint32_t pc() const;
 
-  /// @brief A core register, 0 to 15.
+  /// @brief Returns a core register, 0 to 15.
   [[nodiscard]] std::uint32_t core(unsigned number) const;
   void setCore(unsigned number, std::uint32_t value);
 
-  /// @brief Number of the exception that runs, 0 in thread mode.
+  /// @brief Returns the number of the exception that runs, 0 in thread mode.
   [[nodiscard]] unsigned exception() const { return core_.registers.exception; }
 
-  /// @brief Priority of an exception, as in its register.
+  /// @brief Returns the priority of an exception, as in its register.
   [[nodiscard]] int priority(unsigned exception) const { return nvic_.priority(exception); }
 
   /// @brief Sets the level of an interrupt line.
@@ -130,7 +130,7 @@ class CortexM4 {
   /// @brief Stops the program with a problem, independent of the handling of faults.
   void report(std::string id, std::string what);
 
-  /// @brief The problem that stopped the program.
+  /// @brief Returns the problem that stopped the program.
   [[nodiscard]] const std::optional<Problem>& problem() const;
 
   /// @brief Sets whether faults stop the program as problems (true), or are passed to its handlers
@@ -169,10 +169,10 @@ class CortexM4 {
     core_.memory.observe(std::move(call));
   }
 
-  /// @brief All registers, for a debugger. The address of the next instruction is core(15).
+  /// @brief Returns all registers, for a debugger. The address of the next instruction is core(15).
   [[nodiscard]] Registers& registers() { return core_.registers; }
 
-  /// @brief The memory, for a debugger.
+  /// @brief Returns the memory, for a debugger.
   [[nodiscard]] const Memory& memory() const { return core_.memory; }
 
   /// @brief Reads a register of system control without an effect.

@@ -40,7 +40,7 @@ class DebugPort {
   /// @brief Number of the program counter.
   static constexpr std::size_t kPc = 15;
 
-  /// @brief The registers, in the order of their numbers.
+  /// @brief Returns the registers, in the order of their numbers.
   [[nodiscard]] static std::span<const Register> registers();
 
   /// @brief Reads a register.
@@ -66,7 +66,7 @@ class DebugPort {
   /// @brief Sets the callback after each load and store of the program; empty: none.
   void onAccess(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call);
 
-  /// @brief Instructions that were executed since the board was switched on.
+  /// @brief Returns the instructions that were executed since the board was switched on.
   [[nodiscard]] std::uint64_t instructions() const;
 
   /// @brief Time since the board was switched on.

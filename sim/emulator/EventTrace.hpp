@@ -21,11 +21,11 @@ class EventTrace {
   /// @param event the event
   void add(const emulator::Event& event);
 
-  /// @brief Number of events.
+  /// @brief Returns the number of events.
   /// @return the number
   [[nodiscard]] std::uint64_t events() const { return events_; }
 
-  /// @brief Hash of all events by FNV-1a. Runs that differ have different hashes.
+  /// @brief Returns the hash of all events by FNV-1a. Runs that differ have different hashes.
   /// @return the hash
   [[nodiscard]] std::uint64_t hash() const { return hash_; }
 

@@ -37,7 +37,7 @@ class ExecutedCode {
   /// @brief Clears all counts.
   void clear() { std::ranges::fill(counts_, std::uint64_t{0}); }
 
-  /// @brief The executed instructions: one bit for each half-word, first the bits of the lower RAM,
+  /// @brief Returns the executed instructions: one bit for each half-word, first the bits of the lower RAM,
   /// then the bits of the flash; the lowest bit of a byte first.
   [[nodiscard]] std::vector<std::uint8_t> bits() const {
     std::vector<std::uint8_t> bits(counts_.size() / 8);

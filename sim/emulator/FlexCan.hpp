@@ -38,7 +38,7 @@ class FlexCan final : public Peripheral {
   /// @brief Lets the other node send a frame as soon as the bus is free.
   void arrive(CanFrame frame);
 
-  /// @brief Frames sent since the last call.
+  /// @brief Returns the frames sent since the last call.
   [[nodiscard]] std::vector<CanFrame> takeSent();
 
   /// @brief Returns true when no frame is on the bus and no frame waits for the bus.

@@ -68,7 +68,7 @@ void Ftm::reset(Reset /*cause*/) {
   show();
 }
 
-// Bus clocks from one overflow to the next.
+// Returns the bus clocks from one overflow to the next.
 std::uint64_t Ftm::length() const {
   return std::uint64_t{period()} << (control_ & 7U);
 }
@@ -86,7 +86,7 @@ void Ftm::startFrom(std::uint32_t value) {
   from_ = bus() - (std::uint64_t{value} << (control_ & 7U));
 }
 
-// Counts of the period in which the output of a channel is high.
+// Returns the counts of the period in which the output of a channel is high.
 std::uint32_t Ftm::high(const Channel& channel) const {
   if ((channel.control & kPwm) == 0 || (channel.control & kEdges) == 0) {
     return 0;
@@ -148,7 +148,7 @@ void Ftm::takeWritten() {
   show();
 }
 
-// A value of MOD + 1 keeps the pin high; greater values have no purpose.
+// A value of MOD + 1 keeps the pin high; greater values are not used.
 void Ftm::checkValues() {
   for (const Channel& channel : channels_) {
     if (counts() && (channel.control & kPwm) != 0 && channel.value > period()) {

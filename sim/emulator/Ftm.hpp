@@ -33,7 +33,7 @@ class Ftm final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief Share of the period in which the pin of a channel is high; 0 for a channel without a
+  /// @brief Returns the share of the period in which the pin of a channel is high; 0 for a channel without a
   /// pin.
   [[nodiscard]] double duty(unsigned channel) const;
 

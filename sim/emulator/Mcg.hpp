@@ -33,7 +33,7 @@ class Mcg final : public Peripheral {
   /// @brief Ends the failure of the step that the options set.
   void endFailure() { failingStep_ = 0; }
 
-  /// @brief Frequency of the output, MCGOUTCLK.
+  /// @brief Returns the frequency of the output, MCGOUTCLK.
   [[nodiscard]] std::uint64_t outputHz() const;
 
  private:

@@ -38,24 +38,24 @@ class Nvic {
   /// @return true when the exception was triggered.
   bool setLine(unsigned line, bool high);
 
-  /// @brief Number of entries of an interrupt since its line rose.
+  /// @brief Returns the number of entries of an interrupt since its line rose.
   [[nodiscard]] unsigned entriesOfHighLine(unsigned exception) const;
 
-  /// @brief The pending and enabled exception that comes first; 0 when no exception is pending and
+  /// @brief Returns the pending and enabled exception that comes first; 0 when no exception is pending and
   /// enabled.
   [[nodiscard]] unsigned first() const { return (pending_ & enabled_).any() ? search() : 0; }
 
-  /// @brief The priority of an exception, -3 to 255.
+  /// @brief Returns the priority of an exception, -3 to 255.
   [[nodiscard]] int priority(unsigned exception) const {
     return exception < 4 ? static_cast<int>(exception) - 4 : priorities_[exception];
   }
 
-  /// @brief The part of a priority that decides on preemption.
+  /// @brief Returns the part of a priority that decides on preemption.
   [[nodiscard]] int group(int priority) const {
     return priority < 0 ? priority : priority & ~((2 << priorityGroup_) - 1);
   }
 
-  /// @brief The priority of the running code, from the active exceptions.
+  /// @brief Returns the priority of the running code, from the active exceptions.
   [[nodiscard]] int activePriority() const;
 
   void setPriority(unsigned exception, std::uint8_t value);

@@ -70,13 +70,13 @@ class Peripheral {
   /// @brief Writes a register.
   virtual void write(std::uint32_t offset, unsigned size, std::uint32_t value) = 0;
 
-  /// @brief The time of the next event without an access; kNever when there is no such event.
+  /// @brief Returns the time of the next event without an access; kNever when there is no such event.
   [[nodiscard]] virtual Time nextEvent() const { return kNever; }
 
   /// @brief Updates the state to the present time.
   virtual void advance() {}
 
-  /// @brief Last result of nextEvent().
+  /// @brief Returns the last result of nextEvent().
   [[nodiscard]] Time due() const { return due_; }
 
   /// @brief Calls nextEvent() again. The board calls it after each possible change.

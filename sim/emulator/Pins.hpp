@@ -19,7 +19,7 @@ struct PinState {
   std::uint32_t filters = 0;                ///< pins whose digital filter is on
   std::uint32_t passed = 0;                 ///< levels that the filters have passed
 
-  /// @brief Function of a pin, field MUX: 0 none, 1 digital input or output, 2 to 7 peripherals.
+  /// @brief Returns the function of a pin, field MUX: 0 none, 1 digital input or output, 2 to 7 peripherals.
   [[nodiscard]] unsigned function(unsigned pin) const { return control[pin] >> 8 & 7U; }
 
   /// @brief Returns whether the program drives the pin.
@@ -27,13 +27,13 @@ struct PinState {
     return function(pin) == 1 && (direction >> pin & 1U) != 0;
   }
 
-  /// @brief The level inside the chip: a pin without digital function reads as 0.
+  /// @brief Returns the level inside the chip: a pin without digital function reads as 0.
   [[nodiscard]] bool seen(unsigned pin) const {
     return function(pin) != 0 &&
            ((filters >> pin & 1U) != 0 ? (passed >> pin & 1U) != 0 : level(pin));
   }
 
-  /// @brief The level of a pin.
+  /// @brief Returns the level of a pin.
   [[nodiscard]] bool level(unsigned pin) const {
     if (isOutput(pin)) {
       return (output >> pin & 1U) != 0;

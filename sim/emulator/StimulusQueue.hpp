@@ -28,7 +28,7 @@ class StimulusQueue {
   /// @brief Adds a call at each multiple of a period after a time.
   void every(Time period, Time now, std::function<void()> call);
 
-  /// @brief Time of the next stimulus; kNever when there is no stimulus.
+  /// @brief Returns the time of the next stimulus; kNever when there is no stimulus.
   [[nodiscard]] Time next() const { return next_; }
 
   /// @brief Runs all stimuli up to a time, in order; at the same time levels before calls.

@@ -19,16 +19,16 @@ class Symbols {
   /// @brief Reads an ELF file of 32 bits, little-endian. Throws std::runtime_error when this fails.
   explicit Symbols(const std::filesystem::path& elf);
 
-  /// @brief All functions, by rising address.
+  /// @brief Returns all functions, by rising address.
   [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
 
-  /// @brief The function at an address, in readable form; empty when there is none.
+  /// @brief Returns the function at an address, in readable form; empty when there is none.
   [[nodiscard]] std::string nameAt(std::uint32_t address) const;
 
-  /// @brief The address of a symbol of any kind; 0 when there is none.
+  /// @brief Returns the address of a symbol of any kind; 0 when there is none.
   [[nodiscard]] std::uint32_t addressOf(const std::string& name) const;
 
-  /// @brief File and line of an instruction, from arm-none-eabi-addr2line; empty when this program
+  /// @brief Returns the file and line of an instruction, from arm-none-eabi-addr2line; empty when this program
   /// is not installed.
   [[nodiscard]] std::string placeOf(std::uint32_t address) const;
 

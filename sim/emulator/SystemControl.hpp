@@ -49,7 +49,7 @@ class SystemControl {
   [[nodiscard]] Written write(std::uint32_t address, unsigned size, std::uint32_t value,
                               std::uint64_t cycle);
 
-  /// @brief The cycle at which SysTick triggers its exception.
+  /// @brief Returns the cycle at which SysTick triggers its exception.
   [[nodiscard]] std::uint64_t nextEvent() const;
 
   /// @brief Advances SysTick to a cycle.

@@ -49,7 +49,7 @@ class Uart final : public Peripheral {
   /// @param stopBit whether the stop bit is correct
   void arrive(Time notBefore, std::uint8_t byte, bool stopBit = true);
 
-  /// @brief Bytes sent since the last call.
+  /// @brief Returns the bytes sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
   [[nodiscard]] bool lineIdle() const { return arriving_.empty() && !sending_; }

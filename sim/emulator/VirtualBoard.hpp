@@ -67,7 +67,7 @@ class VirtualBoard {
   /// @brief Time since the board was switched on.
   [[nodiscard]] nanoseconds now() const;
 
-  /// @brief The finding that stopped the run. A run that a finding stopped does not continue.
+  /// @brief Returns the finding that stopped the run. A run that a finding stopped does not continue.
   [[nodiscard]] const std::optional<Finding>& finding() const;
 
   /// @brief Returns the warnings since the last call: one for each kind of access that is not
@@ -94,7 +94,7 @@ class VirtualBoard {
   /// @param bytes the bytes
   void receiveOn(int uart, std::span<const std::uint8_t> bytes);
 
-  /// @brief Bytes that the board has sent at a serial port since the last call.
+  /// @brief Returns the bytes that the board has sent at a serial port since the last call.
   /// @param uart 0 for the line to the PC, 4
   [[nodiscard]] std::vector<std::uint8_t> takeSentOn(int uart);
 
@@ -104,7 +104,7 @@ class VirtualBoard {
   /// @brief Lets another node of the bus at CAN0 send a frame as soon as the bus is free.
   void receiveCan(CanFrame frame);
 
-  /// @brief Frames that the board has sent at CAN0 since the last call.
+  /// @brief Returns the frames that the board has sent at CAN0 since the last call.
   [[nodiscard]] std::vector<CanFrame> takeSentCan();
 
   /// @brief Returns true when no frame is on the bus at CAN0 and no frame waits for this bus.
@@ -113,7 +113,7 @@ class VirtualBoard {
   /// @brief Returns whether no byte is being transferred to or from the PC.
   [[nodiscard]] bool lineIdle() const;
 
-  /// @brief Level of a pin, e.g. ('B', 22).
+  /// @brief Returns the level of a pin, e.g. ('B', 22).
   [[nodiscard]] bool pin(char port, int number) const;
 
   /// @brief Puts a level on a pin from outside.
@@ -126,7 +126,7 @@ class VirtualBoard {
   /// @brief Returns whether the program drives the pin as a digital output.
   [[nodiscard]] bool isOutput(char port, int number) const;
 
-  /// @brief Share of the period in which the pin of a timer's channel is high.
+  /// @brief Returns the share of the period in which the pin of a timer's channel is high.
   /// @param ftm 0 to 3
   /// @param channel 0 to 7
   /// @return 0 to 1; 0 while no pin is connected to the channel or the timer is stopped.
@@ -156,7 +156,7 @@ class VirtualBoard {
   /// @param bit 0 to 7
   void flipBit(std::uint32_t address, unsigned bit);
 
-  /// @brief A core register of the processor: 0 to 12, 13 stack, 14 link, 15 next instruction.
+  /// @brief Returns a core register of the processor: 0 to 12, 13 stack, 14 link, 15 next instruction.
   [[nodiscard]] std::uint32_t core(unsigned number) const;
 
   /// @brief Sets a core register of the processor.
@@ -188,13 +188,13 @@ class VirtualBoard {
   /// @brief Returns the number of cycles in which the program waited for an interrupt.
   [[nodiscard]] std::uint64_t sleptCycles() const;
 
-  /// @brief Priority of an exception from 16 on, 0 to 15; 0 is the highest.
+  /// @brief Returns the priority of an exception from 16 on, 0 to 15; 0 is the highest.
   [[nodiscard]] unsigned priority(unsigned exception) const;
 
-  /// @brief Frequency of the core.
+  /// @brief Returns the frequency of the core.
   [[nodiscard]] std::uint32_t clockHz() const;
 
-  /// @brief A word of flash or RAM.
+  /// @brief Returns a word of flash or RAM.
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const;
 
   /// @brief Sets the callback of each event.
@@ -203,7 +203,7 @@ class VirtualBoard {
   /// @brief Sets the callback of each write to a peripheral, before it takes effect.
   void onWrite(std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)> call);
 
-  /// @brief The access of a debugger to the board.
+  /// @brief Returns the access of a debugger to the board.
   [[nodiscard]] DebugPort& debugPort();
 
   /// @brief Records calls from now on. It is set before the first run.

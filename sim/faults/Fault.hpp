@@ -26,7 +26,7 @@ enum class Kind : std::uint8_t {
 };
 inline constexpr std::uint32_t kKinds = 10;
 
-/// @brief Name of a kind in the record.
+/// @brief Returns the name of a kind in the record.
 [[nodiscard]] std::string_view nameOf(Kind kind);
 
 /// @brief Returns the kind with a name; nothing if there is none.

@@ -44,7 +44,7 @@ class FaultRun {
   /// @brief Injects random faults.
   /// @param count their number
   /// @param random chooses them
-  /// @param only their kind; nothing: each fault has a random kind
+  /// @param only kind of all faults; without a value each fault has a random kind
   /// @param take gets each result, by rising time of the injection
   void injectAll(int count, Random& random, std::optional<Kind> only,
                  const std::function<void(const Result&)>& take);

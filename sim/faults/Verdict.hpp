@@ -37,7 +37,7 @@ enum class Outcome : std::uint8_t {
   Stopped    ///< the virtual board cannot continue: the behaviour of a real board is unknown
 };
 
-/// @brief Name of a class in the record.
+/// @brief Returns the name of a class in the record.
 [[nodiscard]] std::string_view nameOf(Outcome outcome);
 
 /// @brief Class of a fault, with its times.

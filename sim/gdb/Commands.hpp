@@ -21,7 +21,7 @@ class Commands {
   /// cannot run backwards
   Commands(programs::SerialLine& line, std::function<bool()> ends, bool goesBack = true);
 
-  /// @brief The debugger that executes the commands.
+  /// @brief Returns the debugger that executes the commands.
   [[nodiscard]] Debugger& debugger() { return debugger_; }
 
   /// @brief Checks whether GDB demands a stop while the processor sleeps. Call it between two runs

@@ -80,31 +80,31 @@ class HostFirmware {
   /// @brief Runs one tick of the second timer.
   void beat();
 
-  /// @brief The pins of the firmware.
+  /// @brief Returns the pins of the firmware.
   /// @return the pins, to which the owner of the robot connects its surroundings
   [[nodiscard]] HostPins& pins();
 
-  /// @brief The period of the clock pulses.
+  /// @brief Returns the period of the clock pulses.
   /// @return the period; 0 before start().
   [[nodiscard]] Microseconds period() const;
 
-  /// @brief The period of the second timer.
+  /// @brief Returns the period of the second timer.
   /// @return the period; 0 before start().
   [[nodiscard]] Microseconds beatPeriod() const;
 
-  /// @brief The main controller.
+  /// @brief Returns the main controller.
   /// @return the main controller.
   [[nodiscard]] MainController& controller();
 
-  /// @brief The pool of control systems.
+  /// @brief Returns the pool of control systems.
   /// @return the pool.
   [[nodiscard]] ControlSystemPool& systems();
 
-  /// @brief The watchdog.
+  /// @brief Returns the watchdog.
   /// @return the watchdog that the cycles refresh.
   [[nodiscard]] HostWatchdog& watchdog();
 
-  /// @brief The scheduler.
+  /// @brief Returns the scheduler.
   /// @return the scheduler that runs the threads of the robot.
   [[nodiscard]] HostScheduler& scheduler();
 

@@ -12,7 +12,7 @@ class HostPwmOutput final : public PwmOutput {
 
   void set(DutyCycle dutyCycle) override;
 
-  /// @brief The share that was set, within the limits of the output.
+  /// @brief Returns the share that was set, within the limits of the output.
   /// @return share [0.01 %], 0 to 10000; 0 before the first call of set()
   [[nodiscard]] DutyCycle dutyCycle() const { return dutyCycle_; }
 

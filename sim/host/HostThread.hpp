@@ -18,7 +18,7 @@ class HostThread final : public ControlThread {
   /// @return true from post() to runPended().
   [[nodiscard]] bool pended() const;
 
-  /// @brief The priority of the thread.
+  /// @brief Returns the priority of the thread.
   /// @return priority, 1 is the lowest.
   [[nodiscard]] int priority() const;
 

@@ -23,7 +23,7 @@ class HostTimer final : public PeriodicTimer {
   /// @brief Raises the interrupt. A stopped timer raises no interrupt.
   void periodPassed();
 
-  /// @brief The period that was set.
+  /// @brief Returns the period that was set.
   /// @return period of the running timer, 0 if it is stopped.
   [[nodiscard]] Microseconds period() const;
 

@@ -8,15 +8,15 @@
 
 namespace wr::host {
 
-/// @brief A watchdog on the host. It does not reset; it records that a watchdog would have reset
-/// the robot.
+/// @brief A watchdog on the host. This watchdog causes no reset. It records that a watchdog would
+/// have reset the robot.
 class HostWatchdog final : public Watchdog {
  public:
   /// @brief Starts the watchdog, as a reset does.
   /// @param timebase returns the time
   explicit HostWatchdog(const Timebase& timebase);
 
-  /// @brief The number of refreshes.
+  /// @brief Returns the number of refreshes.
   /// @return refreshes since start.
   [[nodiscard]] std::uint32_t refreshes() const;
 

@@ -39,7 +39,7 @@ class HostSimulation {
   /// @param instant the instant
   void runUntil(Instant instant);
 
-  /// @brief Instant of the next clock pulse.
+  /// @brief Returns the instant of the next clock pulse.
   [[nodiscard]] Instant nextPulse() const { return nextPulse_; }
 
   host::HostTimebase time;

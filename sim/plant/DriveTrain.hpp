@@ -48,7 +48,7 @@ class DriveTrain {
   void set(const WheelDrive& drive) { drive_ = drive; }
 
   /// @brief Blocks the wheel, or frees it.
-  /// @param blocked true: it cannot turn
+  /// @param blocked true: the wheel cannot turn
   void block(bool blocked) { blocked_ = blocked; }
 
   /// @brief Swaps the leads of the motor, or connects them in the right order.
@@ -61,39 +61,39 @@ class DriveTrain {
   /// @param supply voltage of the supply, V
   void advance(double seconds, const Contact& contact, double supply);
 
-  /// @brief Force of the tyre on the robot, along the wheel.
+  /// @brief Returns the force of the tyre on the robot, along the wheel.
   /// @return N, positive forwards
   [[nodiscard]] double force() const { return force_; }
 
-  /// @brief Force of the tyre on the robot, across the wheel.
+  /// @brief Returns the force of the tyre on the robot, across the wheel.
   /// @return N, positive to the left
   [[nodiscard]] double sideForce() const { return sideForce_; }
 
-  /// @brief Current of the motor.
+  /// @brief Returns the current of the motor.
   /// @return A, positive when it pulls forwards
   [[nodiscard]] double current() const { return current_; }
 
-  /// @brief Current in the driver, as its sensor measures it.
+  /// @brief Returns the current in the driver, as its sensor measures it.
   /// @return A, positive when the driver drives the current forwards
   [[nodiscard]] double driverCurrent() const { return polarity_ * current_; }
 
-  /// @brief Current that the driver draws from the supply.
+  /// @brief Returns the current that the driver draws from the supply.
   /// @return A, negative when it flows back
   [[nodiscard]] double supplyCurrent() const { return share() * current_; }
 
-  /// @brief Power that the driver puts into the motor.
+  /// @brief Returns the power that the driver puts into the motor.
   /// @return W, negative when the motor brakes into the supply
   [[nodiscard]] double power() const { return voltage_ * current_; }
 
-  /// @brief Torque of the motor.
+  /// @brief Returns the torque of the motor.
   /// @return N m, positive forwards
   [[nodiscard]] double torque() const { return motor_.constant * current_; }
 
-  /// @brief Speed of the motor shaft.
+  /// @brief Returns the speed of the motor shaft.
   /// @return rad/s
   [[nodiscard]] double speed() const { return speed_; }
 
-  /// @brief Position of the motor shaft.
+  /// @brief Returns the position of the motor shaft.
   /// @return turns since start
   [[nodiscard]] double turns() const { return turns_; }
 

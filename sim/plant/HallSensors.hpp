@@ -20,12 +20,12 @@ class HallSensors {
 
   /// @brief Turns the shaft by less than an edge.
   /// @param sensor 0 for a, 1 for b
-  /// @param from turns of the shaft before
-  /// @param to turns of the shaft after
+  /// @param from turns of the shaft before the movement
+  /// @param to turns of the shaft after the movement
   /// @return fraction of the movement at which the level changed; nothing without an edge
   [[nodiscard]] std::optional<double> turn(std::size_t sensor, double from, double to);
 
-  /// @brief Level of a sensor.
+  /// @brief Returns the level of a sensor.
   /// @param sensor 0 for a, 1 for b
   [[nodiscard]] bool level(std::size_t sensor) const { return levels_.at(sensor); }
 

@@ -12,13 +12,13 @@ class Noise {
   /// @param seed chooses the numbers
   explicit Noise(std::uint32_t seed) : seed_(seed) {}
 
-  /// @brief A number from a uniform distribution.
+  /// @brief Returns a number from a uniform distribution.
   /// @param source purpose of the number
   /// @param index index of the number for this purpose
   /// @return -1 to 1
   [[nodiscard]] double uniform(std::uint32_t source, std::uint64_t index) const;
 
-  /// @brief A number from a distribution that is nearly normal: the sum of twelve uniform numbers.
+  /// @brief Returns a number from a distribution that is nearly normal: the sum of twelve uniform numbers.
   /// @param source purpose of the number
   /// @param index index of the number for this purpose
   /// @return mean 0, standard deviation 1, at most 6 away from the mean

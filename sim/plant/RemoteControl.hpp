@@ -72,7 +72,8 @@ class RemoteControl {
   /// @param microseconds greatest change of the pulses of the velocity; 0 at first
   void setTremor(double microseconds) { tremor_ = microseconds; }
 
-  /// @brief Lets the pulses of all channels begin at one time, or one after the other as at first.
+  /// @brief Lets the pulses of all channels begin at one time, or one after the other, which is the
+  /// initial setting.
   /// @param coincident true: at one time
   void setCoincident(bool coincident) { coincident_ = coincident; }
 

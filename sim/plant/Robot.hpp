@@ -42,11 +42,11 @@ enum class Fault : std::uint8_t {
   HallLosses,     ///< edges of a wheel are lost; value: edges in a second
   Leads,          ///< the leads of a motor are swapped
   Current,        ///< the cable of a current sensor is broken; its input is pulled to 0 V
-  CurrentOpen,    ///< the cable is broken, and nothing pulls the input: it follows its neighbour
+  CurrentOpen,    ///< the cable is broken, and nothing pulls the input, so it follows its neighbour
   CurrentStuck,   ///< a current sensor keeps its value
   CurrentOffset,  ///< a current sensor has an offset; value: mA
   Angle,          ///< the cable of the angle sensor is broken; its input is pulled to 0 V
-  AngleOpen,      ///< the cable is broken, and nothing pulls the input: it follows its neighbour
+  AngleOpen,      ///< the cable is broken, and nothing pulls the input, so it follows its neighbour
   AngleStuck,     ///< the angle sensor keeps its value
   AngleDrift,     ///< the angle sensor drifts; value: 0.01 degree in a second
   Stall,          ///< the steering is stuck
@@ -129,7 +129,7 @@ class Robot {
   /// @param drive duty, orientation, enable
   void setWheel(std::size_t wheel, const WheelDrive& drive);
 
-  /// @brief The firmware's signals on the driver of a wheel.
+  /// @brief Returns the firmware's signals on the driver of a wheel.
   /// @param wheel 0 to 3
   [[nodiscard]] const WheelDrive& drive(std::size_t wheel) const { return drives_.at(wheel); }
 
@@ -148,16 +148,16 @@ class Robot {
   /// @brief Resets the greatest velocity.
   void clearGreatestVelocity() { greatestRpm_ = 0; }
 
-  /// @brief Voltage of a current sensor at the start of the last step.
+  /// @brief Returns the voltage of a current sensor at the start of the last step.
   /// @param wheel 0 to 3
   /// @return V, 0 to 3.3
   [[nodiscard]] double currentVolts(std::size_t wheel) const { return currentVolts_.at(wheel); }
 
-  /// @brief Voltage of the angle sensor.
+  /// @brief Returns the voltage of the angle sensor.
   /// @return V, 0 to 3.3
   [[nodiscard]] double steeringVolts() const;
 
-  /// @brief Level of a Hall sensor at the end of the last step.
+  /// @brief Returns the level of a Hall sensor at the end of the last step.
   [[nodiscard]] bool hallLevel(std::size_t wheel, std::size_t sensor) const {
     return halls_.at(wheel).level(sensor);
   }
@@ -170,10 +170,10 @@ class Robot {
   /// wire broken.
   [[nodiscard]] bool rightEnd() const { return rightEndBroken_ || steering_.rightEnd(); }
 
-  /// @brief Returns whether the auxiliary contact of the emergency stop is open: it is pressed.
+  /// @brief Returns whether the emergency stop is pressed, which opens its auxiliary contact.
   [[nodiscard]] bool emergencyStopOpen() const { return !hasPower(); }
 
-  /// @brief True velocity of a wheel's motor shaft.
+  /// @brief Returns the true velocity of a wheel's motor shaft.
   /// @return rpm, positive forwards
   [[nodiscard]] double velocityRpm(std::size_t wheel) const;
 
@@ -181,17 +181,17 @@ class Robot {
   /// @return rpm, of either direction
   [[nodiscard]] double greatestRpm() const { return greatestRpm_; }
 
-  /// @brief True position of a wheel's motor shaft.
+  /// @brief Returns the true position of a wheel's motor shaft.
   /// @return turns since start, positive forwards
   [[nodiscard]] double turns(std::size_t wheel) const { return trains_.at(wheel).turns(); }
 
-  /// @brief True current of a wheel's motor.
+  /// @brief Returns the true current of a wheel's motor.
   /// @return A, positive when it pulls forwards
   [[nodiscard]] double currentAmperes(std::size_t wheel) const {
     return trains_.at(wheel).current();
   }
 
-  /// @brief True torque of a wheel's motor.
+  /// @brief Returns the true torque of a wheel's motor.
   /// @return N m at the shaft, positive forwards
   [[nodiscard]] double torque(std::size_t wheel) const { return trains_.at(wheel).torque(); }
 
@@ -199,39 +199,39 @@ class Robot {
   /// rest.
   [[nodiscard]] bool braking() const;
 
-  /// @brief Speed over ground of the middle of the robot, along the robot.
+  /// @brief Returns the speed over ground of the middle of the robot, along the robot.
   /// @return m/s, positive forwards
   [[nodiscard]] double groundSpeed() const { return speed_; }
 
-  /// @brief Speed over ground of the middle of the robot, across the robot.
+  /// @brief Returns the speed over ground of the middle of the robot, across the robot.
   /// @return m/s, positive to the left
   [[nodiscard]] double sideSpeed() const { return sideSpeed_; }
 
-  /// @brief Rate at which the robot turns.
+  /// @brief Returns the rate at which the robot turns.
   /// @return rad/s, positive to the left
   [[nodiscard]] double yawRate() const { return yawRate_; }
 
-  /// @brief Direction in which the robot points.
+  /// @brief Returns the direction in which the robot points.
   /// @return heading relative to the heading at the start [rad], positive to the left
   [[nodiscard]] double heading() const { return heading_; }
 
-  /// @brief Speed with which the tyre of a wheel slides across the wheel.
+  /// @brief Returns the speed with which the tyre of a wheel slides across the wheel.
   /// @return m/s, positive to the left
   [[nodiscard]] double sideSlip(std::size_t wheel) const;
 
-  /// @brief Distance since start, along the path.
+  /// @brief Returns the distance since start, along the path.
   /// @return m, positive forwards
   [[nodiscard]] double distance() const { return distance_; }
 
-  /// @brief Angle of the steering.
+  /// @brief Returns the angle of the steering.
   /// @return degrees, positive to the left
   [[nodiscard]] double steeringDegrees() const { return steering_.degrees(); }
 
-  /// @brief Slope of the ground under the robot.
+  /// @brief Returns the slope of the ground under the robot.
   /// @return percent, positive uphill
   [[nodiscard]] double slope() const { return surroundings_.slope; }
 
-  /// @brief Voltage of the supply under its load.
+  /// @brief Returns the voltage of the supply under its load.
   /// @return V
   [[nodiscard]] double supplyVolts() const { return supply_; }
 

@@ -21,7 +21,7 @@ class SteeringGear {
   /// @param left direction
   void step(bool left);
 
-  /// @brief Position of the steering.
+  /// @brief Returns the position of the steering.
   /// @return degrees, positive to the left
   [[nodiscard]] double degrees() const { return steps_ * kStep; }
 

@@ -15,7 +15,7 @@ struct TruthField {
   double (*valueOf)(const plant::Robot& robot, double mark);
 };
 
-/// @brief All true values that have a name in scenarios: true_velocity0 to 3 [0.1 rpm],
+/// @brief Returns all true values that have a name in scenarios: true_velocity0 to 3 [0.1 rpm],
 /// true_current0 to 3 [mA], true_steering [0.01 degree], ground_speed [mm/s], distance [mm], way
 /// since the mark [mm], slope [percent], max_velocity (greatest of any wheel since the mark) [0.1
 /// rpm], braking (1 while no driver puts power into its motor), yaw_rate [0.01 degree/s], heading

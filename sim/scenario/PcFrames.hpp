@@ -51,16 +51,17 @@ struct FrameBody {
   std::string_view damage;  ///< empty: the frame has no error
 };
 
-/// The body of the bytes between two zeros.
+/// Returns the body of the bytes between two zeros.
 [[nodiscard]] FrameBody bodyOf(std::span<const std::uint8_t> frame);
 
-/// The bodies of all frames in some bytes, without their CRC. Throws on a frame with an error.
+/// Returns the bodies of all frames in some bytes, without their CRC. Throws on a frame with an
+/// error.
 [[nodiscard]] std::vector<Bytes> bodies(std::span<const std::uint8_t> line);
 
-/// The content of a Welcome; nothing if the body is not a Welcome.
+/// Returns the content of a Welcome; nothing if the body is not a Welcome.
 [[nodiscard]] std::optional<PcWelcome> welcomeOf(const Bytes& body);
 
-/// The content of a report; nothing if the body is not a Report.
+/// Returns the content of a report; nothing if the body is not a Report.
 [[nodiscard]] std::optional<PcReport> reportOf(const Bytes& body);
 
 }  // namespace wr::scenario

@@ -46,7 +46,7 @@ class RobotSession {
   /// @param before time before the pulse
   virtual void sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) = 0;
 
-  /// @brief The bytes that the robot has sent since the last call.
+  /// @brief Returns the bytes that the robot has sent since the last call.
   /// @return the bytes, oldest first
   [[nodiscard]] virtual std::vector<std::uint8_t> takeSent() = 0;
 
@@ -60,15 +60,15 @@ class RobotSession {
   /// @return false if a finding has stopped the robot
   virtual bool runThroughPulse() = 0;
 
-  /// @brief The present time.
+  /// @brief Returns the present time.
   /// @return time since the robot was switched on
   [[nodiscard]] virtual Time now() const = 0;
 
-  /// @brief The physics of the robot.
+  /// @brief Returns the physics of the robot.
   /// @return the physics: to read true values, and to change ground, noise and faults
   [[nodiscard]] virtual plant::Robot& robot() = 0;
 
-  /// @brief The remote control.
+  /// @brief Returns the remote control.
   /// @return the remote control, off at first
   [[nodiscard]] virtual plant::RemoteControl& remoteControl() = 0;
 
@@ -81,13 +81,13 @@ class RobotSession {
 
   /// @brief Stops the external clock of 50 MHz, or starts it again. Throws std::runtime_error if
   /// there is none.
-  /// @param present false: it is lost
+  /// @param present false: the clock is lost
   virtual void setExternalClock(bool /*present*/) {
     throw std::runtime_error(
         "the host has no external clock: play the scenario on the virtual board");
   }
 
-  /// @brief The finding that has stopped the robot.
+  /// @brief Returns the finding that has stopped the robot.
   /// @return the finding; nothing while there is none
   [[nodiscard]] virtual std::optional<SessionFinding> finding() const = 0;
 };

@@ -107,11 +107,11 @@ class Scenario {
   /// @return each step by time; steps of the same time in the order of their lines
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
 
-  /// @brief Time at which the scenario ends.
+  /// @brief Returns the time at which the scenario ends.
   /// @return the time
   [[nodiscard]] Time end() const { return end_; }
 
-  /// @brief Seed of the noise.
+  /// @brief Returns the seed of the noise.
   /// @return the seed; nothing if the text has none
   [[nodiscard]] const std::optional<std::uint32_t>& seed() const { return seed_; }
 
@@ -119,7 +119,7 @@ class Scenario {
   /// @return actions that are executed before all others
   [[nodiscard]] const std::vector<WorldAction>& plant() const { return plant_; }
 
-  /// @brief Name of the text.
+  /// @brief Returns the name of the text.
   /// @return the name
   [[nodiscard]] const std::string& name() const { return name_; }
 

@@ -44,10 +44,10 @@ class ScenarioPlayer {
   /// @param action the action
   void perform(const Scenario::Action& action);
 
-  /// @brief The last report without its CRC; nothing before the first report.
+  /// @brief Returns the last report without its CRC; nothing before the first report.
   [[nodiscard]] const std::optional<Bytes>& report() const { return report_; }
 
-  /// @brief The outcome up to now.
+  /// @brief Returns the outcome up to now.
   [[nodiscard]] const Outcome& outcome() const { return outcome_; }
 
  private:

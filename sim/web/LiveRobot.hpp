@@ -73,23 +73,23 @@ class LiveRobot {
   [[nodiscard]] const board_robot::BoardSession& session() const { return session_; }
   [[nodiscard]] const scenario::ScenarioPlayer& player() const { return player_; }
 
-  /// @brief The last control cycle that has ended.
+  /// @brief Returns the last control cycle that has ended.
   [[nodiscard]] const Cycle& cycle() const { return cycle_; }
 
-  /// @brief Number of times that each function was entered, in the sequence of the functions of the
+  /// @brief Returns the number of times that each function was entered, in the sequence of the functions of the
   /// setup. Equal calls of one interrupt count once in a cycle.
   [[nodiscard]] const std::vector<std::uint32_t>& entries() const { return entries_; }
 
-  /// @brief Bytes on the line since the last call.
+  /// @brief Returns the bytes on the line since the last call.
   [[nodiscard]] std::vector<RecordedLine::Piece> takePieces() { return line_.takePieces(); }
 
-  /// @brief All events of the board; empty without Setup::verifies.
+  /// @brief Returns all events of the board; empty without Setup::verifies.
   [[nodiscard]] const emulator::EventTrace& events() const { return events_; }
 
-  /// @brief The table of reports; empty without Setup::verifies.
+  /// @brief Returns the table of reports; empty without Setup::verifies.
   [[nodiscard]] std::string reports() const { return reports_.str(); }
 
-  /// @brief Values of the true fields, in the sequence of truthFields().
+  /// @brief Returns the values of the true fields, in the sequence of truthFields().
   [[nodiscard]] std::vector<double> truth();
 
  private:

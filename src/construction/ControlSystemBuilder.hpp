@@ -28,7 +28,7 @@ class ControlSystemBuilder {
   /// @brief Builds the sensors.
   /// @pre The actuator is built.
   /// @errors A missing part ends the program with the assertion PartMissing. A part that is built
-  /// twice ends it with PartBuiltTwice.
+  /// twice ends the program with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSensors() = 0;
@@ -36,7 +36,7 @@ class ControlSystemBuilder {
   /// @brief Builds the controller.
   /// @pre The actuator and the sensors are built.
   /// @errors A missing part ends the program with the assertion PartMissing. A part that is built
-  /// twice ends it with PartBuiltTwice.
+  /// twice ends the program with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildController() = 0;
@@ -44,7 +44,7 @@ class ControlSystemBuilder {
   /// @brief Builds the system.
   /// @pre All its parts are built.
   /// @errors A missing part ends the program with the assertion PartMissing. A part that is built
-  /// twice ends it with PartBuiltTwice.
+  /// twice ends the program with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   virtual void buildSystem() = 0;

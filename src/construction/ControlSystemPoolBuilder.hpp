@@ -48,7 +48,7 @@ class ControlSystemPoolBuilder {
   /// @pre The control systems are built.
   /// @post pool() can be called.
   /// @errors A missing system ends the program with the assertion PartMissing. A second pool ends
-  /// it with PartBuiltTwice.
+  /// the program with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildPool();
@@ -56,7 +56,7 @@ class ControlSystemPoolBuilder {
   /// @brief Builds the second timer and passes it the command of each control system.
   /// @pre The control systems are built.
   /// @errors A missing system ends the program with the assertion PartMissing. A second timer ends
-  /// it with PartBuiltTwice.
+  /// the program with PartBuiltTwice.
   /// @satisfies FR-100
   /// @satisfies FR-78
   /// @isr{no}

@@ -108,8 +108,8 @@ class MainControllerBuilder {
   /// @brief Builds the remote control: its pins, their interrupt handlers, and the reader of its orders.
   /// The interrupts of the pins are enabled from now on.
   /// @pre The platform provides the devices of the remote control.
-  /// @errors Without devices the program ends with the assertion PartMissing. A second call ends it
-  /// with PartBuiltTwice.
+  /// @errors Without devices the program ends with the assertion PartMissing. A second call ends
+  /// the program with PartBuiltTwice.
   /// @satisfies FR-51
   /// @satisfies FR-78
   /// @isr{no}
@@ -118,7 +118,7 @@ class MainControllerBuilder {
   /// @brief Builds the reading modes PC and RC; each is the successor of the other. RC is the first.
   /// @pre The link and the remote control are built.
   /// @errors A missing part ends the program with the assertion PartMissing. Modes that are already
-  /// built end it with PartBuiltTwice.
+  /// built end the program with PartBuiltTwice.
   /// @satisfies FR-17
   /// @satisfies FR-78
   /// @isr{no}
@@ -128,7 +128,7 @@ class MainControllerBuilder {
   /// leads to PC again.
   /// @pre The link is built.
   /// @errors A missing part ends the program with the assertion PartMissing. Modes that are already
-  /// built end it with PartBuiltTwice.
+  /// built end the program with PartBuiltTwice.
   /// @satisfies FR-78
   /// @isr{no}
   void buildPcMode();
@@ -158,7 +158,7 @@ class MainControllerBuilder {
   /// @param systems the control systems of the controller
   /// @pre The link, the modes and the states are built.
   /// @errors A missing part ends the program with the assertion PartMissing. A second controller ends
-  /// it with PartBuiltTwice.
+  /// the program with PartBuiltTwice.
   /// @satisfies FR-10
   /// @satisfies FR-78
   /// @isr{no}
@@ -166,8 +166,8 @@ class MainControllerBuilder {
 
   /// @brief Builds the timer that begins the control cycles, and its command.
   /// @pre The controller is built.
-  /// @errors A missing part ends the program with the assertion PartMissing. A second timer ends it
-  /// with PartBuiltTwice.
+  /// @errors A missing part ends the program with the assertion PartMissing. A second timer ends
+  /// the program with PartBuiltTwice.
   /// @satisfies FR-1
   /// @satisfies FR-78
   /// @isr{no}

@@ -27,7 +27,7 @@ class SecondTimer final {
   SecondTimer& operator=(const SecondTimer&) = delete;
 
   /// @brief Adds a command.
-  /// @param command is executed at each tick; it lives as long as the timer
+  /// @param command is executed at each tick; it exists as long as the timer
   /// @pre The timer does not run.
   /// @errors A command beyond the capacity ends the program with the assertion TimerFull.
   /// @isr{no}

@@ -23,8 +23,8 @@ class Timebase {
   [[nodiscard]] virtual Instant now() const = 0;
 
   /// @brief Counts the cycles of the processor in which it does not sleep.
-  /// @return number of cycles since start, which begins again at 0 after 2^32 of them; always 0 where the
-  /// platform does not count them
+  /// @return number of cycles since start; it begins again at 0 after 2^32 cycles; always 0 if the
+  /// platform does not count cycles
   /// @satisfies FR-160
   /// @satisfies FR-302
   /// @satisfies FR-303

@@ -11,7 +11,8 @@ class Watchdog {
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  /// @brief Reports to the watchdog that the system works. Only a control cycle that completed may do so.
+  /// @brief Reports to the watchdog that the system works. Only a completed control cycle may report
+  /// this.
   /// @isr{no}
   virtual void refresh() = 0;
 

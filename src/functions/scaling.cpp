@@ -19,7 +19,7 @@ bool hasScaledRaw(const ArgumentValues& values) {
   return values.has(ArgumentId::Raw, ArgumentId::Offset, ArgumentId::Scale, ArgumentId::Divisor);
 }
 
-// Distance of the raw value from the raw value of zero.
+// Returns the distance of the raw value from the raw value of zero.
 std::int64_t distance(const ArgumentValues& values) {
   return std::int64_t{values[ArgumentId::Raw]} - values[ArgumentId::Offset];
 }

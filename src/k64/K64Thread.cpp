@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-// The bit of an interrupt line in an array of 32-bit registers.
+// Returns the bit of an interrupt line in an array of 32-bit registers.
 std::uint32_t wordOf(std::uint8_t line) {
   return line / 32U * 4U;
 }

@@ -111,8 +111,8 @@ class MainController {
   /// @satisfies FR-61
   [[nodiscard]] ControlData& getData();
 
-  /// @brief Orders the control systems to follow the set-points that were read last.
-  /// An order to acknowledge moves nothing; it is valid only if it is neutral.
+  /// @brief Orders the control systems to follow the set-points that were read last. An order to
+  /// acknowledge moves nothing. It is valid only if all its values are neutral.
   /// @post Without set-points, and while a stop is in force, the control systems are held.
   /// @satisfies FR-14
   /// @satisfies FR-21

@@ -26,7 +26,7 @@
 namespace wr {
 namespace {
 
-/// @brief The layout of all fields: a line of frame, field, type and offset for each.
+/// @brief Returns the layout of all fields: a line of frame, field, type and offset for each.
 std::string schema() {
   std::string lines;
   for (const scenario::FrameRow& row : scenario::kFrameRows) {
@@ -61,7 +61,7 @@ class TypesWriter final : public Writer {
   std::vector<std::string> types;
 };
 
-/// @brief The types of a frame in the table. A turn direction is written as one byte.
+/// @brief Returns the types of a frame in the table. A turn direction is written as one byte.
 std::vector<std::string> typesOf(std::string_view frame) {
   std::vector<std::string> types;
   for (const scenario::FrameRow& row : scenario::kFrameRows) {
@@ -72,7 +72,7 @@ std::vector<std::string> typesOf(std::string_view frame) {
   return types;
 }
 
-/// @brief The greatest set-point of an order in the table.
+/// @brief Returns the greatest set-point of an order in the table.
 std::int32_t limitOf(std::string_view name) {
   const auto* const limit =
       std::ranges::find(scenario::kFrameLimits, name, &scenario::FrameLimit::name);

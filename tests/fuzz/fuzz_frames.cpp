@@ -42,7 +42,7 @@ constexpr std::array<std::int64_t, 8> kTimes{1'000,    // [us] around the limits
 constexpr std::array<std::uint8_t, 8> kAhead{1, 1, 1, 0, 2, 127, 128, 255};  // sequence numbers
 constexpr std::array<std::size_t, 4> kLengths{21, 21, 20, 24};               // lengths of an order
 constexpr std::size_t kMostPending = 900;  // bytes: one cycle reads them all
-constexpr std::size_t kMostEnds = 30;      // zero bytes of these
+constexpr std::size_t kMostEnds = 30;      // zero bytes among these bytes
 constexpr std::uint64_t kStart = 0x0123456789abcdef;
 constexpr SipHash::Key kKey = {7, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr std::size_t kTrailer = 24;
@@ -391,7 +391,7 @@ class Link {
   std::uint32_t counter_ = 0;   // counter of the newest signed frame to the robot
   std::uint32_t answered_ = 0;  // counter of the newest signed frame of the robot
   Bytes last_;                  // the newest frame to the robot
-  std::uint8_t damage_ = 0;     // place and bit of the next frame that is wrong; 0: it is right
+  std::uint8_t damage_ = 0;     // place and bit of the error in the next frame; 0: no error
 };
 
 }  // namespace
@@ -417,7 +417,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size != 0) {
     wr::fuzz::Link link((data[0] & 3U) == 3);  // each fourth input: tags take time
     link.run(std::span(data, size).subspan(1));
-    if ((data[0] & 28U) == 0) {  // each eighth input: it takes as long as the input itself
+    if ((data[0] & 28U) ==
+        0) {  // only each eighth input, because this takes as long as the input itself
       link.recover();
     }
   }

@@ -47,9 +47,8 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
     {'B', 22, false},
 }};
 
-/// The firmware on the virtual K64, where a test also has access to the board. Faults and resets
-/// are
-/// tested here: they do not stop the board.
+/// The firmware on the virtual K64, where a test also has access to the board. Tests cause faults
+/// and resets, so faults and resets do not stop the board.
 class BoardRobot : public SteppedRobot {
  public:
   explicit BoardRobot(emulator::Options options = {})
@@ -76,7 +75,7 @@ class BoardRobot : public SteppedRobot {
     return welcome.value();
   }
 
-  /// The pins that are not at their safe level, or are not outputs.
+  /// Returns the pins that are not at their safe level, or are not outputs.
   [[nodiscard]] std::string unsafePins() const {
     std::string names;
     for (const SafePin& pin : kSafePins) {

@@ -387,7 +387,7 @@ TEST_P(K64BoardEnds, FR75_WhileTheRobotDrives) {
   EXPECT_EQ(robot.board.pwmDuty(0, 0), 0.0);
 }
 
-/// @brief A division by zero is a fault like other faults: it is recorded, and a reset follows.
+/// @brief A division by zero is recorded like other faults, and a reset follows.
 /// @verifies FR-206
 TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
   BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::divideByZero()));
@@ -398,7 +398,7 @@ TEST(K64BoardOnBoard, FR206_DivisionByZeroIsAFault) {
   EXPECT_EQ(robot.askForWelcome().fault, kUsageFault);
 }
 
-/// @brief A stack that overflows is a fault like other faults: it is recorded, and a reset follows.
+/// @brief An overflow of the stack is recorded like other faults, and a reset follows.
 /// @verifies FR-75
 TEST(K64BoardOnBoard, FR75_EndsSafelyWhenTheStackOverflowed) {
   BoardRobot robot(withHandler(unchanged(), kUnusedException, stubs::overflowStack()));

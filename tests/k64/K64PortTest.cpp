@@ -51,7 +51,7 @@ class K64PortOnBoard : public testing::Test {
     before = drivers.ask('E');
   }
 
-  /// Edges of each input since the start of the test.
+  /// Returns the number of edges of each input since the start of the test.
   std::vector<int> edges() {
     const std::vector<std::uint16_t> now = drivers.ask('E');
     std::vector<int> counts;

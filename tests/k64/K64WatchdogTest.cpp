@@ -29,7 +29,7 @@ class K64WatchdogOnBoard : public testing::Test {
     });
   }
 
-  // Times of the second keys of all refreshes since the last call.
+  // Returns the times of the second keys of all refreshes since the last call.
   std::vector<nanoseconds> takeRefreshes() {
     std::vector<nanoseconds> times;
     std::uint32_t last = 0;

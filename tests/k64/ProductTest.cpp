@@ -38,7 +38,7 @@ class ProductRobot : public SteppedRobot {
     ASSERT_EQ(report().mode, mode);
   }
 
-  // Share of the period in which a wheel has the voltage of the supply.
+  // Returns the share of the period in which a wheel has the voltage of the supply.
   [[nodiscard]] double duty(int wheel) const { return line_.board.pwmDuty(kWheelTimer, wheel); }
 
   // The red light of the board is on while its pin is low.
@@ -85,12 +85,12 @@ class RobotWithDevice final : public ProductRobot {
   // A signed order over the line of the Bluetooth module.
   void deviceOrder(const scenario::PcOrder& order) { send(frames_.order(order)); }
 
-  // The bytes of a signed order, which are not sent.
+  // Returns the bytes of a signed order, which are not sent.
   scenario::Bytes signedOrder(const scenario::PcOrder& order) {
     return device_.sign(frames_.order(order));
   }
 
-  // The bytes of an order that is signed with another key and has a new counter.
+  // Returns the bytes of an order that is signed with another key and has a new counter.
   scenario::Bytes orderWithKey(const SipHash::Key& key, const scenario::PcOrder& order) {
     constexpr std::uint32_t kNewer = 1000;
     return SigningDevice(key, start_).signWith(kNewer, frames_.order(order));

@@ -29,7 +29,8 @@ using std::chrono::milliseconds;
 
 const std::string kProduct = "weeding_robot";
 const auto kFolder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/safety";
-// The image with safety functions. A reset is a part of some scenarios: it does not stop the board.
+// The image with safety functions. Some scenarios contain a reset, so a reset does not stop the
+// board.
 std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
   return switchProductOn(kProduct, emulator::readImage(imageOf(kProduct)),
                          {.resetsAreFindings = false});
@@ -146,8 +147,8 @@ class SafeBoard final : public SteppedRobot {
     return board().resets() != before;
   }
 
-  // The number of the assertion that ended the program, from the Welcome of the next start; 0
-  // without an assertion.
+  // Returns the number of the assertion that ended the program, from the Welcome of the next start;
+  // 0 without an assertion.
   int failedAssertion() {
     constexpr int kAssertion = 1;
     static_cast<void>(line_.takeSent());  // a reset cuts the frame that is on the line

@@ -9,7 +9,7 @@ namespace wr::test {
 // Images with a handler that the firmware does not have. The handler's code is in erased flash
 // after the image; all other bytes are unchanged.
 
-/// The exception of an interrupt.
+/// Returns the exception of an interrupt.
 [[nodiscard]] constexpr std::uint32_t exceptionOf(std::uint32_t interrupt) {
   return 16 + interrupt;
 }
@@ -27,7 +27,7 @@ using Code = std::vector<std::uint16_t>;
 /// Address of the code of the handler.
 inline constexpr std::uint32_t kHandlerAddress = 0x80000;
 
-/// The image with this code as handler of an exception.
+/// Returns the image with this code as handler of an exception.
 [[nodiscard]] Image withHandler(Image image, std::uint32_t exception, const Code& code);
 
 /// Address of a function of the image under test, by its name in C++. Throws when there is none.

@@ -96,7 +96,7 @@ class DirControllerFixture : public testing::Test {
     ASSERT_EQ(state(), SteeringState::Turning);
   }
 
-  /// @brief The demand on the motor, as one tick of the motor shows it.
+  /// @brief Returns the demand on the motor, as one tick of the motor shows it.
   StepRate demand() {
     while (!control.motor.device.ready()) {
       control.motor.device.tick();

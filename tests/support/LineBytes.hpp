@@ -63,7 +63,7 @@ inline Bytes stuffed(const Bytes& body) {
   return line;
 }
 
-/// @brief The bytes on the line of a frame.
+/// @brief Returns the bytes on the line of a frame.
 inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& payload,
                        std::uint8_t version = 2) {
   Bytes body;
@@ -101,7 +101,7 @@ inline std::vector<Bytes> bodies(const Bytes& line) {
   return found;
 }
 
-/// @brief The bytes of a text of hexadecimal digits.
+/// @brief Returns the bytes of a text of hexadecimal digits.
 inline Bytes fromHex(const std::string& digits) {
   Bytes bytes;
   for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {

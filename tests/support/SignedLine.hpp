@@ -29,19 +29,19 @@ class FixedRandom final : public RandomSource {
   std::optional<std::uint64_t> number_;
 };
 
-/// A Bluetooth device that has the key: it puts counter and tag on its frames, as the page of the
-/// protocol describes it.
+/// A Bluetooth device that has the key. It puts counter and tag on its frames, as the page of the
+/// protocol describes.
 class SigningDevice {
  public:
   explicit SigningDevice(const SipHash::Key& key = kSharedKey, std::uint64_t nonce = kStartNumber)
       : key_(key), nonce_(nonce) {}
 
-  /// The bytes of a frame with the next counter and its tag.
+  /// Returns the bytes of a frame with the next counter and its tag.
   [[nodiscard]] scenario::Bytes sign(const scenario::Bytes& frame) {
     return signWith(++counter_, frame);
   }
 
-  /// The bytes of a frame with a chosen counter and its tag.
+  /// Returns the bytes of a frame with a chosen counter and its tag.
   [[nodiscard]] scenario::Bytes signWith(std::uint32_t counter,
                                          const scenario::Bytes& frame) const {
     scenario::Bytes bytes(frame.begin(), frame.end() - 1);
@@ -51,7 +51,7 @@ class SigningDevice {
     return bytes;
   }
 
-  /// A frame of the robot without counter and tag, and without zero bytes before it.
+  /// Returns a frame of the robot without counter and tag, and without zero bytes before it.
   [[nodiscard]] static scenario::Bytes bare(const scenario::Bytes& signedFrame) {
     const auto begin =
         std::ranges::find_if(signedFrame, [](std::uint8_t byte) { return byte != 0; });

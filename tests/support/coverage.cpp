@@ -6,7 +6,7 @@
 // name is a file of counters, for the lines below it. Each of these lines has the number of a
 // function that ran, and its counters.
 //
-// The counters of the whole run go into the files that gcc itself writes, for other readers.
+// The counters of the whole run are also written to the files of gcc, for other programs.
 
 #include <gtest/gtest.h>
 

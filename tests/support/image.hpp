@@ -10,10 +10,10 @@
 
 namespace wr::test {
 
-/// @brief The image under test; the variable WR_IMAGE can name another image.
+/// @brief Returns the image under test; the variable WR_IMAGE can name another image.
 [[nodiscard]] std::filesystem::path imageFile();
 
-/// @brief The file with the symbols of the image, which is in the same folder.
+/// @brief Returns the file with the symbols of the image, which is in the same folder.
 [[nodiscard]] std::filesystem::path elfFile();
 
 /// @brief Switches a board with the image on. The calls of its firmware are recorded for the test.

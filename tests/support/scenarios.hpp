@@ -22,7 +22,7 @@ inline std::vector<std::filesystem::path> allScenarios() {
 }
 
 /// @brief Checks whether a scenario expects behaviour of the paper's design that safety functions
-/// change: they stop the robot, or let it follow a ramp.
+/// change. The safety functions stop the robot, or let it follow a ramp.
 /// @param file file of the scenario
 inline bool isOfThePaperAlone(const std::filesystem::path& file) {
   constexpr std::array<const char*, 4> kNames{"one_hall_sensor", "reversal", "sensors_broken",

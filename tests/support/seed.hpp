@@ -9,7 +9,7 @@
 
 namespace wr::test {
 
-/// @brief Seed of a random test. It is printed, and is in the results; the variable WR_SEED sets
+/// @brief Returns the seed of a random test. It is printed, and is in the results; the variable WR_SEED sets
 /// it.
 inline unsigned seed() {
   const char* const given = std::getenv("WR_SEED");

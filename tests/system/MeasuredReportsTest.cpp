@@ -42,7 +42,8 @@ TEST_F(MeasuredReportsOfRobot, FR62_ValuesThatExistAreMarkedAsValid) {
   EXPECT_EQ(robot.report().tension[0], 0);
 }
 
-/// @brief A value whose sensor is broken is marked as missing and is 0, the others stay valid.
+/// @brief A value whose sensor is broken is marked as missing and is 0, and the other values stay
+/// valid.
 /// @verifies FR-62
 TEST_F(MeasuredReportsOfRobot, FR62_MissingValuesAreMarked) {
   robot.connect();

@@ -144,7 +144,7 @@ class Comparison {
   std::mt19937& random() { return random_; }
   Reference& reference() { return reference_; }
 
-  /// Time of the last clock pulse.
+  /// Returns the time of the last clock pulse.
   [[nodiscard]] std::int64_t lastPulse() const { return cycles * kPeriod; }
 
  private:

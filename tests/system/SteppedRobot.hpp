@@ -20,7 +20,8 @@ using std::chrono::microseconds;
 /// the tests are linked.
 [[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 
-/// Sequences of the comparison with the reference that this target can run in reasonable time.
+/// Returns the number of sequences of the comparison with the reference that this target can run in
+/// reasonable time.
 [[nodiscard]] int referenceSequences();
 
 // Numbers in reports.
@@ -57,7 +58,7 @@ class SteppedRobot {
   /// Lets a part of the period pass.
   void wait(microseconds duration) { require(line_->runUntil(line_->now() + duration)); }
 
-  /// The physics of the robot: its true values, its ground, its faults.
+  /// Returns the physics of the robot: its true values, its ground, its faults.
   [[nodiscard]] plant::Robot& physics() { return line_->robot(); }
 
   void arrive(std::span<const std::uint8_t> bytes) { line_->send(bytes); }
@@ -120,7 +121,7 @@ class SteppedRobot {
     }
   }
 
-  /// The report of the last cycle.
+  /// Returns the report of the last cycle.
   [[nodiscard]] const scenario::PcReport& report() const {
     if (!report_) {
       throw std::runtime_error("the last cycle sent no report");

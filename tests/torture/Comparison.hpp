@@ -8,19 +8,19 @@
 
 namespace wr::torture {
 
-/// @brief Number of the first record that differs; none when all records are equal.
+/// @brief Returns the number of the first record that differs; none when all records are equal.
 [[nodiscard]] std::optional<std::size_t> firstDifference(const Records& left, const Records& right);
 
-/// @brief A record in words.
+/// @brief Returns a record in words.
 [[nodiscard]] std::string described(const Record& record);
 
-/// @brief Both records of a number, and the records before them.
+/// @brief Returns both records of a number, and the records before them.
 [[nodiscard]] std::string context(const Records& left, const Records& right, std::size_t number);
 
-/// @brief Number of entries to and exits from exceptions.
+/// @brief Returns the number of entries to and exits from exceptions.
 [[nodiscard]] std::size_t exceptionEvents(const Records& records);
 
-/// @brief The checks of the program that failed, in words; empty when no check failed.
+/// @brief Returns the checks of the program that failed, in words; empty when no check failed.
 [[nodiscard]] std::string failedChecks(const Records& records);
 
 /// @brief Returns whether the program reached its end.

@@ -10,11 +10,11 @@ namespace wr::torture {
 using Image = std::vector<std::uint8_t>;
 using Records = std::vector<Record>;
 
-/// @brief The torture program with a seed and a number of actions.
+/// @brief Returns the torture program with a seed and a number of actions.
 /// @throws std::runtime_error when the program has not been built
 [[nodiscard]] Image image(std::uint32_t seed, std::uint32_t actions);
 
-/// @brief The records in bytes that the program wrote.
+/// @brief Returns the records in bytes that the program wrote.
 [[nodiscard]] Records recordsIn(const std::vector<std::uint8_t>& bytes);
 
 }  // namespace wr::torture

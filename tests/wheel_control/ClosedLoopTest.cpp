@@ -256,7 +256,7 @@ struct Variant {
   double friction;
 };
 
-/// All extremes of supply, inertia, winding, motor constant and rolling resistance.
+/// Returns all extremes of supply, inertia, winding, motor constant and rolling resistance.
 std::vector<Variant> variants() {
   std::vector<Variant> all;
   for (const double supply : {21.0, 24.0, 29.0}) {

@@ -81,14 +81,14 @@ class ControlledWheel {
     controller.control(setPoint, measured());
   }
 
-  /// The values that the controller measures, and the position.
+  /// Returns the values that the controller measures, and the position.
   [[nodiscard]] WheelMeasurements measured() const {
     return {.velocity = controller.velocity(time.now()),
             .current = controller.current(time.now()),
             .position = position};
   }
 
-  /// Output of the driver to the motor.
+  /// Returns the output of the driver to the motor.
   [[nodiscard]] Tension output() const {
     constexpr Tension kSupply = SystemConstants::instance().supply();
     const Tension tension(pwm.dutyCycle().count() * (kSupply.count() / 100) / 100);

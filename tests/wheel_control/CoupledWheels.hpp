@@ -22,7 +22,7 @@ class SimulatedWheel : public SensedWheel {
   double speed = 0;          // speed of the shaft [rad/s]
   bool hallWorks = true;     // the Hall sensors have edges
 
-  /// Torque of the motor at the shaft [N m], at present.
+  /// Returns the torque of the motor at the shaft [N m], at present.
   [[nodiscard]] double torque() const { return constant * current(); }
 
   /// Moves the shaft, and reports the Hall edges on the way.
@@ -54,7 +54,7 @@ class SimulatedWheel : public SensedWheel {
     applyControl.execute(work);
   }
 
-  /// Velocity of the shaft [0.1 rpm].
+  /// Returns the velocity of the shaft [0.1 rpm].
   [[nodiscard]] double velocity() const { return speed * 300 / std::numbers::pi; }
 
   WheelWork work;
@@ -91,12 +91,12 @@ class CoupledWheels {
     }
   }
 
-  /// Voltage of a wheel [mV].
+  /// Returns the voltage of a wheel [mV].
   [[nodiscard]] double tension(std::size_t wheel) const {
     return wheels.at(wheel).work.applied.value_or(Tension()).count();
   }
 
-  /// Mean voltage of the wheels 1 to 3 [mV].
+  /// Returns the mean voltage of the wheels 1 to 3 [mV].
   [[nodiscard]] double tensionOfTheOthers() const {
     return (tension(1) + tension(2) + tension(3)) / 3;
   }

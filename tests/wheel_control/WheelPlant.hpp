@@ -36,7 +36,7 @@ class WheelPlant {
     currents_ = 0;
   }
 
-  /// Torque at the shaft in the present step, of motor and load.
+  /// Returns the torque at the shaft in the present step, of motor and load.
   double torque(const ControlledWheel& wheel) {
     const double share = wheel.pwm.dutyCycle().count() / 10000.0;
     const double tension = (wheel.orientation.isOn() ? -share : share) * supply;
@@ -59,16 +59,16 @@ class WheelPlant {
     current_ = Current(static_cast<std::int32_t>(std::lround(currents_ / kParts * 1000)));
   }
 
-  /// Mean velocity of the last cycle.
+  /// Returns the mean velocity of the last cycle.
   [[nodiscard]] Velocity velocity() const { return velocity_; }
 
-  /// Mean current of the last cycle.
+  /// Returns the mean current of the last cycle.
   [[nodiscard]] Current current() const { return current_; }
 
-  /// Velocity now.
+  /// Returns the velocity now.
   [[nodiscard]] Velocity present() const { return toVelocity(speed_); }
 
-  /// Speed of the shaft now [rad/s].
+  /// Returns the speed of the shaft now [rad/s].
   [[nodiscard]] double speed() const { return speed_; }
 
   static constexpr int kParts = 100;      // steps in a cycle

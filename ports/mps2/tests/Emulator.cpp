@@ -75,7 +75,7 @@ std::string hex(std::uint32_t value) {
   return text.data();
 }
 
-// A little-endian word in hexadecimal digits.
+// Returns the value of a little-endian word in hexadecimal digits.
 std::uint32_t wordOf(const std::string& digits) {
   if (digits.size() != 8) {
     throw std::runtime_error("QEMU answers " + digits);

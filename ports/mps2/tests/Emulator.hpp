@@ -16,8 +16,8 @@
 
 namespace wr::mps2 {
 
-/// @brief The board MPS2 with the FPGA image AN386 on QEMU. Its time passes only while it runs. The
-/// tests control it through the protocol of GDB; its first serial port is a socket.
+/// @brief The board MPS2 with the FPGA image AN386 on QEMU. The time of the board passes only while
+/// QEMU runs. The tests control it through the protocol of GDB; its first serial port is a socket.
 class Emulator {
  public:
   /// @brief Length of a short instruction [byte].
@@ -49,7 +49,7 @@ class Emulator {
   /// @brief Reads a word of the memory, or a register of a device.
   [[nodiscard]] std::uint32_t word(std::uint32_t address);
 
-  /// @brief The bytes that the program has sent since the last call.
+  /// @brief Returns the bytes that the program has sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
  private:

@@ -174,7 +174,8 @@ class Core {
   /// @return false in case of a trap
   [[nodiscard]] bool beginFp();
 
-  /// @brief The cycles of a read of flash by the processor itself, such as a vector.
+  /// @brief Returns the cycles in which the processor itself reads from flash, for example a
+  /// vector.
   void spendForRead(std::uint32_t address);
 
   /// @brief Records that the next instruction does not begin a block, as after an exception entry.

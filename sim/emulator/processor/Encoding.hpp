@@ -15,11 +15,11 @@ struct Encoding {
     return bits >> from & ((2U << (to - from)) - 1);
   }
   [[nodiscard]] constexpr bool bit(unsigned number) const { return (bits >> number & 1U) != 0; }
-  /// @brief The number of a register, four bits.
+  /// @brief Returns the number of a register, four bits.
   [[nodiscard]] constexpr std::uint8_t reg(unsigned from) const {
     return static_cast<std::uint8_t>(bits >> from & 15U);
   }
-  /// @brief The number of a low register, three bits.
+  /// @brief Returns the number of a low register, three bits.
   [[nodiscard]] constexpr std::uint8_t low(unsigned from) const {
     return static_cast<std::uint8_t>(bits >> from & 7U);
   }

@@ -19,7 +19,7 @@ class Float {
   [[nodiscard]] std::uint32_t add(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] std::uint32_t subtract(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] std::uint32_t multiply(std::uint32_t a, std::uint32_t b);
-  /// @brief The sum of a number and a product, rounded once.
+  /// @brief Returns the sum of a number and a product, rounded once.
   [[nodiscard]] std::uint32_t multiplyAdd(std::uint32_t sum, std::uint32_t a, std::uint32_t b);
   [[nodiscard]] std::uint32_t divide(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] std::uint32_t squareRoot(std::uint32_t a);

@@ -22,7 +22,7 @@ struct Instruction {
   static constexpr std::uint8_t kInBlock = 8;
   static constexpr std::uint8_t kPlace = kDecoded | kInBlock;
 
-  /// @brief The value of form & kPlace after decoding for a given alignment.
+  /// @brief Returns the value of form & kPlace after decoding for a given alignment.
   /// @param inBlock whether it is in an IT block
   [[nodiscard]] static constexpr std::uint8_t place(bool inBlock) {
     return inBlock ? kPlace : kDecoded;

@@ -135,7 +135,7 @@ class Memory {
     return value;
   }
 
-  /// @brief The words of a stack; no words when a part of the stack cannot be written.
+  /// @brief Returns the words of a stack; no words when a part of the stack cannot be written.
   [[nodiscard]] std::uint8_t* stack(std::uint32_t address, std::uint32_t size) const;
 
  private:

@@ -47,7 +47,7 @@ struct Registers {
     return (condition & 1U) != 0 && condition != 15 ? !holds : holds;
   }
 
-  /// @brief The flags of APSR.
+  /// @brief Returns the flags of APSR.
   [[nodiscard]] std::uint32_t flags() const {
     return (n & 1U << 31) | (z == 0 ? 1U << 30 : 0) | c << 29 | (v >> 31) << 28 |
            (q ? 1U << 27 : 0) | std::uint32_t{ge} << 16;

@@ -4,7 +4,7 @@
 
 namespace wr::web {
 
-/// @brief Text of the exception that ended the module; empty when something else ended it.
+/// @brief Returns the text of the exception that ended the module; empty when something else ended it.
 [[nodiscard]] std::string_view thrownText();
 
 }  // namespace wr::web

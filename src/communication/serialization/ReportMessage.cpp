@@ -211,7 +211,7 @@ void readCounts(Reader& reader, LinkCounts& counts) {
   }
 }
 
-// A bit for each wheel.
+// Returns a bit for each wheel.
 std::uint8_t wheelBits(const Measurements& measurements, bool WheelMeasurements::*mark) {
   std::uint32_t bits = 0;
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

@@ -54,7 +54,7 @@ class ArgumentValues {
 
   static constexpr std::uint32_t bit(ArgumentId id) { return 1U << static_cast<std::uint32_t>(id); }
 
-  // In the order of the names.
+  // The neutral values, in the order of ArgumentId.
   static constexpr std::array<std::int32_t, kCount> kNeutral{
       0,
       0,

@@ -24,7 +24,7 @@ namespace {
 
 using test::Bytes;
 
-// Bytes of the body of a report.
+// Returns the number of bytes of the body of a report.
 std::size_t reportBody() {
   return scenario::ReportPayload{}.bytes().size() + kMinBody;
 }
@@ -84,7 +84,7 @@ struct PcConnectionTest : testing::Test {
     ASSERT_TRUE(connection.connected());
   }
 
-  /// @brief Bodies of all frames that the system has sent.
+  /// @brief Returns the bodies of all frames that the system has sent.
   [[nodiscard]] std::vector<Bytes> sent() const { return test::bodies(port.sent); }
 
   [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
@@ -898,8 +898,8 @@ TEST_F(PcConnectionTest, FR30_AWelcomeWithoutRoomIsDropped) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief The first frame after start follows a zero byte: it ends a frame that the firmware may
-/// have sent in part before a reset. The frames after it do not.
+/// @brief The first frame after start follows a zero byte. The zero byte ends a frame that the
+/// firmware may have sent in part before a reset. The frames after it do not.
 /// @verifies FR-247
 TEST_F(PcConnectionTest, FR247_TheFirstFrameFollowsAZeroByte) {
   send(kHello);
@@ -1032,7 +1032,7 @@ TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   EXPECT_EQ(compared, 1);
 }
 
-/// @brief Content of the report of cycle 7 of the examples.
+/// @brief Returns the content of the report of cycle 7 of the examples.
 ReportData reportOfCycle7() {
   ReportData data;
   data.cycle = 7;
@@ -1052,7 +1052,7 @@ ReportData reportOfCycle7() {
   return data;
 }
 
-/// @brief Content of the report of cycle 8 of the examples.
+/// @brief Returns the content of the report of cycle 8 of the examples.
 ReportData reportOfCycle8() {
   ReportData data = reportOfCycle7();
   data.cycle = 8;

@@ -26,7 +26,7 @@ SipHash::Key erased() {
 
 class SignedPortTest : public testing::Test {
  protected:
-  // The frames that the port returns now.
+  // Returns the frames that the port returns now.
   std::vector<scenario::Bytes> given(SignedPort& from) {
     std::vector<scenario::Bytes> taken;
     std::array<std::uint8_t, 64> bytes{};
@@ -229,7 +229,8 @@ TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   }
 }
 
-/// @brief A challenge leaves space for a frame: it is sent only when there is space for two frames.
+/// @brief A challenge is sent only when there is space for two frames, so that space for a frame is
+/// left.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
   FakeSerialPort port;
@@ -264,8 +265,8 @@ class FloodedPort final : public SerialPort {
   std::size_t atOnce_;
 };
 
-/// @brief A read ends on a line that never becomes empty: it takes at most 64 parts of 64 bytes. An
-/// empty line is read once.
+/// @brief A read ends although the line never becomes empty: a read takes at most 64 parts of 64
+/// bytes. An empty line is read once.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AReadEndsInAFlood) {
   for (const auto& [atOnce, reads] : {std::pair<std::size_t, int>{64, 64}, {1, 64}, {0, 1}}) {

@@ -34,7 +34,7 @@ class WatchedLeads : public testing::Test {
     return watch->swapped(measured, Tension(static_cast<std::int32_t>(ordered * 1000)));
   }
 
-  /// Voltage at which the wheel pulls with a current.
+  /// Returns the voltage at which the wheel pulls with a current.
   [[nodiscard]] double pulling(double rpm, double amperes) const {
     return (motor.constant * rpm + motor.resistance * amperes) * 24 / motor.supply;
   }

@@ -7,7 +7,7 @@
 namespace wr::test {
 namespace {
 
-/// An algorithm whose voltage is its set-point in mV; it records its calls.
+/// An algorithm that records its calls. Its voltage is its set-point in mV.
 class DirectAlgorithm final : public WheelAlgorithm {
  public:
   Tension calculate(std::int16_t setPoint, const WheelFeedback& /*feedback*/) override {

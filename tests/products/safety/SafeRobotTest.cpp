@@ -272,8 +272,8 @@ TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief When the switch is in "stop" for 40 ms, at any time of the cycle, a robot that the PC
-/// drives stops. The robot stays at rest until the PC has ordered neutral values.
+/// @brief The PC drives the robot. The robot stops when the switch is in "stop" for 40 ms, at any
+/// time of the cycle. The robot stays at rest until the PC has ordered neutral values.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   armByPc();

@@ -394,8 +394,8 @@ TEST_F(ProtectiveStopTest, FR272_AFaultOfTheSteeringIsACause) {
   expectLatched(StopCause::SteeringFault, Protection::kNoWheel);
 }
 
-/// @brief Only an acknowledgement releases a protective stop; it reaches the control systems. A
-/// fault that lasts causes the next protective stop.
+/// @brief Only an acknowledgement releases a protective stop. The acknowledgement reaches the
+/// control systems. A fault that lasts causes the next protective stop.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnAcknowledgementReleases) {
   spy.measured.wheels[1].blind = true;
@@ -588,7 +588,7 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
 
 /// @brief Set-points of current are not changed. The velocity then begins at the measured velocity,
 /// or at the velocity that the voltage of the wheel causes without load if this is lower. It begins
-/// at 0 when the two have opposite directions.
+/// at 0 when these two velocities have opposite directions.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   struct Case {

@@ -55,7 +55,7 @@ TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(director.enablePin()), "assertion 1 failed");
 }
 
-/// @brief A robot that the PC and the remote control command welcomes the PC and reports; it begins in the mode RC.
+/// @brief A robot with a PC and a remote control sends a Welcome and reports to the PC. It begins in the mode RC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   begin(director);

@@ -13,8 +13,8 @@
 namespace wr::test {
 namespace {
 
-// All scenarios that the image with safety functions must meet on the virtual board, except the
-// scenario of the clock, which only the virtual board has.
+// Returns all scenarios that the image with safety functions must meet on the virtual board, except
+// the scenario of the clock, which only the virtual board has.
 std::vector<std::filesystem::path> scenarios() {
   std::vector<std::filesystem::path> files = allScenarios();
   std::erase_if(files, [](const std::filesystem::path& file) {

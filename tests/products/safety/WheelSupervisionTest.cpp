@@ -126,7 +126,7 @@ TEST_F(SupervisedWheel, FR275_TheBoundOfTheUnexplainedVoltageIsPermitted) {
 }
 
 /// @brief A slope drags a wheel faster and faster against its voltage. The wheel draws (3 V + k v)
-/// / 1.5 Ohm: this is no cause, not even with 15 % more resistance and a supply of 21 V.
+/// / 1.5 Ohm: this causes no stop, not even with 15 % more resistance and a supply of 21 V.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_ADraggedWheelIsNoCause) {
   for (const double share : {1.0, 21.0 / 24 / 1.15}) {
@@ -186,8 +186,8 @@ TEST_F(SupervisedWheel, FR276_TheLastTenSetPointsCount) {
   EXPECT_EQ(cause, StopCause::Overspeed);
 }
 
-/// @brief A wheel that is too fast and loses more than 1 rpm in a cycle is being braked: this is no
-/// cause. A wheel that loses only 1 rpm is a cause.
+/// @brief A wheel that is too fast and loses more than 1 rpm in a cycle is being braked. This
+/// causes no stop. A wheel that loses only 1 rpm causes a stop.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
   EXPECT_EQ(firstCause(10, measured(20, 1), 2.5, 20), 0);

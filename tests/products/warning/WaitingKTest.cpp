@@ -37,7 +37,7 @@ TEST_F(WaitingKTest, FR152_WarnsAndGoesOn) {
   EXPECT_EQ(system.applied.steering, Angle(30));
 }
 
-/// @brief A message ends the warning: it is read, and the working state follows.
+/// @brief A message ends the warning. The message is read, and the working state follows.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_MessageEndsTheWarning) {
   controller.control();

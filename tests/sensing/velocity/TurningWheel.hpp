@@ -65,7 +65,7 @@ struct TurningWheel {
     return pipe.read().value().value.count();
   }
 
-  /// @brief Levels at the position of the wheel.
+  /// @brief Returns the levels at the position of the wheel.
   [[nodiscard]] unsigned phase() const {
     static constexpr std::array<unsigned, 4> kForwards = {0, 1, 3, 2};
     return kForwards.at(static_cast<std::size_t>(passed & 3));

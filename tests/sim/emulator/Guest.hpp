@@ -68,12 +68,12 @@ class Guest {
   std::vector<std::uint8_t> image_;
 };
 
-/// Results that a program reported to its test.
+/// Returns the results that a program reported to its test.
 inline std::uint32_t told(const emulator::VirtualBoard& board, unsigned number) {
   return board.word(0x20000000 + 4 * number);
 }
 
-/// The numbers that a program recorded.
+/// Returns the numbers that a program recorded.
 inline std::vector<std::uint32_t> notes(const emulator::VirtualBoard& board) {
   std::vector<std::uint32_t> numbers(board.word(0x20000100));
   for (std::size_t i = 0; i < numbers.size(); ++i) {

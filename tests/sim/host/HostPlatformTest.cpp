@@ -124,7 +124,7 @@ TEST(HostTimebaseTest, SteppedTimePassesByHand) {
   EXPECT_EQ(time.now(), Instant(3000));
 }
 
-// All bytes that a port has received.
+// Returns all bytes that a port has received.
 scenario::Bytes readAll(SerialPort& port) {
   scenario::Bytes all;
   scenario::Bytes read(4096);

@@ -13,7 +13,8 @@
 namespace wr::test {
 namespace {
 
-// All examples except the longest example, which ScenariosOnBoard repeats on the virtual board.
+// Returns all examples except the longest example, which ScenariosOnBoard repeats on the virtual
+// board.
 std::vector<std::string> examples() {
   std::vector<std::string> names;
   const auto folder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples";
@@ -25,7 +26,7 @@ std::vector<std::string> examples() {
   return names;
 }
 
-// All reports of a run, with the true values at their times.
+// Returns all reports of a run, with the true values at their times.
 std::string reportsOf(const scenario::Scenario& scenario) {
   host_robot::HostSession robot;
   robot.start();

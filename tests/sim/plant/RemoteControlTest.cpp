@@ -22,7 +22,7 @@ struct Pulse {
   nanoseconds width;
 };
 
-// The pulses that a remote control sends in some time.
+// Returns the pulses that a remote control sends in some time.
 std::vector<Pulse> pulsesOf(plant::RemoteControl& remote, int ms) {
   std::vector<Pulse> pulses;
   std::array<nanoseconds, 3> begins{};

@@ -48,7 +48,8 @@ class RobotTest : public testing::Test {
     }
   }
 
-  // Net number of edges forwards of a wheel, by the Gray sequence 00, 01, 11, 10 of (b, a).
+  // Returns the net number of edges forwards of a wheel, by the Gray sequence 00, 01, 11, 10 of (b,
+  // a).
   [[nodiscard]] int netEdges(std::size_t wheel) const {
     int count = 0;
     std::array<bool, 2> level{};
@@ -62,8 +63,8 @@ class RobotTest : public testing::Test {
     return count;
   }
 
-  // Current that the motor needs at a speed while each tyre pulls with a force; calculated by hand
-  // from the equations of a steady state.
+  // Returns the current that the motor needs at a speed while each tyre pulls with a force;
+  // calculated by hand from the equations of a steady state.
   [[nodiscard]] static double currentFor(double force, double rpm) {
     constexpr MotorParameters motor;
     const double torque = force * DriveTrain::kRadius / DriveTrain::kRatio;

@@ -11,7 +11,7 @@ constexpr StepRate kRight(-500);
 
 /// @brief The rule through its interface.
 struct DeadbandTurnTest : testing::Test {
-  /// @brief Demanded turn at a distance from the target, for any target.
+  /// @brief Returns the demanded turn at a distance from the target, for any target.
   StepRate turn(std::int32_t away, StepRate now) {
     const StepRate atZero = algorithm.turn(Angle(away), Angle(0), now);
     EXPECT_EQ(algorithm.turn(Angle(away - 3200), Angle(-3200), now), atZero);

@@ -23,8 +23,8 @@ class HostSteppedRobot : public SteppedRobot {
   /// Runs a cycle while the line accepts no bytes, so that the port fills.
   void cycleWithoutLine() { host_.runThroughPulse(); }
 
-  /// The time until the next clock pulse. The first clock pulse comes more than a period after
-  /// start.
+  /// Returns the time until the next clock pulse. The first clock pulse comes more than a period
+  /// after start.
   [[nodiscard]] microseconds untilPulse() const {
     return microseconds((host_.world.nextPulse() - time.now()).count());
   }

@@ -138,7 +138,7 @@ class OneWheelLine final : public scenario::RobotSession {
     nextStep_ += kStep;
   }
 
-  // The microsecond of an edge in this step.
+  // Returns the microsecond of an edge in this step.
   [[nodiscard]] Time at(std::chrono::nanoseconds offset) const {
     return std::min(nextStep_ + std::chrono::duration_cast<Time>(offset),
                     nextStep_ + kStep - Time(1));

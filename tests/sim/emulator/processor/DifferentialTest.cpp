@@ -37,7 +37,7 @@ class Source {
     return static_cast<std::uint32_t>(engine_() % count);
   }
 
-  /// A random number, often one of the limits.
+  /// Returns a random number, often one of the limits.
   [[nodiscard]] std::uint32_t word() {
     constexpr std::array<std::uint32_t, 10> kLimits{
         0, 1, 0xFFFFFFFF, 0x7FFFFFFF, 0x80000000, 0x8000, 0x7FFF, 0x80008000, 0x7FFF7FFF, 0x80};
@@ -52,7 +52,7 @@ class Source {
     }
   }
 
-  /// The bits of a floating-point number of any kind, often near a limit.
+  /// Returns the bits of a floating-point number of any kind, often near a limit.
   [[nodiscard]] std::uint32_t single() {
     constexpr std::array<std::uint32_t, 14> kLimits{
         0,          0x3F800000, 0x00800000, 0x007FFFFF, 1,          0x7F7FFFFF, 0x7F800000,

@@ -19,7 +19,7 @@ struct Encoding {
       false;  ///< the engine sets Q when a part of the sum is too large, which is wrong
 };
 
-/// @brief All instructions of ARMv7E-M with FPv4-SP that continue with the next instruction.
+/// @brief Returns all instructions of ARMv7E-M with FPv4-SP that continue with the next instruction.
 std::span<const Encoding> encodings();
 
 }  // namespace wr::emulator::reference

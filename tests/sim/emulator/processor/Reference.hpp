@@ -40,7 +40,7 @@ class UnicornCore {
   /// @return false when the instruction is undefined or causes a fault
   bool execute(std::span<const std::uint8_t> code, State& state);
 
-  /// @brief The memory that instructions read and write.
+  /// @brief Returns the memory that instructions read and write.
   [[nodiscard]] std::span<std::uint8_t> ram() { return ram_; }
 
  private:

@@ -16,8 +16,8 @@ constexpr std::uint32_t kRamSize = 0x1000;
 constexpr std::uint32_t kFlashSize = 0x1000;
 constexpr std::uint32_t kOdd = 0x201;  // target of branches
 
-/// @brief A core with flash at 0 and with memory. All registers point to the middle of the memory,
-/// which contains the address of an instruction.
+/// @brief A core with flash at address 0 and with RAM. All registers point to the middle of the
+/// RAM, which contains the address of an instruction.
 class Program {
  public:
   Program(Timing timing, std::uint32_t at, std::vector<std::uint16_t> halves) : core_(timing) {
@@ -36,7 +36,7 @@ class Program {
     core_.next = at;
   }
 
-  /// Cycles of the next instructions.
+  /// Executes the next instructions, and returns their cycles.
   std::uint64_t cyclesOf(int instructions) {
     const std::uint64_t before = core_.cycles();
     for (int i = 0; i < instructions; ++i) {
