@@ -63,7 +63,7 @@
   area.setAttribute("role", "application");
   area.setAttribute(
     "aria-label",
-    "Calls of one cycle. Plus and minus zoom, arrows left and right move, arrows up and down choose the caller and the called, Enter zooms to the chosen call.",
+    "Calls of one cycle. Plus and minus zoom, arrows left and right move, arrows up and down choose the caller and the called method, Enter zooms to the chosen call.",
   );
   panel.setAttribute("aria-live", "polite");
   field.type = "search";
@@ -80,7 +80,7 @@
   button("+", "Zoom in", () => zoom(0.5));
   button("100 ms", "Show the whole cycle", () => show(0, data.length));
   button("main thread", "Show the main thread", () => showCall(first("mainThreadInterrupt")));
-  button("‹ call", "Choose the call before", () => step(-1));
+  button("‹ call", "Choose the previous call", () => step(-1));
   button("call ›", "Choose the next call", () => step(1));
   tools.append(field, words);
   live.append(tools, area, panel);

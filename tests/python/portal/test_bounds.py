@@ -37,7 +37,7 @@ def bench_page(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 
 def test_the_page_compares_each_bound_with_the_longest_drive(page: str) -> None:
-    assert "The bound is 2.0 times the longest." in page
+    assert "The bound is 2.0 times the longest cycle." in page
     assert "25 of the drives have noise at all inputs" in page
     assert "is 3.0 times this time." in page
 

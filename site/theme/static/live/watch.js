@@ -188,7 +188,7 @@
   }
 
   const callsOf = (number) =>
-    number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call of its own code";
+    number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call in its own code";
 
   function show(data) {
     button.disabled = false;
