@@ -44,7 +44,7 @@ class FakeSerialPort final : public SerialPort {
   std::size_t room = std::numeric_limits<std::size_t>::max();
   std::uint16_t lost = 0;
   std::size_t reads = 0;  // calls of read()
-  Instant at{};  // time at which the bytes were received
+  Instant at{};           // time at which the bytes were received
 };
 
 }  // namespace wr::test
