@@ -25,7 +25,8 @@ class WheelComparison final {
   WheelComparison(const WheelComparison&) = delete;
   WheelComparison& operator=(const WheelComparison&) = delete;
 
-  /// @brief Compares the wheels. Each cycle in which they follow set-points calls this function.
+  /// @brief Compares the wheels. Each cycle in which the wheels follow set-points calls this
+  /// function.
   /// @param measurements measurements of the cycle that ends
   /// @return number of the wheel that moved too little, 0 to 3; nothing if there is none.
   /// @satisfies FR-297
