@@ -93,7 +93,7 @@ class BufferedPort : public SerialPort {
   BufferedPort() = default;
   ~BufferedPort() = default;
 
-  /// @brief Stores a received byte, or counts it as lost. The interrupt of the port calls it.
+  /// @brief Stores a received byte, or counts it as lost. The interrupt of the port calls this function.
   /// @param byte the byte
   /// @param at time at which it was received
   /// @isr{yes}
@@ -105,7 +105,7 @@ class BufferedPort : public SerialPort {
     }
   }
 
-  /// @brief Counts a lost byte. The interrupt of the port calls it.
+  /// @brief Counts a lost byte. The interrupt of the port calls this function.
   /// @isr{yes}
   void lose() {
     if (lost_ != std::numeric_limits<std::uint16_t>::max()) {
@@ -113,7 +113,7 @@ class BufferedPort : public SerialPort {
     }
   }
 
-  /// @brief Returns the buffer of the bytes to send. The interrupt of the port calls it.
+  /// @brief Returns the buffer of the bytes to send. The interrupt of the port calls this function.
   /// @isr{yes}
   [[nodiscard]] auto& toSend() { return toSend_; }
 

@@ -10,7 +10,7 @@
 
 namespace wr {
 
-/// @brief Builds a robot that the PC and a Bluetooth device command, and starts it.
+/// @brief Builds a robot that receives orders from the PC and a Bluetooth device, and starts it.
 ///
 /// @function Calls the steps of the builders in the required sequence, replaces the standard
 /// reading modes by the modes of this product, and starts the built parts.

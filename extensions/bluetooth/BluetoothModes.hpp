@@ -40,7 +40,7 @@ struct BluetoothDevices {
   BluetoothStops stops;      ///< memories of the stops
 };
 
-/// @brief The reading modes of a robot that the PC and a Bluetooth device command; each is the successor
+/// @brief The reading modes of a robot that receives orders from the PC and a Bluetooth device; each is the successor
 /// of the other.
 /// @datatype
 struct BluetoothModes {

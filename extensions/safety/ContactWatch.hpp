@@ -22,7 +22,7 @@ class ContactWatch final {
   ContactWatch(const ContactWatch&) = delete;
   ContactWatch& operator=(const ContactWatch&) = delete;
 
-  /// @brief Samples the contact. Each tick calls it.
+  /// @brief Samples the contact. Each tick calls this function.
   /// @satisfies FR-271
   /// @isr{yes}
   void sample();

@@ -21,7 +21,7 @@ class InterruptWatch final {
   InterruptWatch(const InterruptWatch&) = delete;
   InterruptWatch& operator=(const InterruptWatch&) = delete;
 
-  /// @brief Checks the interrupts. Each tick calls it.
+  /// @brief Checks the interrupts. Each tick calls this function.
   /// @param now time of the tick
   /// @param edgeWaits whether a Hall edge is not acknowledged yet; its interrupt has the higher priority
   /// @errors A tick more than 20 ms after the previous tick, and an edge that waits at 5 successive

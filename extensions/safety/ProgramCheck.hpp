@@ -34,13 +34,14 @@ class ProgramCheck final {
   ProgramCheck(const ProgramCheck&) = delete;
   ProgramCheck& operator=(const ProgramCheck&) = delete;
 
-  /// @brief Permits one step. Each tick calls it.
+  /// @brief Permits one step. Each tick calls this function.
   /// @satisfies FR-309
   /// @isr{yes}
   void tick() { due_.store(true, std::memory_order_relaxed); }
 
   /// @brief Once in a tick, adds up the next words of the copies. In the first pass, also adds up
-  /// the words of the originals. The loop that waits for interrupts calls it after each interrupt.
+  /// the words of the originals. The loop that waits for interrupts calls this function after each
+  /// interrupt.
   /// @errors Copies that differ from their originals end the program with the assertion
   /// ProgramChanged.
   /// @satisfies FR-309

@@ -48,7 +48,7 @@ class SafetyDirector final {
   SafetyDirector(const SafetyDirector&) = delete;
   SafetyDirector& operator=(const SafetyDirector&) = delete;
 
-  /// @brief Builds a robot that the PC and the remote control command.
+  /// @brief Builds a robot that receives orders from the PC and the remote control.
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-285

@@ -14,7 +14,7 @@
 
 namespace wr {
 
-/// @brief The reading modes of a robot with safety functions that the PC and the remote control command.
+/// @brief The reading modes of a robot with safety functions that receives orders from the PC and the remote control.
 /// @datatype
 struct SafetyModes {
   /// @brief Constructs the modes.

@@ -9,7 +9,7 @@
 
 namespace wr {
 
-/// @brief Builds a robot with safety functions that only the PC commands, and starts it.
+/// @brief Builds a robot with safety functions that receives orders only from the PC, and starts it.
 ///
 /// @function Calls the steps of the builders in the required sequence, replaces the standard
 /// reading modes by the reading mode with safety functions, and starts the built parts.

@@ -11,7 +11,7 @@
 
 namespace wr {
 
-/// @brief The reading mode of a robot with safety functions that only the PC commands.
+/// @brief The reading mode of a robot with safety functions that receives orders only from the PC.
 /// @datatype
 struct SafetyPcMode {
   /// @brief Constructs the mode.

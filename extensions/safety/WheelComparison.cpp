@@ -78,7 +78,8 @@ void WheelComparison::add(const Measurements& measurements) {
   }
 }
 
-// Returns the mean of the two middle wheels. One failed wheel does not change it much.
+// Returns the mean of the values of all wheels but the least and the greatest. One failed wheel
+// does not change this mean much.
 std::int32_t WheelComparison::common() const {
   const auto [least, greatest] = std::ranges::minmax(ways_);
   std::int32_t sum = 0;

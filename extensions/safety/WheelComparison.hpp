@@ -25,7 +25,8 @@ class WheelComparison final {
   WheelComparison(const WheelComparison&) = delete;
   WheelComparison& operator=(const WheelComparison&) = delete;
 
-  /// @brief Compares the wheels. Each cycle in which they follow set-points calls it.
+  /// @brief Compares the wheels. Each cycle in which the wheels follow set-points calls this
+  /// function.
   /// @param measurements measurements of the cycle that ends
   /// @return number of the wheel that moved too little, 0 to 3; nothing if there is none.
   /// @satisfies FR-297
@@ -33,7 +34,7 @@ class WheelComparison final {
   [[nodiscard]] std::optional<std::uint8_t> behind(const Measurements& measurements);
 
   /// @brief Checks the currents of a robot that drives straight on. Each cycle in which the wheels follow
-  /// set-points calls it.
+  /// set-points calls this function.
   /// @param measurements measurements of the cycle that ends
   /// @return number of a wheel whose current was too great for too long, 0 to 3; nothing if there is none.
   /// @satisfies FR-298

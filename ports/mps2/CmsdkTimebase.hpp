@@ -24,7 +24,7 @@ class CmsdkTimebase final : public Timebase {
   }
 
   /// @pre The last call was less than 171 s ago, so that the counter has overflowed at most once.
-  /// Each control cycle calls it.
+  /// Each control cycle calls this function.
   [[nodiscard]] Instant now() const override {
     const InterruptLock lock;
     const std::uint32_t count = dual_timer::VALUE.read().value;

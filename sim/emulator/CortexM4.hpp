@@ -31,7 +31,7 @@ class CortexM4 {
   struct Problem {
     std::string id;        ///< kind of finding
     std::string what;      ///< description
-    std::uint32_t pc = 0;  ///< instruction that caused it
+    std::uint32_t pc = 0;  ///< instruction that caused the problem
   };
 
   /// @brief Reason for the return of run().

@@ -10,7 +10,7 @@ namespace wr::emulator {
 struct Finding {
   std::string id;               ///< kind of finding, e.g. clock-gate
   std::string what;             ///< description
-  std::uint32_t pc = 0;         ///< instruction that caused it
+  std::uint32_t pc = 0;         ///< instruction that caused the finding
   std::string function;         ///< function of the instruction; empty without an ELF file
   std::string place;            ///< file and line of the instruction; empty without an ELF file
   std::chrono::nanoseconds at;  ///< time since the board was switched on

@@ -40,7 +40,7 @@ class Ftm final : public Peripheral {
   /// @brief Returns whether the counter runs.
   [[nodiscard]] bool counts() const { return (control_ >> 3 & 3U) != 0; }
 
-  /// @brief Reports the channels whose duty cycle has changed. The board calls it when the pins may
+  /// @brief Reports the channels whose duty cycle has changed. The board calls this function when the pins may
   /// have changed.
   void show();
 

@@ -79,7 +79,7 @@ class Peripheral {
   /// @brief Returns the last result of nextEvent().
   [[nodiscard]] Time due() const { return due_; }
 
-  /// @brief Calls nextEvent() again. The board calls it after each possible change.
+  /// @brief Calls nextEvent() again. The board calls this function after each possible change.
   void renewDue() { due_ = nextEvent(); }
 
  protected:

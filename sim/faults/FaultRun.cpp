@@ -29,7 +29,8 @@ constexpr int kEnd = FaultRun::kLast + kLongestWindow + 200;  // ms
 constexpr int kMissing = 300;                                 // ms without a report: three cycles
 constexpr int kHelloEach = 250;
 constexpr int kHellos = 4;
-constexpr std::uint32_t kAwake = 1500;  // us after a clock pulse in which the processor is awake
+constexpr std::uint32_t kAwake =
+    1500;  // us; the processor is awake during this time after a clock pulse
 constexpr unsigned kSecondsOfCopy = 60;
 constexpr int kFirstException = 16;
 constexpr unsigned kStackPointer = 13;

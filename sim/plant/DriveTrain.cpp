@@ -77,8 +77,7 @@ void DriveTrain::advanceShaft(double seconds) {
   } else {
     const double direction = std::copysign(1.0, speed_);
     const double next = speed_ + acceleration(direction, motor_.friction) * seconds;
-    speed_ =
-        next * direction > 0 ? next : 0.0;  // friction stops the shaft; it does not turn it back
+    speed_ = next * direction > 0 ? next : 0.0;  // friction stops the shaft, but cannot reverse it
   }
   turns_ += speed_ * seconds / (2.0 * std::numbers::pi);
 }

@@ -121,7 +121,7 @@ class Robot {
   void setFault(Fault fault, std::size_t wheel, bool present, double value = 0);
 
   /// @brief Presses or releases the emergency stop.
-  /// @param state effect of its circuit
+  /// @param state state of the emergency stop's circuit
   void setEmergencyStop(EmergencyStop state);
 
   /// @brief Sets the firmware's signals on the driver of a wheel.

@@ -21,12 +21,12 @@ class RobotDirector {
   /// @param controllerBuilder builds the main controller
   RobotDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder);
 
-  /// @brief Builds all parts of a robot that the PC and the remote control command.
+  /// @brief Builds all parts of a robot that receives orders from the PC and the remote control.
   /// @post start() can be called.
   /// @isr{no}
   void construct();
 
-  /// @brief Builds all parts of a robot that only the PC commands.
+  /// @brief Builds all parts of a robot that receives orders only from the PC.
   /// @post start() can be called.
   /// @isr{no}
   /// @satisfies NFR-1

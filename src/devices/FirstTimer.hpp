@@ -25,7 +25,7 @@ class FirstTimer final {
   void start();
 
   /// @brief Runs one clock pulse: acknowledges the timer, then executes the command. The vector of
-  /// the timer's interrupt calls it.
+  /// the timer's interrupt calls this function.
   /// @isr{yes}
   /// @satisfies FR-1
   void expired();

@@ -41,7 +41,7 @@ class SecondTimer final {
   void start();
 
   /// @brief Runs one tick: acknowledges the timer, then executes the commands. The vector of the
-  /// timer's interrupt calls it.
+  /// timer's interrupt calls this function.
   /// @isr{yes}
   /// @satisfies FR-100
   void expired();

@@ -90,7 +90,7 @@ class K64Adc final : public AnalogInput {
   static void calibrate(Converters& converters);
 
   /// @brief Stores a result and begins the next requested conversion. The vector of the
-  /// converter's interrupt calls it.
+  /// converter's interrupt calls this function.
   /// @param converter the converter
   /// @isr{yes}
   /// @satisfies FR-142

@@ -272,7 +272,7 @@ FaultKind K64Board::faultOf(std::uint16_t exception) {
   return (status & scb::CFSR_USAGE).any() ? FaultKind::UsageFault : FaultKind::HardFault;
 }
 
-// A word takes 256 clocks of the bus, and a read needs more than 4.
+// The generator needs 256 clocks of the bus for a word, and a read of SR needs more than 4 clocks.
 std::optional<std::uint32_t> K64Board::randomWord() {
   constexpr std::uint32_t kMostLooks = 2'000;
   rng::CR.write(rng::CR_GO | rng::CR_HA | rng::CR_INTM);

@@ -23,7 +23,7 @@ class K64Thread final : public ControlThread {
   /// @satisfies FR-172
   static void enable(std::uint8_t line, Priority priority);
 
-  /// @brief Runs one activation. The vector of the line calls it.
+  /// @brief Runs one activation. The vector of the line calls this function.
   /// @isr{yes}
   /// @satisfies FR-172
   void runPended();

@@ -26,7 +26,7 @@ class RcPin final {
   void start();
 
   /// @brief Serves an interrupt: if the pin had an edge, acknowledges it and executes the command.
-  /// The vector of the port calls it.
+  /// The vector of the port calls this function.
   /// @isr{yes}
   /// @satisfies FR-52
   void serve();

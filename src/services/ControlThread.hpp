@@ -46,8 +46,8 @@ class ControlThread {
   ~ControlThread() = default;
 
   /// @brief Runs one activation, and triggers the thread again when another activation is pending.
-  /// The platform calls it at the priority of the thread, after a call of pend(). Without a pending
-  /// activation it does nothing.
+  /// The platform calls this function at the priority of the thread, after a call of pend().
+  /// Without a pending activation it does nothing.
   void run();
 
  private:

@@ -36,8 +36,8 @@ class Wheel final {
   Wheel& operator=(const Wheel&) = delete;
 
   /// @brief Removes all voltage from the motor: it is short-circuited and brakes. During an
-  /// overcurrent trip the caller calls it once in each control cycle. The second call, when the
-  /// current has decayed, enables the driver for braking.
+  /// overcurrent trip the caller calls this function once in each control cycle. The second call,
+  /// when the current has decayed, enables the driver for braking.
   /// @post The driver is enabled, unless its overcurrent trip acted less than a cycle ago or acted twice.
   /// @satisfies FR-88
   /// @satisfies FR-89

@@ -199,7 +199,7 @@ TEST_F(BuilderTest, FR52_PulsesOnThePinsReachTheSignals) {
   EXPECT_EQ(direction.read()->value, Angle(-1600));
 }
 
-/// @brief A robot that only the PC commands begins in the mode PC and stays in it.
+/// @brief A robot that receives orders only from the PC begins in the mode PC and stays in it.
 /// @verifies FR-10
 TEST_F(BuilderTest, FR10_RobotForThePcHasOneMode) {
   director.constructForPc();

@@ -134,7 +134,7 @@ class Comparison {
   int cycles = 0;
 
  protected:
-  /// For a target with more inputs than the PC's line.
+  /// Targets with more inputs than the line of the PC override these functions.
   virtual void beginSequence() {}
   virtual void beforeCycle() {}
   virtual void compareInside() {}

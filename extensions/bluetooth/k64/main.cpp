@@ -1,4 +1,4 @@
-// The composition of the weeding robot that the PC and a Bluetooth device command.
+// The composition of the weeding robot that receives orders from the PC and a Bluetooth device.
 
 #include <cstdint>
 #include <optional>

@@ -1,4 +1,4 @@
-// The composition of the weeding robot with safety functions that only the PC commands.
+// The composition of the weeding robot with safety functions that receives orders only from the PC.
 
 #include "construction/MainControllerBuilder.hpp"
 #include "k64/core.hpp"

@@ -5,7 +5,7 @@
 namespace wr::emulator {
 
 /// @brief Arithmetic on numbers of 32 bits as in the FPv4-SP extension, bit by bit: ARMv7-M ARM,
-/// A2.5. The results do not depend on the machine that simulates.
+/// A2.5. The results do not depend on the computer that runs the simulator.
 ///
 /// It reads the modes of FPSCR and adds to its cumulative flags.
 class Float {

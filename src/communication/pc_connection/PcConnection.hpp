@@ -46,7 +46,7 @@ class PcConnection final {
 
   /// @brief Serves the link. Reads at most 1216 received bytes, lets the state handle each frame,
   /// and checks the silence at the clock pulse. Sends a Welcome if a Hello requests it. The caller
-  /// calls it once in each cycle.
+  /// calls this function once in each cycle.
   /// @isr{no}
   /// @satisfies FR-35
   /// @satisfies FR-37

@@ -68,7 +68,7 @@ struct RcEdges {
   bool enable;     ///< pulses of the enable switch
 };
 
-/// @brief Records the time of the edges of the remote control. The handler of their interrupt calls it
+/// @brief Records the time of the edges of the remote control. The handler of their interrupt calls this function
 /// first, and then serves the signals that have an edge.
 /// @return the signals that have an edge
 /// @isr{yes}
@@ -79,7 +79,7 @@ RcEdges enterRcInterrupt();
 /// @isr{yes}
 [[nodiscard]] bool hallEdgeWaits();
 
-/// @brief Enables the interrupts of inputs that had too many edges. The handler of the tick calls it.
+/// @brief Enables the interrupts of inputs that had too many edges. The handler of the tick calls this function.
 /// @isr{yes}
 void allowEdges();
 

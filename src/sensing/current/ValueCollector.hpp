@@ -60,7 +60,7 @@ class ValueCollector final {
   /// @brief Returns the record of the samples, up to the last complete group of 8.
   /// @return the record, unchanged until the next call; empty before the eighth sample after the
   /// zero
-  /// @pre No other call of record() is active: only the thread of the wheel calls it.
+  /// @pre No other call of record() is active: only the thread of the wheel calls this function.
   /// @isr{no}
   /// @satisfies FR-125
   [[nodiscard]] const CurrentRecord& record();

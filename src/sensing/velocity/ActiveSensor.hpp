@@ -30,7 +30,7 @@ class ActiveSensor final {
   void start();
 
   /// @brief Serves an interrupt: acknowledges each sensor that had an edge, and executes the
-  /// command once if any sensor had an edge. The vector of the port calls it.
+  /// command once if any sensor had an edge. The vector of the port calls this function.
   /// @isr{yes}
   /// @satisfies FR-120
   void serve();

@@ -49,7 +49,7 @@ class SensorCollector final {
 
   /// @brief Returns the record of the edges, up to the last edge.
   /// @return the record, unchanged until the next call; empty before the first edge
-  /// @pre No other call of record() is active: only the thread of the wheel calls it.
+  /// @pre No other call of record() is active: only the thread of the wheel calls this function.
   /// @isr{no}
   /// @satisfies FR-120
   [[nodiscard]] const HallRecord& record();

@@ -19,7 +19,8 @@ class KeptStop final : public StopMemory {
   bool value = false;
 };
 
-// A robot that the PC and a Bluetooth device command. The PC is connected, the mode is PC.
+// A robot that receives orders from the PC and a Bluetooth device. The PC is connected, the mode is
+// PC.
 class BluetoothRobot : public ProductFixture {
  protected:
   explicit BluetoothRobot(bool deviceStopped = false) {

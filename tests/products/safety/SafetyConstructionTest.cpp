@@ -40,7 +40,7 @@ TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionTwiceEndsTheProgram) {
   EXPECT_DEATH(director.construct(), "assertion 5 failed");
 }
 
-/// @brief A robot that only the PC commands is built once.
+/// @brief A robot that receives orders only from the PC is built once.
 /// @verifies FR-78
 TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionForThePcTwiceEndsTheProgram) {
   pcDirector.construct();
@@ -65,7 +65,7 @@ TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief A robot that only the PC commands welcomes the PC and reports; its mode is PC.
+/// @brief A robot that receives orders only from the PC welcomes the PC and reports; its mode is PC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotForThePcReports) {
   begin(pcDirector);

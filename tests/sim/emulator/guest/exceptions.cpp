@@ -185,7 +185,7 @@ PROGRAM countsTicksBetweenConditions() {
 }
 
 // An IT block across a border of 1 KB, at which the engine ends a block of code. The interrupt
-// comes at each of its instructions in turn.
+// comes at each instruction of the block in turn.
 PROGRAM runsConditionalBlocks() {
   stopWatchdog();
   told(2) = 0;
