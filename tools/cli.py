@@ -38,7 +38,9 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def parser() -> argparse.ArgumentParser:
-    """The parser of the command line. Its result contains the parser of the command, for errors."""
+    """Returns the parser of the command line. Its result contains the parser of the command, for
+    errors.
+    """
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
     for module in (
@@ -105,5 +107,5 @@ def main(arguments: list[str]) -> int:
 
 
 def is_of_project(error: OSError) -> bool:
-    """Whether the error is one of a file of the project, or of no named file."""
+    """Returns whether the error is one of a file of the project, or of no named file."""
     return error.filename is None or ROOT in Path(str(error.filename)).absolute().parents

@@ -113,12 +113,12 @@ def junit_counts(results: Path) -> Counts:
 
 
 def results_of(root: Path, run_name: str) -> Path:
-    """The result file of the tests."""
+    """Returns the result file of the tests."""
     return root / "build" / "results" / f"{run_name}.json"
 
 
 def program_of(root: Path, run_name: str) -> Path:
-    """The program with the tests; their results are in its folder."""
+    """Returns the program with the tests; their results are in its folder."""
     if run_name == BOARD:
         return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
     return root / "build" / run_name / "tests" / TESTS
@@ -171,7 +171,9 @@ def run_shards(
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
-    """The tests of the image under test, except tests that need the design of the paper alone."""
+    """Returns the tests of the image under test, except tests that need the design of the paper
+    alone.
+    """
     return [
         f"{suite['name']}.{test['name']}"
         for suite in suites
@@ -210,7 +212,7 @@ class Shard:
 
 
 def outcome_of(counts: Counts) -> Outcome:
-    """The outcome of tests: bad when one failed, or none ran."""
+    """Returns the outcome of tests: bad when one failed, or none ran."""
     values = {
         "passed": counts.passed,
         "failed_tests": counts.failed,

@@ -82,7 +82,7 @@ def print_products(wholes: dict[str, Size]) -> None:
 
 
 def identity(elf: Path, image: Path) -> tuple[str, str]:
-    """Version and build id, read from the bytes of the image."""
+    """Returns version and build id, read from the bytes of the image."""
     for line in output("arm-none-eabi-nm", "--demangle", elf).splitlines():
         address, _, symbol = (*line.split(maxsplit=2), "", "")[:3]
         if symbol == "wr::firmwareIdentity":

@@ -130,7 +130,7 @@ def add_key(image: Path, key_file: Path, keyed: Path) -> str:
 
 
 def ways(image: Path, folder: Path | None) -> dict[str, Way]:
-    """All ways, in the order in which they are tried."""
+    """Returns all ways, in the order in which they are tried."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
     # OpenOCD reads a script: braces keep the path one word. Without fcf_source OpenOCD writes a
@@ -199,7 +199,7 @@ def copy(image: Path, folder: Path | None) -> Way:
 
 
 def choose(available: dict[str, Way], name: str | None) -> tuple[str, Way]:
-    """The chosen way, or the first way that finds a board."""
+    """Returns the chosen way, or the first way that finds a board."""
     probe = name is not None or has_probe()
     for other, way in available.items():
         if name in (None, other) and not way.missing and (probe or other == "drive"):
@@ -213,7 +213,7 @@ def choose(available: dict[str, Way], name: str | None) -> tuple[str, Way]:
 
 
 def has_probe() -> bool:
-    """Whether a debug probe of the FRDM-K64F is connected."""
+    """Returns whether a debug probe of the FRDM-K64F is connected."""
 
     def text(file: Path) -> str:
         try:

@@ -167,7 +167,7 @@ def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
 
 
 def differences(native: Run, run: dict[str, Any]) -> list[str]:
-    """The differences of a run as WebAssembly from the native one, and its failures."""
+    """Returns the differences of a run as WebAssembly from the native one, and its failures."""
     problems = [run["end"]] if run["end"] != "ended" else []
     problems += run["failures"]
     if run["reports"] != native.reports:
@@ -231,7 +231,8 @@ def _wrong(
 
 
 def _bytes(root: Path) -> int:
-    """The bytes that the start of the robot loads: the module, an image, and the data of the page
-    if it exists."""
+    """Returns the bytes that the start of the robot loads: the module, an image, and the data of
+    the page if it exists.
+    """
     loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
     return sum(path.stat().st_size for path in loaded if path.exists())

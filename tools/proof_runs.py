@@ -103,7 +103,7 @@ def record_proofs(root: Path, declared: Declared, results: Mapping[str, ProofRes
 
 
 def recorded_proofs(root: Path, declared: Declared) -> dict[str, ProofResult]:
-    """The recorded results whose models are equal to the present models, byte by byte."""
+    """Returns the recorded results whose models are equal to the present models, byte by byte."""
     record = read_published(root, RECORD)
     results: dict[str, ProofResult] = {}
     for name, proof in declared.proofs.items():
@@ -116,7 +116,7 @@ def recorded_proofs(root: Path, declared: Declared) -> dict[str, ProofResult]:
 
 
 def model_hash(root: Path, declared: Declared, proof: ProofProperty) -> str:
-    """The hash of a model and of the options of its search."""
+    """Returns the hash of a model and of the options of its search."""
     words = [*OPTIONS, str(DEPTH), model_of(root, declared, proof)]
     return hashlib.sha256("\n".join(words).encode()).hexdigest()
 

@@ -118,7 +118,7 @@ def release(root: Path, *, verify: bool, published: bool = False) -> int:
 
 
 def identity(root: Path) -> Release:
-    """The commit and its time; an error when a file differs from it."""
+    """Returns the commit and its time; an error when a file differs from it."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if not commit:
         raise MissingError("this folder is not a git clone: a release needs a commit")
@@ -179,7 +179,7 @@ def add_book(root: Path, path: Path) -> None:
 
 
 def notes(root: Path, made: Release) -> str:
-    """The section of the version in the list of changes."""
+    """Returns the section of the version in the list of changes."""
     text = (root / CHANGELOG).read_text(encoding="utf-8")
     found = re.search(rf"^## {re.escape(made.version)}\b.*?(?=^## |\Z)", text, re.M | re.S)
     if not found:

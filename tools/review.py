@@ -122,7 +122,7 @@ def review_one(
 
 
 def asked() -> tuple[dict[str, str], str]:
-    """The answer to each question of the checklist, and the remark."""
+    """Returns the answer to each question of the checklist, and the remark."""
     from traceability.model.reviews import ANSWERS, LEAST_REMARK, QUESTIONS
 
     choice = ", ".join(ANSWERS)
@@ -152,7 +152,9 @@ def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> st
 def shown(
     root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
 ) -> Iterator[str]:
-    """The texts that a reviewer reads, with their changes; of a support file only the path."""
+    """Yields the texts that a reviewer reads, with their changes; of a support file only the
+    path.
+    """
     for text in texts:
         yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"
         if text.kind != "support":
@@ -175,7 +177,7 @@ def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
 
 
 def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
-    """The text with this hash, out of the versions of the file that git has."""
+    """Returns the text with this hash, out of the versions of the file that git has."""
     from traceability.reading.link_texts import FINDERS, hash_of
 
     if now.kind not in FINDERS:
@@ -188,7 +190,7 @@ def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
 
 
 def versions(root: Path, file: str) -> Iterator[str]:
-    """The content of a file in each commit that changed it, the newest first."""
+    """Yields the content of a file in each commit that changed it, the newest first."""
     commits = git(root, "log", f"--max-count={MOST_VERSIONS}", "--format=%H", "--", file)
     for commit in commits.split():
         yield git(root, "show", f"{commit}:{file}")

@@ -129,7 +129,7 @@ class GeneratedPages:
         write_changed(self.frame, frame)
 
     def changed(self, _app: Sphinx, env: BuildEnvironment) -> list[str]:
-        """Pages that Sphinx must write again although their members did not change."""
+        """Returns the pages that Sphinx writes again although their members did not change."""
         self.pages = {page.name: page for page in self.made()}
         return [name for name in self.pages if name in env.found_docs and self.is_old(name)]
 

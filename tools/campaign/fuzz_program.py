@@ -58,7 +58,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
 
 
 def cause_in(output: str) -> str:
-    """The text of a failure, beginning at the line of its cause."""
+    """Returns the text of a failure, beginning at the line of its cause."""
     match = CAUSE.search(output)
     return output[match.start() :][:MOST_OF_TEXT] if match else output[-MOST_OF_TEXT:]
 

@@ -28,13 +28,13 @@ class Kind:
     summarise: Callable[[Path, Cases], dict[str, Any]]
 
     def words(self, files: Sequence[Path], chunk: Chunk) -> list[str]:
-        """The command of a chunk."""
+        """Returns the command of a chunk."""
         seeded = ["--seed", str(chunk.seed), "--count", str(chunk.count)]
         return [str(files[0]), *self.options(files), *seeded]
 
 
 def image_options(files: Sequence[Path]) -> list[str]:
-    """The options of a program that runs an image."""
+    """Returns the options of a program that runs an image."""
     return ["--image", str(files[1]), "--elf", str(files[2])]
 
 

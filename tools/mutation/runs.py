@@ -58,7 +58,7 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
 def _run(
     program: Path, mutant: int, tests: Iterable[str], limit: float, outcome: Outcome
 ) -> tuple[str | None, bool]:
-    """One process. Returns the test that ended it, if any, and whether this test hung.
+    """Runs one process. Returns the test that ended it, if any, and whether this test hung.
 
     ``limit`` counts processor seconds, because other programs on this computer delay the tests.
     """
@@ -89,13 +89,15 @@ def _run(
 
 
 def _pattern(test: str) -> str:
-    """The filter of a test, of its parameters, and of the types of its suite."""
+    """Returns the filter of a test, of its parameters, and of the types of its suite."""
     suite, _, name = test.partition(".")
     return f"{test}:{test}/*:*/{test}:*/{test}/*:{suite}/*.{name}"
 
 
 def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
-    """The first open test of the suite that began last: a fault can end the set-up of a suite."""
+    """Returns the first open test of the suite that began last: a fault can end the set-up of a
+    suite.
+    """
     for suite in SUITE.findall(text)[-1:]:
         begin = plain_name(suite.decode(), "")
         opened = set(tests) - outcome.failed - outcome.passed

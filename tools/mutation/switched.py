@@ -49,7 +49,7 @@ def write_switched(root: Path, log: TextIO) -> list[Mutant]:
 def compiling(
     root: Path, unit: str, found: dict[str, list[Point]], first: int, log: TextIO
 ) -> tuple[dict[str, str], list[Mutant]]:
-    """The changed texts of a unit with the points that compile, and their mutants."""
+    """Returns the changed texts of a unit with the points that compile, and their mutants."""
     for _ in range(ATTEMPTS):
         held = [mutant for points in found.values() for point in points for mutant in point.mutants]
         numbers = iter(range(first, first + len(held)))
@@ -74,7 +74,7 @@ def _lines(path: Path, file: str, point: Point) -> set[tuple[str, int]]:
 
 
 def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
-    """The text with each point wrapped."""
+    """Returns the text with each point wrapped."""
     text = path.read_bytes()
     edits: list[tuple[tuple[int, int, int], int, int, str]] = []
     for order, point in enumerate(points):

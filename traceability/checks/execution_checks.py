@@ -151,7 +151,7 @@ def _priorities(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _enabled_at(constant: str, facts: Facts) -> Place:
-    """The last call that enables a line with this priority."""
+    """Returns the last call that enables a line with this priority."""
     calls = [
         call.place
         for body in facts.syntax.bodies
@@ -162,7 +162,7 @@ def _enabled_at(constant: str, facts: Facts) -> Place:
 
 
 def _place_of(constant: str, facts: Facts) -> Place:
-    """The first place of a constant in a file."""
+    """Returns the first place of a constant in a file."""
     file, _, name = constant.removeprefix("var ").partition(":")
     lines = (facts.root / file).read_text(encoding="utf-8").splitlines()
     return Place(file, next((n for n, line in enumerate(lines, 1) if name in line), 1))

@@ -99,13 +99,13 @@ class _Site:
         self.away = functools.cache(self._away)
 
     def reason(self, file: str, folder: str, link: str) -> str:
-        """The reason why a link is dead; empty when its target exists."""
+        """Returns the reason why a link is dead; empty when its target exists."""
         if link.startswith(("#", "?")):
             return self._without(file, link.partition("#")[2])
         return self.away(folder, link)
 
     def _away(self, folder: str, link: str) -> str:
-        """The result is equal for each page of a folder, so it is computed once."""
+        """Returns the result, which is computed once: it is equal for each page of a folder."""
         path, _, fragment = link.partition("#")
         path = path.partition("?")[0]
         if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
@@ -182,7 +182,7 @@ def dead_clicks(site: Path) -> list[Finding]:
 
 
 def has_page(site: Path, name: str) -> bool:
-    """Whether the site has a page, and on it the anchor behind a #."""
+    """Returns whether the site has a page, and on it the anchor behind a #."""
     page, _, anchor = name.partition("#")
     path = site / page
     if not path.is_file():
@@ -198,7 +198,7 @@ class Texts:
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """The place of a link; no place when the text contains only parts of the link."""
+        """Returns the place of a link; no place when the text contains only parts of the link."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""
@@ -279,7 +279,7 @@ def missing_parts(root: Path) -> list[Finding]:
 
 
 def _pins(root: Path) -> set[str]:
-    """The pins of the table of pins, and the pins that its comments name."""
+    """Returns the pins of the table of pins, and the pins that its comments name."""
     path = root / "src" / "k64" / "pins.hpp"
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     rows = {f"PT{port}{number}" for port, number in re.findall(r"Port::([A-E]), (\d+)", text)}
@@ -287,13 +287,13 @@ def _pins(root: Path) -> set[str]:
 
 
 def _keys(root: Path) -> set[str]:
-    """The keys that the client reads."""
+    """Returns the keys that the client reads."""
     files = files_below(root, ("client",), (".py",))
     return set(re.findall(r'\bb"(\w)"', "".join(path.read_text("utf-8") for path in files)))
 
 
 def _targets(root: Path) -> set[str]:
-    """The programs that CMake builds."""
+    """Returns the programs that CMake builds."""
     files = [root / "CMakeLists.txt"]
     files += files_below(root, ("tests", "sim", "src", "changes", "ports"), (".txt",))
     lists = [path for path in files if path.name == "CMakeLists.txt" and path.exists()]

@@ -199,12 +199,12 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> li
 
 
 def says(text: str) -> bool:
-    """Whether a text is a sentence, and not a placeholder."""
+    """Returns whether a text is a sentence, and not a placeholder."""
     return len(text.split()) >= FEWEST_WORDS and not PROMISE.search(text)
 
 
 def words_of(text: str) -> str:
-    """The text in lower case, without punctuation."""
+    """Returns the text in lower case, without punctuation."""
     return " ".join(re.findall(r"\w+", text.casefold()))
 
 
@@ -363,7 +363,7 @@ def _gives_result(method: Method) -> bool:
 
 
 def _result_of(method: Method) -> str:
-    """The type of the result and the name, as in the signature."""
+    """Returns the type of the result and the name, as in the signature."""
     return method.signature.split("(")[0].removeprefix("virtual ").removeprefix("static ")
 
 

@@ -25,7 +25,7 @@ class Check:
 
     @property
     def text(self) -> str:
-        """The whole description, as plain text."""
+        """Returns the whole description, as plain text."""
         return f"{self.holds} Its limits: {self.blind} To fix a finding: {self.fix}"
 
 

@@ -122,7 +122,7 @@ def _numbers_of_extensions(facts: Facts) -> list[Finding]:
 
 
 def _extension(logic: str) -> list[str]:
-    """The extension of a logic module; modules of the robot have none."""
+    """Returns the extension of a logic module; modules of the robot have none."""
     return logic.split("/")[:2] if is_extension(logic) else []
 
 
@@ -256,7 +256,7 @@ def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
 
 
 def _reached(graph: dict[str, set[str]], start: str) -> set[str]:
-    """The start and all that it uses, directly or not."""
+    """Returns the start and all that it uses, directly or not."""
     reached, work = {start}, [start]
     while work:
         for target in graph.get(work.pop(), set()):

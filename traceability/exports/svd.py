@@ -68,7 +68,7 @@ def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
 
 
 def _base(block: RegisterBlock) -> int:
-    """The beginning of the page; the blocks of GPIO are smaller and closer together."""
+    """Returns the beginning of the page; the blocks of GPIO are smaller and closer together."""
     step = min(PAGE, block.distance or PAGE)
     return min(register.address for register in block.registers) // step * step
 

@@ -73,5 +73,5 @@ FILES = (
 
 
 def available(root: Path) -> list[ToolFile]:
-    """The files whose source exists in the project."""
+    """Returns the files whose source exists in the project."""
     return [file for file in FILES if (root / file.source).exists()]

@@ -37,7 +37,7 @@ def serving_methods(model: Model) -> set[str]:
 
 
 def methods_without(model: Model) -> list[tuple[Module, Method]]:
-    """Public methods of design modules that serve no requirement."""
+    """Returns public methods of design modules that serve no requirement."""
     serving = serving_methods(model)
     return [
         (module, method)

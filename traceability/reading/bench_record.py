@@ -100,12 +100,12 @@ Record = dict[str, BenchScenario]
 
 
 def read_bench(root: Path, path: Path = BENCH) -> Record | None:
-    """The record of the last run, when it belongs to the present sources."""
+    """Returns the record of the last run, when it belongs to the present sources."""
     return read_record(root / path, Record) if is_fresh(root, task_record.BENCH) else None
 
 
 def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, Any]] | None:
-    """The times of each scenario for build/metrics.json."""
+    """Returns the times of each scenario for build/metrics.json."""
     if record is None:
         return None
     return [
@@ -213,7 +213,9 @@ def profile_of(counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]) ->
 
 
 def owner(frames: Frames) -> tuple[str, str]:
-    """Module and function of an instruction: the innermost function of the project at its place."""
+    """Returns module and function of an instruction: the innermost function of the project at its
+    place.
+    """
     for function, file in frames:
         if {"src", "extensions", "tests"}.intersection(Path(file).parts):
             return Path(file).name.split(".")[0], function
@@ -221,7 +223,7 @@ def owner(frames: Frames) -> tuple[str, str]:
 
 
 def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
-    """The functions of each instruction, the innermost inlined function first."""
+    """Returns the functions of each instruction, the innermost inlined function first."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-f", "-i", "-C"]
     text = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=text, capture_output=True, text=True, check=True).stdout

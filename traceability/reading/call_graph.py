@@ -83,13 +83,13 @@ def short_name(name: str) -> str:
 
 
 def uses_floats(elf: Path) -> bool:
-    """Whether the image has instructions of the floating-point unit."""
+    """Returns whether the image has instructions of the floating-point unit."""
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
     return re.search(r"^\s*[0-9a-f]+:\tv[a-z]+", listing, re.MULTILINE) is not None
 
 
 def symbol_value(elf: Path, name: str) -> int:
-    """The value of a symbol, 0 when there is none."""
+    """Returns the value of a symbol, 0 when there is none."""
     match = re.search(rf"^([0-9a-f]+) . {name}$", _run("arm-none-eabi-nm", str(elf)), re.MULTILINE)
     return int(match[1], 16) if match else 0
 
@@ -152,14 +152,15 @@ def names_of_addresses(elf: Path) -> list[list[str]]:
 
 
 def table_bytes(elf: Path) -> dict[str, int]:
-    """The bytes of the table of methods of each class."""
+    """Returns the bytes of the table of methods of each class."""
     listed = _run("arm-none-eabi-nm", "--print-size", "--demangle", str(elf))
     return {name: int(size, 16) for size, name in TABLE.findall(listed)}
 
 
 def _pushed(line: str) -> int:
-    """The number of bytes that an instruction subtracts from the stack pointer. The instructions of
-    a function are added."""
+    """Returns the number of bytes that an instruction subtracts from the stack pointer. The
+    instructions of a function are added.
+    """
     if push := PUSH.search(line):
         names = [part.strip() for part in push["names"].split(",")]
         return 4 * sum(_width(name) for name in names)
@@ -168,7 +169,7 @@ def _pushed(line: str) -> int:
 
 
 def _width(names: str) -> int:
-    """The words of a register or of a range of registers, as ``r4-r7`` or ``d8``."""
+    """Returns the words of a register or of a range of registers, as ``r4-r7`` or ``d8``."""
     first, _, last = names.partition("-")
     count = int(last[1:]) - int(first[1:]) + 1 if last and last[1:].isdigit() else 1
     return count * (2 if first.startswith("d") else 1)

@@ -143,7 +143,7 @@ def target_of(test: str) -> str:
 
 
 def read_record(root: Path) -> KitRecord | None:
-    """The record, when it is of the present sources."""
+    """Returns the record, when it is of the present sources."""
     data = read_json(root / RESULT)
     if not isinstance(data, dict) or not is_fresh(root, CHANGES):
         return None
@@ -151,5 +151,5 @@ def read_record(root: Path) -> KitRecord | None:
 
 
 def images_of(kits: Iterable[Kit]) -> list[str]:
-    """The images of the kits, and the images that they are compared with."""
+    """Returns the images of the kits, and the images that they are compared with."""
     return sorted({image for kit in kits for image in (kit.image, kit.base)})
