@@ -58,8 +58,9 @@ def jobs() -> str:
 
 
 def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
-    """Configures where needed, then builds into build/<preset>; only one build at a time in each
-    folder."""
+    """Configures if necessary, then builds into build/<preset>. Only one build at a time runs in
+    each folder.
+    """
     directory = root / "build" / preset
     made = directory / "build.ninja"
     arguments = ["--target", *targets] if targets else []
@@ -73,7 +74,9 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
 
 
 def gtest_counts(results: Path) -> Counts:
-    """Counts of a result file of GoogleTest; disabled and skipped tests count as not run."""
+    """Counts the tests in a result file of GoogleTest. Disabled and skipped tests count as not
+    run.
+    """
     passed = failed = skipped = 0
     for suite in json.loads(results.read_text())["testsuites"]:
         for test in suite["testsuite"]:
@@ -125,8 +128,9 @@ def program_of(root: Path, run_name: str) -> Path:
 
 
 def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
-    """Runs the tests of a build, or the tests on the virtual K64; each processor runs a part of the
-    tests."""
+    """Runs the tests of a build, or the tests on the virtual K64. Each processor runs a part of the
+    tests.
+    """
     on_board = run_name == BOARD
     results = results_of(root, run_name)
     results.parent.mkdir(parents=True, exist_ok=True)

@@ -36,7 +36,7 @@ WAIT = 20  # s, until a board waits at its port
 
 @dataclass(frozen=True)
 class Target:
-    """The debugger, and the board that waits for it; a program of this machine needs no board."""
+    """The debugger, and the board that waits for it. A program of this machine needs no board."""
 
     gdb: list[str]
     server: list[str] = field(default_factory=list)

@@ -63,7 +63,7 @@ def read_times(root: Path) -> dict[str, float]:
 
 
 def write_time(root: Path, name: str, seconds: float) -> None:
-    """Records how long a command took, and adds it to the metrics."""
+    """Records the duration of a command, and adds it to the metrics."""
     add_metrics(root, {name: round(seconds, 1)}, TIMES, METRICS)
 
 
@@ -76,7 +76,9 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 
 def main(root: Path) -> int:
-    """The process: exit code 0 when all four steps were completed, even with findings."""
+    """Runs the process. Returns exit code 0 when all four steps were completed, even with
+    findings.
+    """
     steps = Steps(root, len(PARTS))
     with no_collection():
         findings, complete = make(root, steps)

@@ -32,7 +32,7 @@ each way."""
 
 @dataclass(frozen=True)
 class Way:
-    """A way to the board; ``missing`` is empty when it is available."""
+    """A way to write to the board. ``missing`` is empty when the way is available."""
 
     missing: str
     does: str
@@ -109,7 +109,7 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
 
 
 def checked(image: Path) -> str:
-    """Prints the size of an image that does not lock the chip; fails for an image that does."""
+    """Prints the size of an image that does not lock the chip. Fails for an image that locks it."""
     try:
         content = image.read_bytes()
     except OSError as error:
@@ -120,7 +120,9 @@ def checked(image: Path) -> str:
 
 
 def add_key(image: Path, key_file: Path, keyed: Path) -> str:
-    """Writes a copy of the image with the key; fails without a key or a place for it."""
+    """Writes a copy of the image with the key. Fails without a key or without a place for the
+    key.
+    """
     try:
         keyed.parent.mkdir(parents=True, exist_ok=True)
         write_keyed(image, key_file, keyed)
@@ -154,7 +156,7 @@ def tool(name: str, *arguments: str) -> Way:
 
 
 def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
-    """Writes with pyOCD, which does not compare the flash: reads the flash back and compares."""
+    """Writes with pyOCD, then reads the flash back and compares, because pyOCD does not compare."""
     missing = "" if shutil.which("pyocd") else "not installed"
     words = ["pyocd", "flash", *flags, str(image)]
 
@@ -171,7 +173,7 @@ def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
 
 
 def compared(image: Path, copy: Path) -> str:
-    """Reports that the flash equals the image; fails at the first byte that differs."""
+    """Reports that the flash equals the image. Fails at the first byte that differs."""
     expected = image.read_bytes()
     try:
         read_back = copy.read_bytes()

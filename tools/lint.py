@@ -36,7 +36,7 @@ CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")
 # A name that a source defines outside of a class.
 DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
-JOINED = 8  # sources that clang-tidy checks as one at most
+JOINED = 8  # clang-tidy checks at most this number of sources together
 LINT_RECORD = Path("build/lint.json")
 WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
 WARNINGS = [

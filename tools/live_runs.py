@@ -30,7 +30,7 @@ COMPILER = "clang++-19"
 PRESET, TARGET = "web", "live"
 SCRIPT = Path("site/theme/static/live/module.js")
 DATA = Path("build/site/live/live.json")
-SECONDS = 600  # for all scenarios in one engine
+SECONDS = 600  # time limit for all scenarios in one engine
 TRACE = re.compile(r"^trace: (?P<count>\d+) events, hash (?P<hash>[0-9a-f]{16})$", re.MULTILINE)
 NODE = """
 const fs = require("fs");
@@ -108,7 +108,7 @@ def play_in_node(root: Path, scenarios: Iterable[Path]) -> list[dict[str, Any]]:
 
 
 def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str, Any]:
-    """Plays scenarios in a headless browser; ``ready`` is the time to the first cycle [s]."""
+    """Plays scenarios in a headless browser. ``ready`` is the time to the first cycle [s]."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for source, target in (

@@ -28,7 +28,7 @@ RIGHT = re.compile(r"\.\s+Right\s+in\s(.*)$", re.DOTALL)
 IN_BACKQUOTES = re.compile(r"``([^`]+)``")
 QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!;]*\?)", re.IGNORECASE)
 QUOTED = Path("design/paper.toml")  # contains the words of the paper
-LEAST_WORDS = 2  # of a text in quotes: shorter ones are names
+LEAST_WORDS = 2  # words of a text in quotes: shorter texts are names
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Runs the tests of one folder of tests/python."""
+"""Runs the tests of a folder of tests/python."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def workers(folder: str) -> list[str | Path]:
 
 
 def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
-    """Runs the tests. Failed tests are an outcome; a run without results is an error."""
+    """Runs the tests. Failed tests are an outcome, but a run without results is an error."""
     results = root / RESULTS / f"pytest_{folder}.xml"
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
@@ -97,7 +97,7 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
     words += [*options, root / "tests/python" / folder]
     counts = counted(log, words, results)
-    # A busy machine may be too slow for these tests: failed tests run again, one by one.
+    # Tests may fail because the computer is busy: failed tests run again, one by one.
     if counts.failed and folder == WAITING:
         again = counted(log, [*words, "--lf", "-n", "0"], results)
         counts = replace(again, passed=counts.passed + again.passed, skipped=counts.skipped)

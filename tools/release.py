@@ -1,4 +1,4 @@
-"""./wr release: the files of a release, from a commit; the same bytes in any folder."""
+"""./wr release: the files of a release, from a commit. They have the same bytes in each folder."""
 
 from __future__ import annotations
 
@@ -205,8 +205,9 @@ def compare_with_second(root: Path, folder: Path) -> list[str]:
 
 
 def bring_results(root: Path, copy: Path) -> None:
-    """Results of tests and measurements contain times, which differ in a second run. Recordings
-    contain the addresses of the program that was recorded."""
+    """Copies results of tests and measurements, which contain times that differ in a second run.
+    Recordings also contain the addresses of the recorded program.
+    """
     recorded = [path for one in SOURCES.values() for path in (one.folder, one.executable)]
     covered = [path.relative_to(root) for path in (root / MODEL).glob("coverage-*.json")]
     for name in (RESULTS, TASKS, TIMES, MODULE, *recorded, *covered):

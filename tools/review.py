@@ -1,5 +1,6 @@
-"""./wr review: records the review of one requirement by a person, or records the present texts as
-the baseline."""
+"""./wr review: records a person's review of a requirement, or records the present texts as the
+baseline.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +20,8 @@ if TYPE_CHECKING:
     from traceability.model.reviews import LinkText, LinkTexts
     from traceability.schema import Baseline, Requirement
 
-MOST_VERSIONS = 200  # number of versions of a file in which the text of the baseline is searched
+# largest number of versions of a file in which the text of the baseline is searched
+MOST_VERSIONS = 200
 MOST_TRIES = 3  # of an answer
 
 

@@ -36,7 +36,7 @@ PARTS = (VECTORS, CONFIGURATION, LIBRARY, STACK, PADDING)
 
 SRAM = 0x1FFF0000  # RAM begins here
 HEADER = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s")
-# An object: address, size, name, and its source file, if the compiler records it.
+# An object: address, size, name, and its source file if the compiler records the file.
 OBJECT = re.compile(
     r"^([0-9a-f]+) ([0-9a-f]+) [bdrvBDRV] (\S+)(?:\t.*?(\w+)\.[ch]pp:\d+)?$", re.MULTILINE
 )
@@ -68,11 +68,12 @@ class Section:
 
 
 def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
-    """Part -> size. The flash is the value that arm-none-eabi-size reports for the whole image.
+    """Returns the size of each part. The flash is the value that arm-none-eabi-size reports for the
+    whole image.
 
-    An instruction belongs to the module of its source line, also where it was inlined.
-    An object belongs to the module that defines it, read from the ``recorded`` image, because
-    link-time optimisation removes this information.
+    An instruction belongs to the module of its source line, also where it was inlined. An object
+    belongs to the module that defines it, read from the ``recorded`` image, because link-time
+    optimisation removes this information.
     """
     sizes: dict[str, Size] = defaultdict(Size)
     all_objects = list(objects(elf, homes(recorded or elf)))

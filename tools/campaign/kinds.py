@@ -23,7 +23,7 @@ class Kind:
     usual: int  # cases of a campaign, unless another number is given
     # Preset and targets that are built before the campaign.
     targets: tuple[tuple[str, tuple[str, ...]], ...]
-    files: tuple[Path, ...]  # files that a chunk needs; the first is its program
+    files: tuple[Path, ...]  # files that a chunk needs; the first file is the program
     options: Callable[[Sequence[Path]], list[str]]  # the options for these files
     summarise: Callable[[Path, Cases], dict[str, Any]]
 

@@ -72,7 +72,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Point:
-    """A part of a source that is wrapped, so that each of its mutants can be activated.
+    """A wrapped part of a source. The wrapper can activate each of its mutants.
 
     In ``before``, ``#`` means the number of the first mutant. ``inside`` replaces the text of
     ``cut``: the operator between two operands.

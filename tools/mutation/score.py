@@ -49,7 +49,7 @@ class Tried:
     """A mutant that ran: the tests that found it, and for each requirement whether one of its own
     tests found it.
 
-    A requirement is missing where its tests were not decided.
+    A requirement is missing if its tests were not decided.
     """
 
     mutant: Mutant
@@ -145,7 +145,8 @@ def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried 
 def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str]]) -> Outcome:
     """Runs the short tests first, until in each group a test has found the mutant or none is left.
 
-    The time of a part is a multiple of that of the previous one: a program starts seldom.
+    The time of each part is a multiple of the time of the previous part, so that programs start
+    seldom.
     """
     outcome = Outcome()
     most = FIRST_PART

@@ -1,4 +1,4 @@
-"""The switched build: one copy of the sources that contains all mutants, each with its number."""
+"""The switched build: a copy of the sources that contains all mutants, each with its number."""
 
 from __future__ import annotations
 
@@ -105,8 +105,8 @@ def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int,
     for problem in tree.diagnostics:
         if problem.severity < cindex.Diagnostic.Error or not problem.location.file:
             continue
-        # For an error in the switch itself, a note shows the place of the call. With parsed headers
-        # libclang reports errors without a file; they have no meaning.
+        # If the switch has an error, a note shows the place of the call. Errors of libclang without
+        # a file come from parsed headers and are ignored.
         places = [problem.location, *(child.location for child in problem.children)]
         for place in places:
             if place.file and str(Path(place.file.name)) in {name for name, _ in unsaved}:
