@@ -70,7 +70,7 @@ def parser() -> argparse.ArgumentParser:
     setup = commands.add_parser(
         "setup",
         description="Installs the packages of setup/debian.txt with apt-get and the packages of "
-        "setup/python.lock into .venv. Does nothing when nothing is missing.",
+        "setup/python.lock into .venv. If no package is missing, it does nothing.",
     )
     setup.set_defaults(run=lambda _root, _options: 0)
     for command in commands.choices.values():

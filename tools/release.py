@@ -140,7 +140,7 @@ def build(root: Path) -> None:
 
 
 def write_release(root: Path, made: Release, folder: Path) -> None:
-    """Writes the files, and last the list of their hashes."""
+    """Writes the files, then the list of their hashes."""
     images = {
         f"{product}{suffix}": root / image_of(product, suffix)
         for product in PRODUCTS

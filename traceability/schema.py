@@ -722,8 +722,10 @@ class BuildEvidence:
 
 @dataclass(frozen=True)
 class LastRecord:
-    """A test that takes too long for each build, when last run: of the tests, the checks, or the
-    release, whose equal files are found."""
+    """The last run of a test that is too long for each build.
+
+    It tests the tests, the checks, or the release and its equal files.
+    """
 
     command: str
     commit: str  # empty without git

@@ -76,7 +76,9 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
-    """Returns the context of each handler; a handler has one context, and its kind must exist."""
+    """Returns the context of each handler. Each handler must have a single context, whose kind
+    exists.
+    """
     declared: dict[str, ExecutionContext] = {}
     findings: list[Finding] = []
     for context in model.contexts.values():
@@ -183,7 +185,7 @@ def _declared(place: Place, text: str, fix: str) -> Finding:
 
 
 def _interrupts(model: Model, facts: Facts) -> list[Finding]:
-    """Methods that no interrupt may call, but that run in one."""
+    """Finds methods that no interrupt may call, but that run in an interrupt."""
     forbidden = {
         method.id: method
         for module in model.modules.values()

@@ -21,7 +21,7 @@ from traceability.sources import file_hash, files_below
 
 # A path of the project, in backticks or as the target of a link.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
-URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a style sheet
+URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # links in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
 PRODUCT = re.compile(r"--product[ =](\w+)")
 PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
@@ -32,7 +32,7 @@ PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
 CACHE = "pages-cache/links"  # next to the site
-FEW = 100  # up to this number of pages, one process is as fast as several
+FEW = 100  # up to this number of pages, a single process is as fast as several processes
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
@@ -40,7 +40,8 @@ ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|
 @dataclass
 class _Page:
     anchors: set[str]
-    links: dict[str, int]  # link -> place in the text; without live links to its own anchors
+    # link -> place in the text, without valid links to anchors of the same page
+    links: dict[str, int]
 
 
 def _text(file: str) -> str:
@@ -127,7 +128,7 @@ class _Site:
 
 
 def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
-    """Page, line, link and reason of each dead link."""
+    """Returns page, line, link and reason of each dead link."""
     site = _Site(root)
     dead: list[tuple[Path, int, str, str]] = []
     for file, page in site.pages.items():

@@ -16,7 +16,7 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
 
-FEWEST_WORDS = 3  # of a useful sentence
+FEWEST_WORDS = 3  # smallest number of words of a useful sentence
 FEWEST_OF_BRIEF = 2  # a verb and its object
 NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
 # A number has a unit, or it is a count, the number of an item, bytes, or the value of a field.
@@ -34,7 +34,7 @@ QUANTITY = re.compile(
 UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
 UNITS = re.compile(r"\[([^\]]+)\]")
 PROMISE = re.compile(r"\b(to be (written|done|defined|decided)|TODO|TBD|FIXME)\b", re.IGNORECASE)
-INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # what @isr says
+INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # text of @isr
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:

@@ -30,7 +30,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds statements without a place in the paper, or whose answer does not exist."""
+    """Finds statements that have no place in the paper, or no existing answer."""
     places = {place.id for place in model.paper_places}
     for statement in model.statements:
         texts = [

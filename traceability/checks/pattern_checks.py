@@ -327,7 +327,7 @@ def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> 
 def _clauses(
     application: PatternApplication, model: Model, facts: Facts
 ) -> tuple[list[Clause], list[Finding]]:
-    """Decides every clause of the pattern in one application."""
+    """Decides every clause of the pattern in an application."""
     clauses: list[Clause] = []
     findings: list[Finding] = []
     shape = Shape(application, facts)

@@ -117,8 +117,9 @@ def _reaches(place: Place, facts: Facts) -> bool:
 
 
 def _twice(facts: Facts) -> list[Finding]:
-    """Finds an address in two blocks: the owners of one block could access the registers of the
-    other."""
+    """Finds an address in two blocks. The owners of each block could access the registers of the
+    other block.
+    """
     findings: list[Finding] = []
     first: dict[int, str] = {}
     for number, block, address in _table(facts):

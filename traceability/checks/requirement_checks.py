@@ -402,7 +402,7 @@ def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _built(folder: Path, words: set[str]) -> bool:
-    """Returns whether the folder, or one above it, is named."""
+    """Returns whether the folder, or a folder above it, is named."""
     above = [folder, *folder.parents]
     return any(str(folder.relative_to("tests")) in words for folder in above if folder.parts[1:])
 
@@ -423,7 +423,7 @@ def _unknown(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
-    """A tag names one requirement that exists: a text after the id would be ignored."""
+    """Each tag names a requirement that exists. A text after the id would be ignored."""
     for comment in facts.comments.below(TAGGED):
         for tag in comment.tags:
             if tag.name in _VERBS.values():

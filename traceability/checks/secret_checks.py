@@ -185,7 +185,7 @@ def _copied(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _is_similar(name: str, other: str) -> bool:
-    """Returns whether all words of one name occur in the other name: kGroup, kSampleGroup."""
+    """Returns whether all words of a name occur in another name, as in kGroup and kSampleGroup."""
     words, others = (
         set(re.findall(r"[A-Z][a-z]*|\d+", part.rpartition("::")[2])) for part in (name, other)
     )

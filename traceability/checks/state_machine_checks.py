@@ -260,10 +260,10 @@ def _asked(machine: StateMachine, row: Transition) -> set[str]:
 
 
 def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> set[str]:
-    """Returns the conditions of the guards of a change and of the earlier ones in the operation."""
+    """Returns the conditions of the guards of a change, and of earlier guards of the operation."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
-    before += [other for other in changes if other.place == change.place]  # one call, two targets
+    before += [other for other in changes if other.place == change.place]  # a call with two targets
     evaluated = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
         made = matching(machine, row, code)
@@ -321,7 +321,7 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
 
 
 def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
-    """Returns the calls that can precede a change: within one function, the calls above it."""
+    """Returns the calls that can precede a change: the calls above it in the same function."""
     return {
         call.target
         for change in changes

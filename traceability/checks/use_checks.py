@@ -78,7 +78,8 @@ def _forbidden(model: Model) -> list[Finding]:
 
 def _extensions(model: Model) -> list[Finding]:
     """The robot never names an extension; an extension may name the extensions that it needs."""
-    # An extension may use another one if the design has the reason; the robot never does.
+    # An extension may use another extension if the design has the reason. The robot never uses an
+    # extension.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     return [
         Finding(
@@ -176,7 +177,7 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
 
 
 def _apart(facts: Facts) -> list[Finding]:
-    """Finds pairs of separated modules in which a module names the other."""
+    """Finds pairs of separated modules in which a module names the other module."""
     pairs = {
         (user, other): rule
         for rule in facts.declared.apart

@@ -1,4 +1,4 @@
-"""The state of one revision in few words, and the differences between two revisions."""
+"""The state of a revision in few words, and the differences between two revisions."""
 
 from __future__ import annotations
 
@@ -180,8 +180,8 @@ def _numbers(
     second: Mapping[str, float | None],
     missing: float | None = None,
 ) -> list[Difference]:
-    """A value that only one revision has is shown as ``missing`` in the other; None was not
-    measured.
+    """Compares numbers. A value that only one revision has is ``missing`` in the other revision.
+    None was not measured.
     """
     changed = []
     for name in sorted(first.keys() | second.keys()):

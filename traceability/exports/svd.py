@@ -9,7 +9,7 @@ from traceability.reading.register_table import Register, RegisterBlock, read_re
 
 NAME = "weeding_robot.svd"
 VERSION = "1.3"
-PAGE = 0x1000  # a block of registers is in one page
+PAGE = 0x1000  # size of a page of addresses, which contains a block of registers
 ACCESS = {
     "Read": "read-only",
     "Write": "write-only",

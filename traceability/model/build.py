@@ -501,7 +501,8 @@ def logic_of(file: str) -> str:
 
 def _uses(model: Model, facts: Facts) -> list[Use]:
     use_places: dict[tuple[str, str], list[Place]] = {}
-    others: dict[tuple[str, str], Place] = {}  # the first call or name, if there is no include
+    # place of the first call or name, if there is no include
+    others: dict[tuple[str, str], Place] = {}
     folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
     for include in facts.syntax.includes:
         pair = (logic_of(include.place.file), logic_of(include.target))

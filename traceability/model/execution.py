@@ -201,7 +201,7 @@ def place_of(name: str, facts: Facts) -> tuple[Place, str]:
 
 
 def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]:
-    """Returns the members that one context changes and another one uses.
+    """Returns the members that a context changes and another context uses.
 
     Values inside a member count as the member; a reference is set only once, at the start.
     """

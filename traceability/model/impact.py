@@ -50,7 +50,7 @@ class UnknownSubjectError(Exception):
 
 
 class Impacts:
-    """Answers for one model; the edges between modules are collected once."""
+    """Computes impacts in a model. The edges between modules are collected once."""
 
     def __init__(self, model: Model) -> None:
         self.model = model

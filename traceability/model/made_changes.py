@@ -77,8 +77,8 @@ def proven(change: MadeChange | None) -> bool:
 
 
 def unproven(change: MadeChange) -> str:
-    """Returns the reason why a change is not proven. Empty when all its tests passed in this build,
-    at least one of them on each target.
+    """Returns the reason why a change is not proven. The reason is empty when all tests of the
+    change passed in this build, with at least one test on each target.
     """
     results = {test.result for test in change.tests}
     missing = sorted({HOST, VIRTUAL_K64} - {test.target for test in change.tests})

@@ -246,6 +246,6 @@ def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
 
 
 def _executed(files: Mapping[str, dict[int, bool]] | None) -> float | None:
-    """In per cent, with one digit."""
+    """Returns the share of the executed lines in per cent, with one digit."""
     hits = [hit for lines in (files or {}).values() for hit in lines.values()]
     return round(100 * sum(hits) / len(hits), 1) if hits else None

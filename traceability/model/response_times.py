@@ -27,7 +27,8 @@ from traceability.schema import VIRTUAL_K64, ExecutionContext, PathBound, TimeBo
 from traceability.schema import Place as SourcePlace
 
 DECLARED_IN = Path("design/times.toml")
-ENTRY_AND_EXIT = 12 + 10 + 6  # cycles of the hardware for an interrupt, including the change to a
+# cycles of the hardware for an interrupt, including the change to the next interrupt
+ENTRY_AND_EXIT = 12 + 10 + 6
 # following one
 RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt causes to repeat
 CYCLE_TIMER, TICK_TIMER = "cycle-timer", "tick-timer"
@@ -141,7 +142,7 @@ def _of_context(
 
 def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
     """Returns the contexts, each interrupt with its response time: from its request to the end of
-    its handler, with all that its priority and higher ones execute meanwhile.
+    its handler. The time includes all work of the same and of higher priorities in between.
     """
     all_bounds = list(contexts)
     waits = _waits(all_bounds, noise=False)
@@ -258,8 +259,8 @@ def _paths(
 
 
 def _seen_of(chain: Chain, recording: Any) -> float | None:
-    """Returns the time of a chain in a recording, from the last byte of its frame if it begins with
-    one [ms].
+    """Returns the time of a chain in a recording [ms]. If the chain begins with a frame, the time
+    begins at the last byte of the frame.
     """
     steps = follow(chain, recording)
     if steps is None:

@@ -279,7 +279,7 @@ def _offset(text: str, line: int) -> int:
 
 
 def state_of(texts: Iterable[LinkText]) -> str:
-    """Returns one hash of all texts: a review is valid as long as it does not change."""
+    """Returns a hash of all texts. A review is valid as long as the hash does not change."""
     return hash_of_text(" ".join(sorted(f"{text.kind} {text.name} {text.hash}" for text in texts)))
 
 

@@ -21,7 +21,8 @@ from traceability.reading.loop_bounds import Bound, Bounds, Place
 from traceability.reading.machine_code import VENEER, Block, Code, Instruction, Loop
 from traceability.schema import Place as SourcePlace
 
-# Functions that never return: a path that calls one ends the firmware and is not part of a bound.
+# Functions that never return. A path that calls such a function ends the firmware, and is not part
+# of a bound.
 ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
 COPIES = ("memcpy", "memmove", "memset")
 UNALIGNED = 2  # additional cycles of an unaligned access
@@ -163,8 +164,8 @@ class Times:
         return longest + UNALIGNED * (count // 4 + 2)
 
     def _home(self, symbol: str) -> str:
-        """Returns the symbol with the code: a veneer jumps to another symbol, and equal functions
-        share one symbol.
+        """Returns the symbol with the code. A veneer jumps to another symbol, and equal functions
+        share a symbol.
         """
         veneer = VENEER.match(symbol)
         name = veneer["name"] if veneer else symbol

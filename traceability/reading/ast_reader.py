@@ -1,4 +1,4 @@
-"""Walks the syntax tree of one unit and records the facts of its files."""
+"""Walks the syntax tree of a unit and records the facts of its files."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ _CONSTANTS = {
 
 
 class Reader:
-    """Walks one unit and keeps the facts of the requested files."""
+    """Walks a unit and stores the facts of the requested files."""
 
     def __init__(self, root: Path, files: set[str]) -> None:
         self.root = f"{root}/"
@@ -101,7 +101,7 @@ class Reader:
         self.facts = Syntax()
         self.flow = flow.FlowReader(self.place)
         self.facts.flows = self.flow.flows
-        self.function = ""  # the last entered one
+        self.function = ""  # the function that was entered last
         self.chances = 0  # conditions around the statement
         self.loops = 0
         self.initialised = ""  # the constant or member whose first value is read
@@ -226,7 +226,7 @@ class Reader:
                     self.facts.values.append(fact)
 
     def silence(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """A declaration without a comment that others can use.
+        """Records a declaration without a comment, if other files can use the declaration.
 
         An enumerator needs a comment if another enumerator of the type has one.
         """
@@ -362,7 +362,7 @@ class Reader:
             body.calls += [CallFact(f"{ANY_CLASS}::{part}", False, place) for part in name]
 
     def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """A variable that is not a reference is an object of its class, or contains one."""
+        """Records a variable. If it is not a reference, it constructs objects of its classes."""
         member = self.field_fact(cursor, place)
         if not member.refers and not cursor.type.is_const_qualified():
             inner = owner.split("::", maxsplit=1)[0]
@@ -810,7 +810,7 @@ def _is_dynamic(cursor: Cursor) -> bool:
 
 
 def _overridden(cursor: Cursor) -> Cursor | None:
-    """Returns the first method that this one overrides, of the nearest base."""
+    """Returns the first method that this method overrides, of the nearest base."""
     overridden = ctypes.POINTER(Cursor)()
     count = ctypes.c_uint()
     library = _library()

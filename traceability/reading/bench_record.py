@@ -124,7 +124,7 @@ def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, 
 
 
 def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
-    """Returns the numbers of one run, from the measurements of the board program."""
+    """Returns the numbers of a run, from the measurements of the board program."""
     if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
         raise ValueError(f"{sum(raw['reported'])} cycles with a report, not {CYCLES}")
     per_ms = raw["clock_hz"] / 1000

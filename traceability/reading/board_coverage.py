@@ -27,7 +27,9 @@ Stretch = tuple[str, int, int, int]  # file, line, first address, address after 
 
 
 def read_stretches(root: Path) -> list[Stretch]:
-    """Returns the code of the image in ranges of one source line each; none without an image."""
+    """Returns the code of the image in ranges, each from a single source line. Returns none without
+    an image.
+    """
     listing = subprocess.run(
         ["arm-none-eabi-objdump", "--dwarf=decodedline", root / ELF],
         capture_output=True, text=True, check=False,
@@ -57,7 +59,7 @@ def _half(address: int) -> int:
 
 
 def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
-    """Yields the code of the design as linked, in ranges of one source line each."""
+    """Yields the code of the design as linked, in ranges from a single source line each."""
     file = ""
     before: tuple[str, int, int] | None = None
     dropped = False

@@ -41,7 +41,7 @@ class Function:
     name: str
     frame: int
     dynamic: bool = False
-    measured: bool = False  # from the instructions, not from the compiler
+    measured: bool = False  # facts from the instructions, not from the compiler
     blind: bool = False  # its instructions call a function that only the compiler's graph contains
     calls: list[str] = field(default_factory=list)  # symbols
     indirect: list[Place] = field(default_factory=list)
@@ -112,8 +112,9 @@ def _symbol(title: str) -> str:
 
 
 def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
-    """Functions of several units that share a name count as one function, with the greater
-    frame."""
+    """Records the frame of a function. Functions of several units that share a name count as a
+    single function, with the greater frame.
+    """
     function = reported.setdefault(symbol, Function(symbol, "", 0))
     function.frame = max(function.frame, int(frame["bytes"]))
     function.dynamic |= "dynamic" in frame["kind"] and "bounded" not in frame["kind"]
@@ -142,7 +143,7 @@ def _read_listing(listing: str) -> dict[str, Function]:
 
 
 def names_of_addresses(elf: Path) -> list[list[str]]:
-    """The names of each function: the compiler gives equal functions one address."""
+    """Returns the names of each function. The compiler gives equal functions the same address."""
     symbols: dict[str, list[str]] = {}
     for line in _run("arm-none-eabi-nm", str(elf)).splitlines():
         address, kind, name = (*line.split(), "", "")[:3]
@@ -176,7 +177,9 @@ def _width(names: str) -> int:
 
 
 def _alias(symbol: str, functions: dict[str, Function]) -> str:
-    """A constructor or destructor has several symbols for one body."""
+    """Returns the symbol in the functions. A constructor or destructor has several symbols for its
+    body.
+    """
     if symbol in functions:
         return symbol
     for kind, other in (("C1E", "C2E"), ("C2E", "C1E"), ("D1E", "D2E"), ("D2E", "D1E")):

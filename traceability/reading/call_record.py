@@ -123,7 +123,7 @@ def read_recordings(root: Path) -> dict[str, Recording] | None:
 
 
 class _Reader:
-    """Nests the calls of one file into the activations of interrupts and threads."""
+    """Nests the calls of a file into the activations of interrupts and threads."""
 
     def __init__(self, symbols: Mapping[int, str]) -> None:
         self.symbols = symbols

@@ -1,4 +1,4 @@
-"""Reads the kits of ``changes/``, each of which makes one likely change, and their results."""
+"""Reads the kits of ``changes/`` and their results. Each kit makes a likely change."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class KitRecord:
 
 
 def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
-    """Application -> its kit. The folders are the list of kits."""
+    """Returns the kit of each application. Each folder with a declaration is a kit."""
     kits = {}
     for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
         kit = _kit(root, path, entries)

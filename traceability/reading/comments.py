@@ -82,7 +82,7 @@ class Comment:
         return list(dict.fromkeys(tag.argument for tag in self.of(name)))
 
     def texts(self, name: str) -> dict[str, str]:
-        """Word -> text, of a tag such as ``@param``."""
+        """Returns the text of each word of a tag such as ``@param``."""
         return {tag.argument: tag.text for tag in self.of(name)}
 
     def parts(self, name: str) -> Iterator[Comment]:

@@ -88,7 +88,7 @@ class Facts:
 
     @functools.cached_property
     def folders(self) -> dict[str, Comment]:
-        """Folder -> its comment with ``@dir``."""
+        """Returns for each folder its comment with ``@dir``."""
         comments = self.comments.below(DESIGN)
         return {comment.of("dir")[0].argument: comment for comment in comments if comment.of("dir")}
 
