@@ -50,7 +50,7 @@ ENTERED_TWICE = """
     bne 1b
     bx lr
 """
-# A copy of four registers, a load and a store of one.
+# A copy of four registers, and a load and a store of one register.
 MEMORY = """
     ldm r0, {r1, r2, r3, r4}
     ldr r5, [r0]
