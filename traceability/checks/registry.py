@@ -272,8 +272,8 @@ _FIXED = [
     Check(
         "uses-extension",
         "Nothing depends on an extension",
-        "No file of src includes or calls an extension, and no file of src contains a number that an "
-        "extension adds to an enumeration. A product can therefore omit the extension. An "
+        "No file of src includes or calls an extension, and no file of src contains a number that "
+        "an extension adds to an enumeration. A product can therefore omit the extension. An "
         "extension uses another extension only where design/uses.toml gives the reason.",
         "the parts that the linker adds to the image of a product; tests of products check them.",
         "remove the include or the call: a composition of the extension binds it to the robot.",
