@@ -1,5 +1,6 @@
-"""Measures the baseline design and the design of the robot: the same tests, scenario, compiler and
-flags."""
+"""Measures the baseline design and the pattern design with the same tests, scenario, compiler and
+flags.
+"""
 
 from __future__ import annotations
 
@@ -80,7 +81,7 @@ def image_of(root: Path, design: str, suffix: str) -> Path:
 
 
 def measure_run(root: Path, log: TextIO, design: str) -> dict[str, Any]:
-    """Plays the scenario with the image of a design on the virtual K64."""
+    """Plays the scenario on the virtual K64 with the image of a design."""
     record = root / WORK / f"{design}.json"
     record.parent.mkdir(parents=True, exist_ok=True)
     record.unlink(missing_ok=True)
@@ -109,7 +110,9 @@ def run_figures(measured: dict[str, Any]) -> dict[str, float]:
 
 
 def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str, float]:
-    """Function -> instructions in a cycle, on average; the largest first."""
+    """Returns for each function its average number of instructions in a cycle, the largest
+    first.
+    """
     starts = sorted({int(at, 16) & ~1: name for at, name in SYMBOL.findall(symbols)}.items())
     addresses = [at for at, _ in starts]
     counts: Counter[str] = Counter()
@@ -128,7 +131,7 @@ def sizes_of(root: Path, design: str) -> dict[str, Size]:
 
 
 def own_parts(sizes: dict[str, dict[str, Size]], design: str) -> set[str]:
-    """The parts that only this design has, and its composition."""
+    """Returns the parts that only this design has, and its composition."""
     others = set().union(*(sizes[other] for other in sizes if other != design))
     return {part for part in sizes[design] if part not in others or part == MAIN}
 
@@ -148,21 +151,21 @@ def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
 
 
 def own_sources(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
-    """Returns the sources of one design, with the headers that no other design includes."""
+    """Returns the sources of a design, with the headers that the other design does not include."""
     closures = {name: closure(root, sources_in(root, sizes, name)) for name in sizes}
     others = set().union(*(closures[name] for name in sizes if name != design))
     return sorted(closures[design] - others)
 
 
 def sources_in(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
-    """The sources of the parts that only this design has."""
+    """Returns the sources of the parts that only this design has."""
     own = own_parts(sizes, design)
     paths = files_below(root, (SRC, str(FOLDER / design)), (".cpp",))
     return [path for path in paths if path.stem in own - {MAIN}]
 
 
 def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
-    """Sources, and all files of the project that they include."""
+    """Returns sources, and all files of the project that they include."""
     files: set[Path] = set()
     waiting = list(sources)
     while waiting:
@@ -178,7 +181,7 @@ def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
 
 
 def source_figures(paths: list[Path]) -> dict[str, float]:
-    """Complexity and lines, as lizard counts them."""
+    """Returns the complexity and the number of lines, as lizard counts them."""
     files = [lizard.analyze_file(str(path)) for path in paths]
     complexity = [
         function.cyclomatic_complexity for file in files for function in file.function_list
@@ -222,7 +225,9 @@ def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
 
 
 def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
-    """Design -> number of tests; the suites are named Suite/Usual and Suite/Patterns."""
+    """Returns the number of tests of each design. The suites are named Suite/Usual and
+    Suite/Patterns.
+    """
     counts: dict[str, int] = defaultdict(int)
     for suite in results["testsuites"]:
         counts[suite["name"].rpartition("/")[2].lower()] += suite["tests"]

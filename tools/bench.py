@@ -36,7 +36,7 @@ from weeding_robot_client.script import Wish
 # ./wr bench also measures the baseline design and the cost of the records of the tests.
 BESIDES = (task_record.BASELINE, task_record.TESTS_TRACE, task_record.TESTS_PLAIN)
 CORE_PER_MS = 120_000
-BOARD = "board"  # the run of a connected board
+BOARD = "board"  # record of the run of a connected board
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -72,7 +72,7 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
 
 
 def print_bench(root: Path) -> None:
-    """A table: the times of each scenario."""
+    """Prints a table with the times of each scenario."""
     record = read_record(root / BENCH, Record) or {}
     print(f"\n{'from clock pulse to report [ms]':44} {'mean':>8} {'most':>8}  slow flash")
     for paper in SCENARIOS:
@@ -97,7 +97,7 @@ class Orders:
 
 
 def orders_of(text: str) -> list[Orders]:
-    """The orders of a scenario of the bench."""
+    """Returns the orders of a scenario of the bench."""
     return [
         Orders(
             order.first / 1000,
@@ -109,7 +109,7 @@ def orders_of(text: str) -> list[Orders]:
 
 
 def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
-    """One wish for each cycle of 100 ms, to the end or for a number of seconds."""
+    """Returns a wish for each cycle of 100 ms, to the end or for a number of seconds."""
     end = orders[-1].last if seconds is None else min(orders[-1].last, orders[0].first + seconds)
     for period in orders:
         cycles = round((min(period.last, end) - period.first) * 1000 / PERIOD_MS) + 1
@@ -138,7 +138,7 @@ def on_board(root: Path, port: Path, seconds: float | None) -> int:
 
 
 def drive(port: Path, plan: Iterator[Wish]) -> list[Report]:
-    """Arms the robot and orders each wish for a cycle; returns the reports."""
+    """Arms the robot, and orders each wish for a cycle. Returns the reports."""
     try:
         link = Link(port)
     except OSError as error:
@@ -165,7 +165,9 @@ def drive(port: Path, plan: Iterator[Wish]) -> list[Report]:
 
 
 def costs(reports: list[Report]) -> BenchRun:
-    """The numbers that a board reports about itself. The first cycles belong to earlier orders."""
+    """Returns the numbers that a board reports about itself. The first cycles are skipped: they
+    execute earlier orders.
+    """
     measured = [report for report in reports if report.order_read][2:]
     if not measured:
         raise FailureError("no report of a cycle that read an order")

@@ -26,7 +26,7 @@ from traceability.reading.bench_record import (
 from traceability.reading.products import DEFAULT, PAPER, image_of
 from traceability.schema import BenchRun, BenchScenario
 
-SECONDS = 600  # for one run
+SECONDS = 600  # time limit of a run
 
 
 def measure_all(root: Path, log: TextIO) -> str:
@@ -40,7 +40,9 @@ def measure_all(root: Path, log: TextIO) -> str:
 
 
 def measure_paper(root: Path, log: TextIO) -> str:
-    """Plays the scenarios with the product without safety functions, for their cost."""
+    """Plays the scenarios with the product without safety functions, to measure the cost of these
+    functions.
+    """
     record: Record = {}
     for paper in SCENARIOS:
         raw, _ = play(root, log, paper.name, MANUAL, product=PAPER)
@@ -79,7 +81,7 @@ def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
 def play(
     root: Path, log: TextIO, name: str, timing: str, *more: str, product: str = DEFAULT
 ) -> tuple[dict[str, Any], float]:
-    """Measurements of the board program, and the seconds of one core that it needed."""
+    """Returns measurements of the board program, and the time that it needed on one core [s]."""
     output = root / "build" / "bench" / f"{product}-{name}-{timing}.json"
     output.parent.mkdir(parents=True, exist_ok=True)
     output.unlink(missing_ok=True)

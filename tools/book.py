@@ -1,4 +1,4 @@
-"""./wr book: one PDF with the pages that explain the system, to read without a screen."""
+"""./wr book: a PDF with the pages that explain the system, for reading without a screen."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ SCREEN_ONLY = re.compile(
     r"<script\b.*?</script>|<a class=\"headerlink\".*?</a>|<button\b.*?</button>", re.DOTALL
 )
 PLACE = re.compile(r'\b(id|href|src|aria-labelledby|aria-describedby)="([^"]*)"')
-DATE = re.compile(rb"\(D:\d{14}[^)]*\)")  # of a PDF, YYYYMMDDhhmmss and the zone
+DATE = re.compile(rb"\(D:\d{14}[^)]*\)")  # date of a PDF: YYYYMMDDhhmmss and the time zone
 NODE = re.compile(rb"\(node(\d{8})\)")
 STYLE = """
 @page {
@@ -87,7 +87,7 @@ def book(root: Path) -> int:
 
 
 def print_book(root: Path, pdf: Path) -> Path:
-    """Makes the PDF. Its bytes depend only on the pages, the commit and the browser."""
+    """Prints the PDF. Its bytes depend only on the pages, the commit and the browser."""
     need_pages(root / SITE)
     browser = find_browser()
     if browser is None or not works(browser):
@@ -112,7 +112,7 @@ def print_book(root: Path, pdf: Path) -> Path:
 
 
 def commit_of(root: Path) -> tuple[str, int]:
-    """The commit and its time [s since 1970]; without git, the time of the pages."""
+    """Returns the commit and its time [s since 1970]; without git, the time of the pages."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if commit:
         return commit, int(git(root, "log", "-1", "--format=%ct"))
@@ -120,13 +120,15 @@ def commit_of(root: Path) -> tuple[str, int]:
 
 
 def with_date(pdf: bytes, when: int) -> bytes:
-    """Replaces the time of printing by another time of the same length."""
+    """Replaces the time of printing by another text of the same length."""
     text = time.strftime("(D:%Y%m%d%H%M%S", time.gmtime(when)).encode()
     return DATE.sub(lambda match: text + match[0][len(text) :], pdf)
 
 
 def with_own_numbers(pdf: bytes) -> bytes:
-    """Numbers the parts of the pages from 0, because the first number of the browser varies."""
+    """Numbers the parts of the pages from 0, because the first number of the browser
+    varies.
+    """
     number = {name: at for at, name in enumerate(sorted(set(NODE.findall(pdf))))}
     return NODE.sub(lambda match: b"(node%08d)" % number[match[1]], pdf)
 
@@ -191,7 +193,9 @@ def name_of(page: str) -> str:
 
 
 def chapter(page: str, text: str) -> str:
-    """The content of a page for paper: with all parts opened, and with links inside the book."""
+    """Returns the content of a page for paper: with all parts opened, and with links inside the
+    book.
+    """
     text = SCREEN_ONLY.sub("", text).replace("<details", "<details open")
 
     def place(match: re.Match[str]) -> str:
@@ -210,13 +214,14 @@ def chapter(page: str, text: str) -> str:
 
 
 def beside(page: str, address: str) -> str:
-    """An address in a page, relative to the folder of the book."""
+    """Returns an address in a page, relative to the folder of the book."""
     return f"../site/{posixpath.normpath(posixpath.join(posixpath.dirname(page), address))}"
 
 
 def inside(page: str, address: str) -> str:
-    """The place in the book to which a link of a page leads; empty when the target is not in the
-    book."""
+    """Returns the place in the book to which a link of a page leads, or an empty text when the book
+    lacks the target.
+    """
     if address.startswith(("http:", "https:")):
         return address
     file, _, anchor = address.partition("#")

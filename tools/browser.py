@@ -13,7 +13,9 @@ def find_browser() -> str | None:
 
 
 def works(browser: str | None) -> bool:
-    """Whether the browser starts: some packages contain only a command that prints a message."""
+    """Returns whether the browser starts. Some packages contain only a command that prints a
+    message.
+    """
     if browser is None:
         return False
     try:

@@ -22,12 +22,12 @@ from traceability.reading.call_record import (
 from traceability.reading.chains import declared_chains, first_missing, follow
 from traceability.reading.traces import read_symbols
 
-SECONDS = 300  # for one scenario
+SECONDS = 300  # time limit of a scenario
 NAMES = "arm-none-eabi-nm"
 
 
 def record_all(root: Path, log: TextIO) -> str:
-    """Records the calls of each part of a scenario that the design declares."""
+    """Records the calls in each part of a scenario that the design declares."""
     folder = root / "build" / "calls"
     folder.mkdir(parents=True, exist_ok=True)
     symbols = read_symbols(root / ELF, NAMES, folder / "symbols.json")
@@ -57,7 +57,7 @@ def record_all(root: Path, log: TextIO) -> str:
 
 
 def play(root: Path, window: Window, output: Path, log: TextIO) -> Path:
-    """Plays the scenario of a window; returns the file with its lines."""
+    """Plays the scenario of a window. Returns the file with its lines."""
     output.unlink(missing_ok=True)
     words = [
         *(str(root / "build" / "host" / "sim" / BOARD_PROGRAM), "--image", str(root / IMAGE)),

@@ -33,8 +33,9 @@ def test_changes(root: Path, log: TextIO) -> Outcome:
 
 
 def test_ports(root: Path, log: TextIO) -> Outcome:
-    """Writes build/results/ports.json: the results of the tests of each port that can run here, the
-    sizes of its image, and the sizes of the same design on the K64."""
+    """Writes build/results/ports.json. It contains the results of the tests of each port that can
+    run here, the sizes of its image, and the sizes of the same design on the K64.
+    """
     path = root / PORTS_RESULT
     path.parent.mkdir(parents=True, exist_ok=True)
     reports = {}
@@ -54,7 +55,7 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
 
 
 def missing_emulators(root: Path) -> str:
-    """The programs that tests of ports need, and that are missing."""
+    """Returns the programs that tests of ports need, and that are missing."""
     ports = read_ports(root, Entries(root)).values()
     return ", ".join(port.needs for port in ports if port.needs and not shutil.which(port.needs))
 

@@ -74,7 +74,7 @@ def check(root: Path, *, drift: bool = False) -> int:
 
 
 def report(findings: list[Finding], failed: Iterable[str]) -> int:
-    """Prints the findings and the failed tasks; returns the exit code."""
+    """Prints the findings and the failed tasks. Returns the exit code."""
     from traceability.checks import message, sort
 
     first = ("syntax-error", "design-entry")  # the causes of many other findings

@@ -38,7 +38,9 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def parser() -> argparse.ArgumentParser:
-    """The parser of the command line. Its result contains the parser of the command, for errors."""
+    """Returns the parser of the command line. Its result contains the parser of the command, for
+    errors.
+    """
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
     for module in (
@@ -68,7 +70,7 @@ def parser() -> argparse.ArgumentParser:
     setup = commands.add_parser(
         "setup",
         description="Installs the packages of setup/debian.txt with apt-get and the packages of "
-        "setup/python.lock into .venv. Does nothing when nothing is missing.",
+        "setup/python.lock into .venv. If no package is missing, it does nothing.",
     )
     setup.set_defaults(run=lambda _root, _options: 0)
     for command in commands.choices.values():
@@ -105,5 +107,5 @@ def main(arguments: list[str]) -> int:
 
 
 def is_of_project(error: OSError) -> bool:
-    """Whether the error is one of a file of the project, or of no named file."""
+    """Returns whether the error is one of a file of the project, or of no named file."""
     return error.filename is None or ROOT in Path(str(error.filename)).absolute().parents

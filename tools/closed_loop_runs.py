@@ -59,7 +59,7 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
 
 
 def _outcome(runs: dict[str, dict[str, dict[str, object]]]) -> Outcome:
-    """The outcome: bad when a scenario failed."""
+    """Returns the outcome: bad when a scenario failed."""
     failed = [
         f"{name} ({binding})"
         for name, bindings in runs.items()

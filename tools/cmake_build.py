@@ -58,8 +58,9 @@ def jobs() -> str:
 
 
 def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
-    """Configures where needed, then builds into build/<preset>; only one build at a time in each
-    folder."""
+    """Configures if necessary, then builds into build/<preset>. Only one build at a time runs in
+    each folder.
+    """
     directory = root / "build" / preset
     made = directory / "build.ninja"
     arguments = ["--target", *targets] if targets else []
@@ -73,7 +74,9 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
 
 
 def gtest_counts(results: Path) -> Counts:
-    """Counts of a result file of GoogleTest; disabled and skipped tests count as not run."""
+    """Counts the tests in a result file of GoogleTest. Disabled and skipped tests count as not
+    run.
+    """
     passed = failed = skipped = 0
     for suite in json.loads(results.read_text())["testsuites"]:
         for test in suite["testsuite"]:
@@ -113,20 +116,21 @@ def junit_counts(results: Path) -> Counts:
 
 
 def results_of(root: Path, run_name: str) -> Path:
-    """The result file of the tests."""
+    """Returns the result file of the tests."""
     return root / "build" / "results" / f"{run_name}.json"
 
 
 def program_of(root: Path, run_name: str) -> Path:
-    """The program with the tests; their results are in its folder."""
+    """Returns the program with the tests; their results are in its folder."""
     if run_name == BOARD:
         return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
     return root / "build" / run_name / "tests" / TESTS
 
 
 def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
-    """Runs the tests of a build, or the tests on the virtual K64; each processor runs a part of the
-    tests."""
+    """Runs the tests of a build, or the tests on the virtual K64. Each processor runs a part of the
+    tests.
+    """
     on_board = run_name == BOARD
     results = results_of(root, run_name)
     results.parent.mkdir(parents=True, exist_ok=True)
@@ -171,7 +175,9 @@ def run_shards(
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
-    """The tests of the image under test, except tests that need the design of the paper alone."""
+    """Returns the tests of the image under test, except tests that need the design of the paper
+    alone.
+    """
     return [
         f"{suite['name']}.{test['name']}"
         for suite in suites
@@ -210,7 +216,7 @@ class Shard:
 
 
 def outcome_of(counts: Counts) -> Outcome:
-    """The outcome of tests: bad when one failed, or none ran."""
+    """Returns the outcome of tests: bad when one failed, or none ran."""
     values = {
         "passed": counts.passed,
         "failed_tests": counts.failed,

@@ -36,7 +36,7 @@ WAIT = 20  # s, until a board waits at its port
 
 @dataclass(frozen=True)
 class Target:
-    """The debugger, and the board that waits for it; a program of this machine needs no board."""
+    """The debugger, and the board that waits for it. A program of this machine needs no board."""
 
     gdb: list[str]
     server: list[str] = field(default_factory=list)
@@ -85,7 +85,7 @@ def debug(root: Path, options: argparse.Namespace) -> int:
 
 
 def file_of(root: Path, name: str) -> str:
-    """The file of a test: Suite.Name, as on the page Tests."""
+    """Returns the file of a test: Suite.Name, as on the page Tests."""
     for file, found in tests_below(root):
         if found == name:
             return file
@@ -93,7 +93,7 @@ def file_of(root: Path, name: str) -> str:
 
 
 def filter_of(name: str) -> str:
-    """The filter for a test, and for its instances if it has parameters or types."""
+    """Returns the filter for a test, and for its instances if it has parameters or types."""
     suite, _, case = name.partition(".")
     return f"--gtest_filter={name}:*/{suite}.{case}/*:{suite}/*.{case}"
 
@@ -106,7 +106,7 @@ def tests_below(root: Path) -> Iterator[tuple[str, str]]:
 
 
 def runs_on_board(file: str, *, chosen: bool) -> bool:
-    """Whether the firmware of the test is debugged on the virtual board."""
+    """Returns whether the firmware of the test is debugged on the virtual board."""
     if file.startswith(OF_EMULATOR):
         return False
     if chosen and not file.startswith((*BOARD_ONLY, "tests/system/")):

@@ -74,7 +74,9 @@ def commit_of(root: Path, name: str) -> str:
 
 
 def load(root: Path, name: str) -> Revision:
-    """The recorded revision; if there is none, reads the sources and records the revision."""
+    """Returns the recorded revision; if there is none, reads the sources and records the
+    revision.
+    """
     commit = commit_of(root, name)
     found = read_revision(root, commit)
     if found is None:
@@ -115,7 +117,7 @@ def copy_syntax(root: Path, copy: Path) -> None:
 
 
 def changed_files(root: Path, first: str, second: str) -> Iterator[Difference]:
-    """The files that differ, with a mark at those whose content is not compared."""
+    """Yields the files that differ, with a mark at those whose content is not compared."""
     for line in git(root, "diff", "--no-renames", "--numstat", first, second).splitlines():
         added, removed, path = line.split("\t")
         lines = "binary" if added == "-" else f"+{added} -{removed} lines"

@@ -52,7 +52,7 @@ def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
 
 
 def read_findings(root: Path) -> list[Finding]:
-    """The findings of the last documents."""
+    """Returns the findings of the last documents."""
     records = read_json(root / FINDINGS) or []
     return [Finding(**{**record, "place": Place(**record["place"])}) for record in records]
 
@@ -63,7 +63,7 @@ def read_times(root: Path) -> dict[str, float]:
 
 
 def write_time(root: Path, name: str, seconds: float) -> None:
-    """Records how long a command took, and adds it to the metrics."""
+    """Records the duration of a command, and adds it to the metrics."""
     add_metrics(root, {name: round(seconds, 1)}, TIMES, METRICS)
 
 
@@ -76,7 +76,9 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 
 def main(root: Path) -> int:
-    """The process: exit code 0 when all four steps were completed, even with findings."""
+    """Runs the process. Returns exit code 0 when all four steps were completed, even with
+    findings.
+    """
     steps = Steps(root, len(PARTS))
     with no_collection():
         findings, complete = make(root, steps)
@@ -96,7 +98,7 @@ def no_collection() -> Iterator[None]:
 
 
 def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
-    """The findings, and whether all steps succeeded."""
+    """Returns the findings, and whether all steps succeeded."""
     from portal.site_build import build_site
     from traceability.checks import run_checks, run_link_checks
     from traceability.exports.metrics_file import site_figures, write_metrics
@@ -164,7 +166,7 @@ def record_revision(root: Path, model: Model, report: Report, metrics: Path) -> 
 
 
 def is_unreadable(built: Built | None) -> bool:
-    """Whether a part of the design is missing, so that every page would be incomplete."""
+    """Returns whether a part of the design is missing, so that every page would be incomplete."""
     return bool(built and built.facts.declared.entries.unreadable)
 
 

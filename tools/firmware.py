@@ -65,7 +65,7 @@ def add_product(parser: argparse.ArgumentParser, does: str) -> None:
 
 
 def print_sizes(sizes: dict[str, Size]) -> None:
-    """A table: the modules, largest first, then the other parts, then the sum."""
+    """Prints a table: the modules, largest first, then the other parts, then the sum."""
     modules = sorted(sizes.keys() - set(PARTS), key=lambda name: (-sizes[name].flash, name))
     print(f"\n{'bytes of':32} {'flash':>8} {'RAM':>8}")
     for name in [*modules, *(part for part in PARTS if part in sizes)]:
@@ -75,14 +75,14 @@ def print_sizes(sizes: dict[str, Size]) -> None:
 
 
 def print_products(wholes: dict[str, Size]) -> None:
-    """A table: the size of each product, and its sources of orders."""
+    """Prints a table: the size of each product, and its sources of orders."""
     print(f"\n{'product':32} {'flash':>8} {'RAM':>8}  commanded by")
     for product, whole in wholes.items():
         print(f"{product:32} {whole.flash:8} {whole.ram:8}  {PRODUCTS[product]}")
 
 
 def identity(elf: Path, image: Path) -> tuple[str, str]:
-    """Version and build id, read from the bytes of the image."""
+    """Returns version and build id, read from the bytes of the image."""
     for line in output("arm-none-eabi-nm", "--demangle", elf).splitlines():
         address, _, symbol = (*line.split(maxsplit=2), "", "")[:3]
         if symbol == "wr::firmwareIdentity":

@@ -32,7 +32,7 @@ each way."""
 
 @dataclass(frozen=True)
 class Way:
-    """A way to the board; ``missing`` is empty when it is available."""
+    """A way to write to the board. ``missing`` is empty when the way is available."""
 
     missing: str
     does: str
@@ -109,7 +109,7 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
 
 
 def checked(image: Path) -> str:
-    """Prints the size of an image that does not lock the chip; fails for an image that does."""
+    """Prints the size of an image that does not lock the chip. Fails for an image that locks it."""
     try:
         content = image.read_bytes()
     except OSError as error:
@@ -120,7 +120,9 @@ def checked(image: Path) -> str:
 
 
 def add_key(image: Path, key_file: Path, keyed: Path) -> str:
-    """Writes a copy of the image with the key; fails without a key or a place for it."""
+    """Writes a copy of the image with the key. Fails without a key or without a place for the
+    key.
+    """
     try:
         keyed.parent.mkdir(parents=True, exist_ok=True)
         write_keyed(image, key_file, keyed)
@@ -130,7 +132,7 @@ def add_key(image: Path, key_file: Path, keyed: Path) -> str:
 
 
 def ways(image: Path, folder: Path | None) -> dict[str, Way]:
-    """All ways, in the order in which they are tried."""
+    """Returns all ways, in the order in which they are tried."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
     # OpenOCD reads a script: braces keep the path one word. Without fcf_source OpenOCD writes a
@@ -154,7 +156,7 @@ def tool(name: str, *arguments: str) -> Way:
 
 
 def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
-    """Writes with pyOCD, which does not compare the flash: reads the flash back and compares."""
+    """Writes with pyOCD, then reads the flash back and compares, because pyOCD does not compare."""
     missing = "" if shutil.which("pyocd") else "not installed"
     words = ["pyocd", "flash", *flags, str(image)]
 
@@ -171,7 +173,7 @@ def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
 
 
 def compared(image: Path, copy: Path) -> str:
-    """Reports that the flash equals the image; fails at the first byte that differs."""
+    """Reports that the flash equals the image. Fails at the first byte that differs."""
     expected = image.read_bytes()
     try:
         read_back = copy.read_bytes()
@@ -199,7 +201,7 @@ def copy(image: Path, folder: Path | None) -> Way:
 
 
 def choose(available: dict[str, Way], name: str | None) -> tuple[str, Way]:
-    """The chosen way, or the first way that finds a board."""
+    """Returns the chosen way, or the first way that finds a board."""
     probe = name is not None or has_probe()
     for other, way in available.items():
         if name in (None, other) and not way.missing and (probe or other == "drive"):
@@ -213,7 +215,7 @@ def choose(available: dict[str, Way], name: str | None) -> tuple[str, Way]:
 
 
 def has_probe() -> bool:
-    """Whether a debug probe of the FRDM-K64F is connected."""
+    """Returns whether a debug probe of the FRDM-K64F is connected."""
 
     def text(file: Path) -> str:
         try:

@@ -18,7 +18,7 @@ SECTION = re.compile(r"^ *\[ *\d+\] (\S+) +\S+ +[0-9a-f]{8} [0-9a-f]+ ([0-9a-f]+
 
 
 def forbidden(program: Path) -> set[str]:
-    """The kinds of FORBIDDEN in a program, found by its symbols and sections."""
+    """Returns the kinds of FORBIDDEN in a program, found by its symbols and sections."""
     listed = _output("arm-none-eabi-nm", "--format=posix", program).splitlines()
     names = [line.split(maxsplit=1)[0] for line in listed]
     kinds = {

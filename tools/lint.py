@@ -36,7 +36,7 @@ CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")
 # A name that a source defines outside of a class.
 DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
-JOINED = 8  # sources that clang-tidy checks as one at most
+JOINED = 8  # clang-tidy checks at most this number of sources together
 LINT_RECORD = Path("build/lint.json")
 WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
 WARNINGS = [
@@ -72,7 +72,7 @@ def lint(root: Path) -> int:
 
 
 def lint_tasks(root: Path) -> list[Task]:
-    """The tasks of this command; each runs always."""
+    """Returns the tasks of this command; each runs always."""
     tools = root / ".venv" / "bin"
     python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
 
@@ -117,7 +117,7 @@ def sources(root: Path, folders: Iterable[str], suffix: str) -> list[Path]:
 
 
 def on_board(root: Path, path: Path) -> bool:
-    """Whether a source is for the K64 only."""
+    """Returns whether a source is for the K64 only."""
     return is_board(str(path.relative_to(root)))
 
 
@@ -171,7 +171,7 @@ def check_headers(root: Path, log: TextIO) -> str:
 
 
 def header_objects(root: Path, preset: str, log: TextIO) -> list[str]:
-    """The objects of a build that each contain one header."""
+    """Returns the objects of a build that each contain one header."""
     build(root, preset, log, "build.ninja")
     words = ["ninja", "-C", str(root / "build" / preset), "-t", "targets", "all"]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
@@ -179,7 +179,7 @@ def header_objects(root: Path, preset: str, log: TextIO) -> list[str]:
 
 
 def is_first(root: Path, target: str) -> bool:
-    """Whether the header of an object is the first include of the source with its name."""
+    """Returns whether the header of an object is the first include of the source with its name."""
     header = target.rsplit("_verify_interface_header_sets/", maxsplit=1)[-1].rpartition(".cxx.")[0]
     sources = (root / folder / header.replace(".hpp", ".cpp") for folder in DESIGN)
     texts = (source.read_text(encoding="utf-8") for source in sources if source.exists())
@@ -206,7 +206,7 @@ def check_tidy(root: Path, log: TextIO) -> str:
 
 
 def tidy_options(root: Path, source: Path) -> list[str]:
-    """The options of the compiler for a source, as CMake has them."""
+    """Returns the options of the compiler for a source, as CMake has them."""
     if on_board(root, source):
         return [*clang_arguments(board=True), *include_options(root)]
     if source.is_relative_to(root / "ports"):
@@ -221,7 +221,9 @@ def tidy_options(root: Path, source: Path) -> list[str]:
 
 
 def units_of(paths: list[Path]) -> list[tuple[Path, ...]]:
-    """The sources that are checked as one: of one folder, without a private name in common."""
+    """Returns the sources that are checked as one: of one folder, without a private name in
+    common.
+    """
     units: list[tuple[Path, ...]] = []
     names: set[str] = set()
     for path in paths:
@@ -296,7 +298,7 @@ def name_of(root: Path, unit: tuple[Path, ...]) -> str:
 
 
 def key_of(root: Path, unit: tuple[Path, ...], command: list[str]) -> str:
-    """The hash of all that determines the result of a command on a unit."""
+    """Returns the hash of all that determines the result of a command on a unit."""
     total = hashlib.sha256(" ".join(command).encode())
     read = {file for path in unit for file in included(root, path)}
     for part in (*unit, *settings(root, unit[0]), *sorted(read)):
@@ -305,13 +307,13 @@ def key_of(root: Path, unit: tuple[Path, ...], command: list[str]) -> str:
 
 
 def settings(root: Path, path: Path) -> list[Path]:
-    """The settings of clang-tidy for a file."""
+    """Returns the settings of clang-tidy for a file."""
     folders = [parent for parent in path.parents if parent.is_relative_to(root)]
     return [file for folder in folders if (file := folder / ".clang-tidy").exists()]
 
 
 def included(root: Path, path: Path) -> set[Path]:
-    """The file and all files of the project that it includes, directly or not."""
+    """Returns the file and all files of the project that it includes, directly or not."""
     files: set[Path] = set()
     waiting = [path]
     while waiting:

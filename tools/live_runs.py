@@ -30,7 +30,7 @@ COMPILER = "clang++-19"
 PRESET, TARGET = "web", "live"
 SCRIPT = Path("site/theme/static/live/module.js")
 DATA = Path("build/site/live/live.json")
-SECONDS = 600  # for all scenarios in one engine
+SECONDS = 600  # time limit for all scenarios in one engine
 TRACE = re.compile(r"^trace: (?P<count>\d+) events, hash (?P<hash>[0-9a-f]{16})$", re.MULTILINE)
 NODE = """
 const fs = require("fs");
@@ -108,7 +108,7 @@ def play_in_node(root: Path, scenarios: Iterable[Path]) -> list[dict[str, Any]]:
 
 
 def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str, Any]:
-    """Plays scenarios in a headless browser; ``ready`` is the time to the first cycle [s]."""
+    """Plays scenarios in a headless browser. ``ready`` is the time to the first cycle [s]."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for source, target in (
@@ -167,7 +167,7 @@ def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
 
 
 def differences(native: Run, run: dict[str, Any]) -> list[str]:
-    """The differences of a run as WebAssembly from the native one, and its failures."""
+    """Returns the differences of a run as WebAssembly from the native one, and its failures."""
     problems = [run["end"]] if run["end"] != "ended" else []
     problems += run["failures"]
     if run["reports"] != native.reports:
@@ -231,7 +231,8 @@ def _wrong(
 
 
 def _bytes(root: Path) -> int:
-    """The bytes that the start of the robot loads: the module, an image, and the data of the page
-    if it exists."""
+    """Returns the bytes that the start of the robot loads: the module, an image, and the data of
+    the page if it exists.
+    """
     loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
     return sum(path.stat().st_size for path in loaded if path.exists())

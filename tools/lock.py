@@ -1,5 +1,5 @@
-"""Only one command at a time may build, test or make pages, because a second command would change
-its files.
+"""Only one command at a time may build, test or write pages: a second command would change the
+files of the first.
 
 A command that was ended by force leaves programs behind, such as a build. The next command ends
 them before it begins.
@@ -17,8 +17,8 @@ from pathlib import Path
 
 LOCK = Path("build/lock")
 HOLDER = "WR_LOCK"  # set for programs that the owner of the lock starts
-GRACE = 2.0  # [s] in which a program may end itself
-MOST_WAIT = 10.0  # [s] until it has ended
+GRACE = 2.0  # time in which a program may end itself [s]
+MOST_WAIT = 10.0  # time until the program has ended [s]
 
 
 class BusyError(Exception):

@@ -69,7 +69,7 @@ def portal(root: Path, options: argparse.Namespace) -> int:
 
 
 def finish(root: Path, failed: list[str], start: float, cold: bool) -> int:
-    """The pages with all results, and the findings."""
+    """Returns the pages with all results, and the findings."""
     made = pages_graph(root).run([DOCUMENTS])
     if cold:
         write_time(root, "build.cold_s", time.monotonic() - start)

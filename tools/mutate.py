@@ -208,7 +208,7 @@ class _Run:
         write_whole(self.root / RESULT, json.dumps(result, indent=1))
 
     def survivors(self) -> list[Mutant]:
-        """The mutants that no test found and no entry justifies."""
+        """Returns the mutants that no test found and no entry justifies."""
         assert self.justifications is not None
         missed = [one.mutant for one in self.tried if not one.killed_by]
         return [mutant for mutant in missed if not self.justifications.why(mutant)]

@@ -25,7 +25,7 @@ from traceability.reading.proof_record import scenario as scenario_of
 from traceability.reading.published import publish, read_published
 from traceability.schema import ProofProperty, ProofResult
 
-RECORD = "proofs"  # of a run of all proofs: each has the model that it proved
+RECORD = "proofs"  # records of complete runs: each contains the model of each proof
 SPIN, COMPILER = "spin", "cc"
 SECONDS = 300  # for each step of a proof
 DEPTH = 5_000_000  # steps
@@ -76,7 +76,9 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
 def prove(
     root: Path, declared: Declared, properties: Iterable[ProofProperty], say: Callable[[str], None]
 ) -> dict[str, ProofResult]:
-    """Proves properties, some at the same time; each gets a line when it ends."""
+    """Proves properties, some at the same time. Prints a line for each property when its proof
+    ends.
+    """
     listed = list(properties)
     results: dict[str, ProofResult] = {}
     with ThreadPoolExecutor(WORKERS) as pool:
@@ -103,7 +105,7 @@ def record_proofs(root: Path, declared: Declared, results: Mapping[str, ProofRes
 
 
 def recorded_proofs(root: Path, declared: Declared) -> dict[str, ProofResult]:
-    """The recorded results whose models are equal to the present models, byte by byte."""
+    """Returns the recorded results whose models are equal to the present models, byte by byte."""
     record = read_published(root, RECORD)
     results: dict[str, ProofResult] = {}
     for name, proof in declared.proofs.items():
@@ -116,7 +118,7 @@ def recorded_proofs(root: Path, declared: Declared) -> dict[str, ProofResult]:
 
 
 def model_hash(root: Path, declared: Declared, proof: ProofProperty) -> str:
-    """The hash of a model and of the options of its search."""
+    """Returns the hash of a model and of the options of its search."""
     words = [*OPTIONS, str(DEPTH), model_of(root, declared, proof)]
     return hashlib.sha256("\n".join(words).encode()).hexdigest()
 
@@ -177,7 +179,7 @@ def counterexample(root: Path, proof: ProofProperty) -> list[str]:
 
 
 def call(folder: Path, proof: ProofProperty, words: Sequence[str]) -> str:
-    """Runs a program of a proof; returns its output."""
+    """Runs a program of a proof. Returns its output."""
     try:
         done = subprocess.run(
             words, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False

@@ -28,7 +28,7 @@ RIGHT = re.compile(r"\.\s+Right\s+in\s(.*)$", re.DOTALL)
 IN_BACKQUOTES = re.compile(r"``([^`]+)``")
 QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!;]*\?)", re.IGNORECASE)
 QUOTED = Path("design/paper.toml")  # contains the words of the paper
-LEAST_WORDS = 2  # of a text in quotes: shorter ones are names
+LEAST_WORDS = 2  # words of a text in quotes: shorter texts are names
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class ProseFinding:
 
 
 def read_terms(text: str) -> Iterator[Term]:
-    """The words behind "Not:" of each entry of the glossary, and the list of plain words."""
+    """Yields the words behind "Not:" of each entry of the glossary, and the list of plain words."""
     entry = ""
     for line in text.splitlines():
         if match := NOT.match(line):
@@ -66,7 +66,7 @@ def read_terms(text: str) -> Iterator[Term]:
 
 
 def right_phrases(text: str) -> list[str]:
-    """The phrases in which a word of the list of plain words is right."""
+    """Returns the phrases in which a word of the list of plain words is right."""
     plain = (RIGHT.search(match[2]) for match in PLAIN.finditer(text))
     return [phrase for right in plain if right for phrase in IN_BACKQUOTES.findall(right[1])]
 
@@ -79,7 +79,9 @@ def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
 
 
 def prose_of(path: Path) -> str:
-    """The text of a file in which blanks replace everything except prose; lines do not change."""
+    """Returns the text of a file in which blanks replace everything except prose; lines do not
+    change.
+    """
     text = path.read_text(encoding="utf-8")
     if path.suffix not in PROSE:
         text = _remarks(path, text)
@@ -91,7 +93,9 @@ def _blank(pattern: re.Pattern[str], text: str) -> str:
 
 
 def _remarks(path: Path, text: str) -> str:
-    """The comments of code, and its quotations that have several words. A phrase ends at code."""
+    """Returns the comments of code, and its quotations that have several words. A phrase ends at
+    code.
+    """
     name = {"": "wr.sh", ".tree": "a.sh", ".txt": "CMakeLists.txt"}.get(path.suffix, path.name)
     try:
         tokens = get_lexer_for_filename(name).get_tokens_unprocessed(text)
@@ -111,7 +115,7 @@ def _is_prose(kind: _TokenType, part: str) -> bool:
 
 
 def lint_prose(root: Path) -> list[ProseFinding]:
-    """All findings, by file and line."""
+    """Returns all findings, by file and line."""
     glossary = (root / GLOSSARY).read_text(encoding="utf-8")
     better = {term.words.lower(): term.better for term in read_terms(glossary)}
     pattern = pattern_of(better)

@@ -1,4 +1,4 @@
-"""Runs the tests of one folder of tests/python."""
+"""Runs the tests of a folder of tests/python."""
 
 from __future__ import annotations
 
@@ -27,7 +27,9 @@ IMPORTED_FROM = ("", "site", "client")  # as in pyproject.toml
 
 
 def imported_files(root: Path, folder: str) -> list[str]:
-    """The Python files of the project that the tests of a folder import, directly or not."""
+    """Returns the Python files of the project that the tests of a folder import, directly or
+    not.
+    """
     tests = root / TESTS
     waiting = [*tests.glob("conftest.py"), *(tests / folder).glob("*.py")]
     return sorted(str(file.relative_to(root)) for file in _imported(root, waiting))
@@ -68,7 +70,7 @@ def _imports(root: Path, file: Path) -> tuple[Path, ...]:
 
 @functools.cache
 def _files(root: Path, module: str) -> tuple[Path, ...]:
-    """The file of a module, and the ``__init__.py`` of each package around it."""
+    """Returns the file of a module, and the ``__init__.py`` of each package around it."""
     parts = module.split(".")
     ways = [
         Path(place, *parts[:count]) for place in IMPORTED_FROM for count in range(1, len(parts) + 1)
@@ -78,15 +80,16 @@ def _files(root: Path, module: str) -> tuple[Path, ...]:
 
 
 def workers(folder: str) -> list[str | Path]:
-    """Options of pytest: the number of parallel tests, and the tests that must run in one
-    process."""
+    """Returns options of pytest: the number of parallel tests, and the tests that must run in one
+    process.
+    """
     if folder == WAITING:
         return ["-n", WAITING_JOBS, "--dist", "load"]
     return ["-n", jobs(), "--dist", "loadfile"]
 
 
 def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
-    """Runs the tests. Failed tests are an outcome; a run without results is an error."""
+    """Runs the tests. Failed tests are an outcome, but a run without results is an error."""
     results = root / RESULTS / f"pytest_{folder}.xml"
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
@@ -94,7 +97,7 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
     words += [*options, root / "tests/python" / folder]
     counts = counted(log, words, results)
-    # A busy machine may be too slow for these tests: failed tests run again, one by one.
+    # Tests may fail because the computer is busy: failed tests run again, one by one.
     if counts.failed and folder == WAITING:
         again = counted(log, [*words, "--lf", "-n", "0"], results)
         counts = replace(again, passed=counts.passed + again.passed, skipped=counts.skipped)
@@ -103,7 +106,7 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
 
 
 def failed_tests(results: Path) -> list[str]:
-    """The names of the failed tests, in the form of pytest and ./wr debug."""
+    """Returns the names of the failed tests, in the form of pytest and ./wr debug."""
     return [
         f"{case.get('classname', '').replace('.', '/')}.py::{case.get('name')}"
         for case in ET.parse(results).iter("testcase")
@@ -112,7 +115,7 @@ def failed_tests(results: Path) -> list[str]:
 
 
 def reported_numbers(results: Path) -> dict[str, float]:
-    """The numbers that tests report as their properties."""
+    """Returns the numbers that tests report as their properties."""
     found = ET.parse(results).iter("property")
     return {one.get("name", ""): float(one.get("value", "0")) for one in found}
 

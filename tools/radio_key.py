@@ -16,7 +16,7 @@ ADVICE = (
 
 
 class KeyFileError(Exception):
-    """A key that cannot be used, or an image without a place for it."""
+    """A key that cannot be used, or an image without a place for the key."""
 
 
 def read_key(file: Path) -> bytes:

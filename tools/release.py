@@ -1,4 +1,4 @@
-"""./wr release: the files of a release, from a commit; the same bytes in any folder."""
+"""./wr release: the files of a release, from a commit. They have the same bytes in each folder."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def release(root: Path, *, verify: bool, published: bool = False) -> int:
 
 
 def identity(root: Path) -> Release:
-    """The commit and its time; an error when a file differs from it."""
+    """Returns the commit and its time; an error when a file differs from it."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if not commit:
         raise MissingError("this folder is not a git clone: a release needs a commit")
@@ -140,7 +140,7 @@ def build(root: Path) -> None:
 
 
 def write_release(root: Path, made: Release, folder: Path) -> None:
-    """Writes the files, and last the list of their hashes."""
+    """Writes the files, then the list of their hashes."""
     images = {
         f"{product}{suffix}": root / image_of(product, suffix)
         for product in PRODUCTS
@@ -179,7 +179,7 @@ def add_book(root: Path, path: Path) -> None:
 
 
 def notes(root: Path, made: Release) -> str:
-    """The section of the version in the list of changes."""
+    """Returns the section of the version in the list of changes."""
     text = (root / CHANGELOG).read_text(encoding="utf-8")
     found = re.search(rf"^## {re.escape(made.version)}\b.*?(?=^## |\Z)", text, re.M | re.S)
     if not found:
@@ -205,8 +205,9 @@ def compare_with_second(root: Path, folder: Path) -> list[str]:
 
 
 def bring_results(root: Path, copy: Path) -> None:
-    """Results of tests and measurements contain times, which differ in a second run. Recordings
-    contain the addresses of the program that was recorded."""
+    """Copies results of tests and measurements, which contain times that differ in a second run.
+    Recordings also contain the addresses of the recorded program.
+    """
     recorded = [path for one in SOURCES.values() for path in (one.folder, one.executable)]
     covered = [path.relative_to(root) for path in (root / MODEL).glob("coverage-*.json")]
     for name in (RESULTS, TASKS, TIMES, MODULE, *recorded, *covered):

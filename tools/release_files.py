@@ -30,7 +30,7 @@ def write_archive(path: Path, files: Mapping[str, bytes | Path], when: int) -> N
 
 
 def sums_text(folder: Path, names: Iterable[str]) -> str:
-    """The SHA-256 of each file, as ``sha256sum --check`` reads it."""
+    """Returns the SHA-256 of each file, as ``sha256sum --check`` reads it."""
     return "".join(
         f"{hashlib.sha256((folder / name).read_bytes()).hexdigest()}  {name}\n"
         for name in sorted(names)
@@ -38,7 +38,7 @@ def sums_text(folder: Path, names: Iterable[str]) -> str:
 
 
 def below(folder: Path, *without: str) -> dict[str, Path]:
-    """The files of a folder, by their names in it, except files with these endings."""
+    """Returns the files of a folder, by their names in it, except files with these endings."""
     return {
         str(path.relative_to(folder)): path
         for path in sorted(folder.rglob("*"))
@@ -47,7 +47,9 @@ def below(folder: Path, *without: str) -> dict[str, Path]:
 
 
 def different_members(first: Path, second: Path) -> list[str]:
-    """The names in two archives whose content differs, or that only one archive contains."""
+    """Returns the names in two archives whose content differs, or that only one archive
+    contains.
+    """
     here, there = (_members(path) for path in (first, second))
     return sorted(name for name in here.keys() | there.keys() if here.get(name) != there.get(name))
 

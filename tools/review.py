@@ -1,5 +1,6 @@
-"""./wr review: records the review of one requirement by a person, or records the present texts as
-the baseline."""
+"""./wr review: records a person's review of a requirement, or records the present texts as the
+baseline.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +20,8 @@ if TYPE_CHECKING:
     from traceability.model.reviews import LinkText, LinkTexts
     from traceability.schema import Baseline, Requirement
 
-MOST_VERSIONS = 200  # number of versions of a file in which the text of the baseline is searched
+# largest number of versions of a file in which the text of the baseline is searched
+MOST_VERSIONS = 200
 MOST_TRIES = 3  # of an answer
 
 
@@ -122,7 +124,7 @@ def review_one(
 
 
 def asked() -> tuple[dict[str, str], str]:
-    """The answer to each question of the checklist, and the remark."""
+    """Returns the answer to each question of the checklist, and the remark."""
     from traceability.model.reviews import ANSWERS, LEAST_REMARK, QUESTIONS
 
     choice = ", ".join(ANSWERS)
@@ -152,7 +154,9 @@ def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> st
 def shown(
     root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
 ) -> Iterator[str]:
-    """The texts that a reviewer reads, with their changes; of a support file only the path."""
+    """Yields the texts that a reviewer reads, with their changes; of a support file only the
+    path.
+    """
     for text in texts:
         yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"
         if text.kind != "support":
@@ -175,7 +179,7 @@ def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
 
 
 def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
-    """The text with this hash, out of the versions of the file that git has."""
+    """Returns the text with this hash, out of the versions of the file that git has."""
     from traceability.reading.link_texts import FINDERS, hash_of
 
     if now.kind not in FINDERS:
@@ -188,7 +192,7 @@ def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
 
 
 def versions(root: Path, file: str) -> Iterator[str]:
-    """The content of a file in each commit that changed it, the newest first."""
+    """Yields the content of a file in each commit that changed it, the newest first."""
     commits = git(root, "log", f"--max-count={MOST_VERSIONS}", "--format=%H", "--", file)
     for commit in commits.split():
         yield git(root, "show", f"{commit}:{file}")

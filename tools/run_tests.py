@@ -96,7 +96,9 @@ def test(root: Path, *, long: bool, lint: bool) -> int:
 
 
 def counts_of(run: Reporter, *counted: str | None) -> Counts:
-    """The tests of all tasks; the tests with sanitizers are the same as the tests with traces."""
+    """Returns the tests of all tasks; the tests with sanitizers are the same as the tests with
+    traces.
+    """
     counts = Counts()
     for name, values in run.values.items():
         if "passed" in values and (name in counted or name != TESTS_SANITIZE):

@@ -31,7 +31,7 @@ LINKED = ("libnewlib-arm-none-eabi", "gcc-arm-none-eabi", "libstdc++-arm-none-ea
 
 
 def sbom_text(root: Path, version: str, commit: str, when: int, images: Mapping[str, str]) -> str:
-    """The text of the list. ``images`` has the SHA-256 of each image by its name."""
+    """Returns the text of the list. ``images`` has the SHA-256 of each image by its name."""
     product = Component(
         name=PROJECT,
         version=version,
@@ -62,7 +62,7 @@ def _images(images: Mapping[str, str], version: str) -> Iterable[Component]:
 
 
 def _linked() -> Iterable[Component]:
-    """The libraries of C, of C++ and of the compiler, as installed on this machine."""
+    """Returns the libraries of C, of C++ and of the compiler, as installed on this machine."""
     for name in LINKED:
         version = debian_version(name)
         yield Component(
@@ -84,7 +84,7 @@ def debian_version(name: str) -> str:
 
 
 def _python(root: Path) -> Iterable[Component]:
-    """Packages of the tools: not part of an image."""
+    """Returns packages of the tools: not part of an image."""
     packages = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
     if not packages:
         raise FailureError(f"{LOCK} names no package")

@@ -178,7 +178,7 @@ class Copy:
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
-        """The files to keep. The messages of Doxygen are kept with its XML."""
+        """Returns the files to keep. The messages of Doxygen are kept with its XML."""
         files = sorted((self.tree / "build" / "model").rglob("*.*"))
         kinds = (".json", ".facts")
         return [path for path in files if path.suffix in kinds and path.name != "doxygen.json"]

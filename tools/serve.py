@@ -41,7 +41,9 @@ def port_number(text: str) -> int:
 
 
 class Handler(SimpleHTTPRequestHandler):
-    """Files of the site; makes the browser load them again, because the site is rebuilt."""
+    """Sends the files of the site. The browser always loads them again, because the site is
+    rebuilt.
+    """
 
     def end_headers(self) -> None:
         self.send_header("Cache-Control", "no-cache")
@@ -64,7 +66,7 @@ def make_server(site: Path, port: int) -> ThreadingHTTPServer:
 
 
 def serving(root: Path, port: int) -> tuple[str, Thread]:
-    """Serves the portal in a thread; returns its address, and the thread."""
+    """Serves the portal in a thread. Returns its address, and the thread."""
     (root / STATUS).unlink(missing_ok=True)  # the state of a run that has ended
     server = make_server(root / SITE, port)
     thread = Thread(target=server.serve_forever, daemon=True)
@@ -80,6 +82,6 @@ def serve(root: Path, port: int) -> int:
 
 
 def wait(thread: Thread) -> None:
-    """Waits for Ctrl-C, which reaches the main thread only when it wakes up."""
+    """Waits for Ctrl-C. Only the main thread receives it, and only when it wakes up."""
     while thread.is_alive():
         thread.join(WAKE)

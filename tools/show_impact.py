@@ -84,7 +84,7 @@ def with_python(root: Path, found: Impact) -> Impact:
 
 
 def changed_files(root: Path, commits: str) -> list[str]:
-    """The files that differ between two commits."""
+    """Returns the files that differ between two commits."""
     for name in commits.split(RANGE):
         if name and not git(root, "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}"):
             raise UsageError(f"git has no commit {name}")

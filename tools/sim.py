@@ -118,7 +118,7 @@ def need_files(options: argparse.Namespace) -> None:
 
 
 def command(root: Path, options: argparse.Namespace) -> list[str]:
-    """The program and its options. A scenario replaces the PC link."""
+    """Returns the program and its options. A scenario replaces the PC link."""
     stepped = options.fast or options.scenario is not None
     program = BOARD_PROGRAM if options.board else PROGRAM
     words = [str(root / "build" / "host" / "sim" / program)]

@@ -36,7 +36,7 @@ PARTS = (VECTORS, CONFIGURATION, LIBRARY, STACK, PADDING)
 
 SRAM = 0x1FFF0000  # RAM begins here
 HEADER = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s")
-# An object: address, size, name, and its source file, if the compiler records it.
+# An object: address, size, name, and its source file if the compiler records the file.
 OBJECT = re.compile(
     r"^([0-9a-f]+) ([0-9a-f]+) [bdrvBDRV] (\S+)(?:\t.*?(\w+)\.[ch]pp:\d+)?$", re.MULTILINE
 )
@@ -68,11 +68,12 @@ class Section:
 
 
 def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
-    """Part -> size. The flash is the value that arm-none-eabi-size reports for the whole image.
+    """Returns the size of each part. The flash is the value that arm-none-eabi-size reports for the
+    whole image.
 
-    An instruction belongs to the module of its source line, also where it was inlined.
-    An object belongs to the module that defines it, read from the ``recorded`` image, because
-    link-time optimisation removes this information.
+    An instruction belongs to the module of its source line, also where it was inlined. An object
+    belongs to the module that defines it, read from the ``recorded`` image, because link-time
+    optimisation removes this information.
     """
     sizes: dict[str, Size] = defaultdict(Size)
     all_objects = list(objects(elf, homes(recorded or elf)))
@@ -91,20 +92,22 @@ def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
 
 
 def instructions(elf: Path, section: Section) -> Iterator[tuple[str, int]]:
-    """Module and size of each half-word of code."""
+    """Yields module and size of each half-word of code."""
     halves = range(section.address, section.address + section.size - 1, 2)
     for frames in frames_of(elf, halves).values():
         yield module_of(frames)[0], 2
 
 
 def homes(elf: Path) -> dict[str, str]:
-    """The module of each object, by its name in the image."""
+    """Returns the module of each object, by its name in the image."""
     listed = output("arm-none-eabi-nm", "--print-size", "--line-numbers", elf)
     return {name: module for _, _, name, module in OBJECT.findall(listed) if module}
 
 
 def objects(elf: Path, modules: Mapping[str, str]) -> Iterator[tuple[int, str, int]]:
-    """Address, module and size of each object. A virtual method table belongs to its class."""
+    """Yields address, module and size of each object. A virtual method table belongs to its
+    class.
+    """
     for address, size, name, _ in OBJECT.findall(output("arm-none-eabi-nm", "--print-size", elf)):
         plain = name.partition(".lto_priv")[0]
         table = CLASS_TABLE.match(plain)
@@ -118,15 +121,16 @@ def add(part: Size, section: Section, size: int) -> None:
 
 
 def owner(section: Section) -> str:
-    """The part to which a whole section belongs; empty when the section belongs to several
-    parts."""
+    """Returns the part to which a whole section belongs; empty when the section belongs to several
+    parts.
+    """
     if not section.in_flash:
         return ""
     return {0: VECTORS, FIELD: CONFIGURATION}.get(section.address, "")
 
 
 def sections(elf: Path) -> list[Section]:
-    """The sections that use memory. A section that is copied into RAM also uses flash."""
+    """Returns the sections that use memory. A section that is copied into RAM also uses flash."""
     lines = output("arm-none-eabi-objdump", "-h", elf).splitlines()
     parts = []
     for line, flags in pairwise(lines):
@@ -140,7 +144,7 @@ def sections(elf: Path) -> list[Section]:
 
 
 def place_in_binary(elf: Path, address: int) -> int:
-    """The position in the binary of the byte with a run-time address."""
+    """Returns the position in the binary of the byte with a run-time address."""
     for section in sections(elf):
         if section.in_flash and section.holds(address):
             return section.load + address - section.address

@@ -41,7 +41,7 @@ class UsageError(FailureError):
 
 
 def need_file(path: Path, action: str) -> None:
-    """Raises MissingError, with the action of the user, when there is no such file."""
+    """Raises MissingError, with the action of the user, when the file does not exist."""
     if not path.is_file():
         raise MissingError(f"there is no file {path}: {action}")
 
@@ -56,7 +56,7 @@ def run(
     env: Mapping[str, str] | None = None,
     folder: Path | None = None,
 ) -> float:
-    """Runs a command with its output in the log; raises FailureError when it fails.
+    """Runs a command and writes its output to the log. Raises FailureError when the command fails.
 
     Returns the processor time that it used [s].
     """
@@ -94,7 +94,7 @@ def heed_interrupts() -> None:
 
 @contextmanager
 def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
-    """While it runs, an interrupt ends the program too."""
+    """During this context, an interrupt also ends the program."""
     _started.append(program)
     try:
         yield
@@ -117,7 +117,7 @@ def tail(path: Path, lines: int = TAIL_LINES) -> str:
 
 
 def cannot_write(error: OSError) -> str | None:
-    """Returns the message of an error that the user must correct; None of any other error."""
+    """Returns the message of an error that the user must correct, or None for any other error."""
     if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
         action = "free space on this disk, then run the command again"
     elif error.errno in (errno.EROFS, errno.EACCES, errno.EPERM):

@@ -204,8 +204,9 @@ def builds(root: Path) -> list[Task]:
 
 
 def measurements(root: Path) -> list[Task]:
-    """Tests and runs of the programs that were built. Their inputs are the sources of these
-    programs."""
+    """Returns tests and runs of the programs that were built. Their inputs are the sources of these
+    programs.
+    """
 
     def tests(run: str) -> Callable[[TextIO], Outcome]:
         return lambda log: outcome_of(run_tests(root, run, log))
@@ -323,7 +324,7 @@ def measurements(root: Path) -> list[Task]:
 
 
 def checks_of_tools(root: Path) -> list[Task]:
-    """The tests of the tools, and the faults that are seeded to test the checks."""
+    """Returns the tests of the tools, and the faults that are seeded to test the checks."""
     built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, RECORDED_IMAGES, LIVE_MODULE)
 
     def tests(folder: str, others: tuple[str, ...]) -> Task:
@@ -362,7 +363,7 @@ def seed_faults(root: Path, log: TextIO) -> Outcome:
 
 
 def documents(root: Path, out: TextIO) -> list[Task]:
-    """The pages with their findings, and the tests of the pages."""
+    """Returns the pages with their findings, and the tests of the pages."""
 
     def state() -> str:
         names = (*RESULT_TASKS, task_record.SEEDED_FAULTS, task_record.FIRMWARE_FAULTS)

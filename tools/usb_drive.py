@@ -36,7 +36,7 @@ def unescaped(name: str) -> str:
 
 
 def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
-    """The first file with one of these names, in upper or lower case."""
+    """Returns the first file with one of these names, in upper or lower case."""
     try:
         files = sorted(folder.iterdir())
     except OSError:
@@ -45,8 +45,9 @@ def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
 
 
 def problem(folder: Path) -> str:
-    """The reason why no image can be copied to this folder; empty when it is the drive of a
-    board."""
+    """Returns the reason why no image can be copied to this folder; empty when it is the drive of a
+    board.
+    """
     if not folder.is_dir():
         return f"{folder} is no folder"
     if file_of(folder, MARKS) is None:

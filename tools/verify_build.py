@@ -107,7 +107,7 @@ def compare(root: Path, copy: Path, *, images: bool) -> Iterator[str]:
 
 
 def compare_verdicts(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[str]:
-    """The state of each requirement, and the results of its tests."""
+    """Yields the state of each requirement, and the results of its tests."""
     rows = [{row["id"]: row for row in table.get("requirements", [])} for table in (first, second)]
     for name in sorted(rows[0].keys() | rows[1].keys()):
         here, there = (table.get(name, {}) for table in rows)

@@ -179,12 +179,12 @@ class Module:
 
     @property
     def extension(self) -> bool:
-        """Whether it belongs to an extension: the design does not count such modules."""
+        """Returns whether it belongs to an extension: the design does not count such modules."""
         return is_extension(self.logic)
 
 
 def is_extension(logic: str) -> bool:
-    """Whether a logic module belongs to an extension."""
+    """Returns whether a logic module belongs to an extension."""
     return logic.split("/", maxsplit=1)[0] == EXTENSIONS
 
 
@@ -260,7 +260,7 @@ class TreeNode:
 
     @property
     def ran(self) -> bool | None:
-        """Whether any target executed it; ``None`` when no target was measured."""
+        """Returns whether any target executed it; ``None`` when no target was measured."""
         return any(self.executed.values()) if self.executed else None
 
 
@@ -346,7 +346,7 @@ class Test:
     modules: Sequence[str] = field(default_factory=list)
 
     def gave(self, result: str | None) -> list[str]:
-        """The targets on which the test had this result."""
+        """Returns the targets on which the test had this result."""
         return [binding for binding, outcome in self.results.items() if outcome.result == result]
 
     @property
@@ -371,7 +371,7 @@ class Evidence:
         return f"{self.relation} {self.bound:g} {self.unit}".strip()
 
     def holds(self, value: float | None) -> bool:
-        """Whether a value that was measured is within the bound."""
+        """Returns whether a value that was measured is within the bound."""
         if value is None:
             return False
         if self.relation == "at most":
@@ -408,12 +408,12 @@ class Review:
 
     @property
     def holds(self) -> bool:
-        """Whether the review is about the present texts."""
+        """Returns whether the review is about the present texts."""
         return self.current and not self.objections
 
     @property
     def open_points(self) -> list[str]:
-        """The questions that the reviewer answered with no."""
+        """Returns the questions that the reviewer answered with no."""
         return [question for question, answer in self.answers.items() if answer == "no"]
 
 
@@ -468,12 +468,12 @@ class Requirement:
 
     @property
     def reviewed(self) -> bool:
-        """Whether a person reviewed its present texts and found no open point."""
+        """Returns whether a person reviewed its present texts and found no open point."""
         return any(review.holds and not review.open_points for review in self.reviews)
 
     @property
     def by_calls(self) -> bool:
-        """Whether calls fulfil it: it is functional, or has a tree."""
+        """Returns whether calls fulfil it: it is functional, or has a tree."""
         return self.id.startswith("FR-") or self.tree is not None
 
 
@@ -722,8 +722,10 @@ class BuildEvidence:
 
 @dataclass(frozen=True)
 class LastRecord:
-    """A test that takes too long for each build, when last run: of the tests, the checks, or the
-    release, whose equal files are found."""
+    """The last run of a test that is too long for each build.
+
+    It tests the tests, the checks, or the release and its equal files.
+    """
 
     command: str
     commit: str  # empty without git
@@ -813,13 +815,17 @@ class Proofs:
 
     @property
     def proven(self) -> int | None:
-        """The number of proven properties; None when nothing was proven with these sources."""
+        """Returns the number of proven properties; None when nothing was proven with these
+        sources.
+        """
         results = self.results
         return None if results is None else sum(r.verdict == "proven" for r in results.values())
 
     @property
     def recorded(self) -> list[ProofResult]:
-        """Results of an earlier run with the same models, which this build did not repeat."""
+        """Returns results of an earlier run with the same models, which this build did not
+        repeat.
+        """
         return [result for result in (self.results or {}).values() if result.recorded_on]
 
 
@@ -945,8 +951,9 @@ class StackProof:
 
     @property
     def total(self) -> int:
-        """The sum of all levels; each level except the lowest includes the frame that the hardware
-        stores."""
+        """Returns the sum of all levels; each level except the lowest includes the frame that the
+        hardware stores.
+        """
         levels = self.levels
         return sum(level.bytes for level in levels) + self.exception_frame * (len(levels) - 1)
 
@@ -1079,7 +1086,7 @@ class Port:
 
     @property
     def passed(self) -> bool:
-        """Whether tests ran, and all passed."""
+        """Returns whether tests ran, and all passed."""
         return bool(self.tests) and set((self.tests or {}).values()) == {"passed"}
 
 
@@ -1106,7 +1113,7 @@ class MadeChange:
 
     @property
     def new_lines(self) -> int:
-        """The lines added to existing files, without the changed lines."""
+        """Returns the lines added to existing files, without the changed lines."""
         return self.added_lines - self.composition_lines - self.outside_lines
 
 
@@ -1155,7 +1162,7 @@ class Connection:
 
     @property
     def arrow(self) -> str:
-        """The name under which the concordance lists it."""
+        """Returns the name under which the concordance lists it."""
         return f"{self.source} -> {self.target} ({self.kind})"
 
 
@@ -1193,7 +1200,7 @@ class BoardBelief:
 
     @property
     def name(self) -> str:
-        """The register without its block."""
+        """Returns the register without its block."""
         return self.register.rpartition("::")[2]
 
 

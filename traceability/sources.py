@@ -15,7 +15,9 @@ TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
 
 def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()) -> list[Path]:
-    """The files of the named folders and files below the root, sorted, without Python caches."""
+    """Returns the files of the named folders and files below the root, sorted, without Python
+    caches.
+    """
     files: list[Path] = []
     for name in names:
         start = root / name
@@ -33,12 +35,12 @@ def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()
 
 
 def include_options(root: Path) -> list[str]:
-    """The folders in which a compiler finds the headers of the design."""
+    """Returns the folders in which a compiler finds the headers of the design."""
     return [word for name in DESIGN for word in ("-I", str(root / name))]
 
 
 def file_hash(path: Path) -> str:
-    """The SHA-256 of one file, or the empty string when there is none."""
+    """Returns the SHA-256 of one file, or the empty string when there is none."""
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError:
@@ -46,7 +48,7 @@ def file_hash(path: Path) -> str:
 
 
 def hash_of(root: Path, paths: Iterable[Path]) -> str:
-    """One SHA-256 over the names and the contents of files."""
+    """Returns one SHA-256 over the names and the contents of files."""
     total = hashlib.sha256()
     for path in paths:
         total.update(f"{path.relative_to(root)}\0{file_hash(path)}\n".encode())

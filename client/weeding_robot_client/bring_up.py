@@ -1,4 +1,4 @@
-"""Leads a person from the bare board to the first turning wheel, and records the result."""
+"""Guides a person from the bare board to the first turning wheel, and records the results."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ DEFAULT_FOLDER = ROOT / "build" / "bring-up"
 DEFAULT_CONTROL = ROOT / "build" / "sim-control"
 IMAGES = ROOT / "build" / "k64"
 DESCRIPTION = """\
-Leads you through the checks of a new robot, one step after the other: port, connection, image,
-reset cause, inputs, end stops, remote control, emergency stop. Only then it turns one wheel at a
+Guides you through the checks of a new robot, step by step: port, connection, image,
+reset cause, inputs, end stops, remote control, emergency stop. Then it turns one wheel at a
 time with 1 V, finds swapped motor leads and Hall sensors, and tries the stop while a wheel turns.
 Each step states the action and the expected result; 's' and Enter skips a step that waits for you.
 No motor is switched on before the emergency stop has passed and you have confirmed that the wheels
@@ -55,11 +55,11 @@ STICK_RPM = 3.0
 STICK_DEGREES = 2.0
 OBSERVE_S = 2.0
 FAIL_SAFE_S = 0.3
-CYCLE_S = 0.1  # greatest time from a stop to its report
+CYCLE_S = 0.1  # longest time from a stop to its report
 WHEEL_VOLTS = 1.0
 WHEEL_S = 1.0
-COUNTS_LEAST = 3  # number of Hall edges that shows motion
-CURRENT_LEAST_AMPERES = 0.15  # below this current its sign is noise
+COUNTS_LEAST = 3  # smallest number of Hall edges that shows a motion
+CURRENT_LEAST_AMPERES = 0.15  # below this current the sign is only noise
 STOP_WITHIN_S = 1.0
 REST_RPM = 3.0
 GOOD_RESETS = ("power on", "reset pin", "debugger", "software", "unknown cause")
@@ -69,7 +69,7 @@ _UNSEEN = (
     "the Hall sensors count, but you did not see this wheel turn",
     "Check that motor and Hall cable belong to the same wheel.",
 )
-# Finding and next action. Key: whether the Hall count rises, and whether the wheel turned forwards.
+# Finding and next action. The key contains: the Hall count rises, the wheel turned forwards.
 POLARITY: dict[tuple[bool, bool | None], tuple[str, str] | None] = {
     (True, True): None,
     (True, False): (
@@ -88,7 +88,7 @@ class SkipError(RuntimeError):
 
 
 class FailError(RuntimeError):
-    """A step failed: the observation and the next action."""
+    """A failed step: the observation and the next action."""
 
     def __init__(self, seen: str, advice: str = "") -> None:
         super().__init__(seen)
@@ -151,7 +151,7 @@ class Record:
 
 @dataclass(frozen=True)
 class Step:
-    """One step: its check returns the observation, or raises FailError or SkipError."""
+    """A step. Its check returns the observation, or raises FailError or SkipError."""
 
     name: str
     expected: str
@@ -160,7 +160,7 @@ class Step:
 
 
 class BringUp:
-    """The steps, on an open link."""
+    """The steps of a bring-up on an open link."""
 
     def __init__(
         self, link: Link, operator: Operator, images: Path = IMAGES, has_rc: bool = True
@@ -193,13 +193,13 @@ class BringUp:
             ),
             Step(
                 "remote control: enable switch at PC",
-                "the remote control orders no stop, and the PC's orders are read",
+                "the remote control orders no stop, and the robot reads the PC's orders",
                 self._enable_pc,
                 ("connection",),
             ),
             Step(
                 "remote control: enable switch at RC drives, sticks centred",
-                "the remote control's orders are read, with velocity 0 and steering 0",
+                "the robot reads the remote control's orders: velocity 0 and steering 0",
                 self._enable_drive,
                 ("connection",),
             ),
@@ -212,7 +212,7 @@ class BringUp:
         ]
         first_wheel = wheels[0].name
         return [
-            Step("connection", "the robot answers, and versions fit", self._connection),
+            Step("connection", "the robot answers, and the versions match", self._connection),
             Step(
                 "image",
                 "build/k64 contains an image with this build id",
@@ -221,7 +221,7 @@ class BringUp:
             ),
             Step(
                 "reset cause",
-                "the last reset was wanted, and no fault was recorded",
+                "the last reset was intended, and no fault was recorded",
                 self._reset_cause,
                 ("connection",),
             ),
@@ -240,7 +240,7 @@ class BringUp:
             *(
                 Step(
                     f"{side} end stop",
-                    "not reached at rest, reached while pressed, not reached after that",
+                    "each end stop is reached only while it is pressed",
                     partial(self._end_stop, side),
                     ("connection",),
                 )
@@ -280,7 +280,7 @@ class BringUp:
         self.orders.service(self._wish)
 
     def _do(self, action: str, instruction: str) -> float:
-        """Asks for an action; returns the time at which it began."""
+        """Asks the operator for an action, and returns the time at which the action began."""
         self._operator.perform(action, instruction, self.idle)
         begin = time.monotonic()
         if self._operator.skips():
@@ -290,7 +290,9 @@ class BringUp:
     def _wait(
         self, condition: Callable[[Report], bool], missing: str, advice: str = ""
     ) -> tuple[Report, float]:
-        """Waits for a report; returns it and its time. Fails when no such report comes."""
+        """Waits for a report, and returns it with its time. Raises FailError when no such report
+        arrives.
+        """
         end = time.monotonic() + self._operator.patience_s
         while time.monotonic() < end:
             for report in self.orders.service(self._wish):
@@ -333,7 +335,7 @@ class BringUp:
         images = sorted(self._images.glob("weeding_robot*.bin"))
         if not images:
             raise FailError(
-                f"there is no image in {self._images} to compare with", "Build it: ./wr firmware"
+                f"{self._images} contains no image to compare with", "Build it: ./wr firmware"
             )
         same = [path.stem for path in images if build_id.encode() in path.read_bytes()]
         if not same:
@@ -388,8 +390,8 @@ class BringUp:
         if any(map(reached, self._observe(self._wish, OBSERVE_S / 4))):
             raise FailError(
                 f"the {side} end stop is reached although nobody presses it",
-                "Turn the steering to the middle. Else check the wire: the contact is closed at "
-                "rest, and a broken wire has the same effect as a reached end stop.",
+                "Turn the steering to the middle. If the report stays, check the wire: the contact "
+                "is closed at rest, and a broken wire has the same effect as a reached end stop.",
             )
         self._do(f"{side} end press", f"press the {side} end stop by hand and keep it pressed")
         self._wait(reached, f"the {side} end stop was not seen", "Check its wire and its pin.")
@@ -413,12 +415,12 @@ class BringUp:
                 "RC" not in report.stop_sources and report.order_read and report.source == "PC"
             ),
             "the PC's orders are not read",
-            "Check that the velocity stick is centred, and the middle position of the switch.",
+            "Centre the velocity stick, and check the middle position of the switch.",
         )
         return "the PC's orders are read"
 
     def _enable_drive(self) -> str:
-        self._wish = None  # the remote control gives the orders
+        self._wish = None  # orders of the remote control
         try:
             self._do("enable drive", "centre the sticks, enable switch to 'RC drives'")
             self._wait(
@@ -441,7 +443,7 @@ class BringUp:
     def _transmitter_off(self) -> str:
         if self.orders.report and "RC" in self.orders.report.stop_sources:
             raise FailError("the remote control orders stop already", "Set the switch to 'PC'.")
-        begin = self._do("transmitter off", "switch the transmitter off at the moment of Enter")
+        begin = self._do("transmitter off", "press Enter and switch the transmitter off together")
         try:
             _, seen = self._wait(
                 lambda report: "RC" in report.stop_sources,
@@ -475,7 +477,7 @@ class BringUp:
         self._do("estop release", "release the emergency stop")
         still = self._observe(self._wish, OBSERVE_S)
         if not stopped(still[-1]):
-            raise FailError("the protective stop ended without an acknowledge")
+            raise FailError("the protective stop ended without an acknowledgement")
         acknowledge(self.orders)
         self._arm()
         return "seen pressed; latched after release; acknowledged and armed"
@@ -484,8 +486,8 @@ class BringUp:
         self._do("lift", "connect the motors, lift the robot so that all wheels are off the ground")
         for question in (
             "Are all four wheels off the ground, and is the robot secured?",
-            "Is nobody near the wheels, and your hand at the emergency stop?",
-            "Is the supply limited in current (5 A)?",
+            "Are all persons away from the wheels, and is your hand at the emergency stop?",
+            "Is the current of the supply limited to 5 A?",
         ):
             if not self._operator.confirm(question, self.idle):
                 raise FailError(f"not confirmed: {question}", "Do that first.")
@@ -566,7 +568,7 @@ class Motion:
 
     wheel: int
     counts: int
-    amperes: float | None  # the greatest one
+    amperes: float | None  # greatest current
     others: tuple[str, ...]  # other wheels that moved
     saw_forward: bool | None
     stop: str | None  # cause of a protective stop
@@ -601,7 +603,7 @@ class Motion:
         return text + (f", protective stop: {self.stop}" if self.stop else "")
 
     def fault(self) -> tuple[str, str] | None:
-        """Returns the finding and the next action; None when all is right."""
+        """Returns the finding and the next action, or None when all values are right."""
         if abs(self.counts) < COUNTS_LEAST:
             return self._without_counts()
         polarity = POLARITY[self.counts > 0, self.saw_forward]
@@ -615,18 +617,21 @@ class Motion:
         if self.others:
             return (
                 f"also moved: {', '.join(self.others)}",
-                "Check that the drivers' wires belong to the same wheel.",
+                "Check that all wires of this driver belong to this wheel.",
             )
         return None
 
     def _without_counts(self) -> tuple[str, str]:
         if self.others:
             return (
-                f"not this wheel moved, but {', '.join(self.others)}",
-                "The cables of these wheels are exchanged: connect them as in the wiring table.",
+                f"the wrong wheel moved: {', '.join(self.others)}",
+                "The cables of these wheels are swapped: connect them as in the wiring table.",
             )
         if self.saw_forward is None:
-            return "no motion", "Check driver supply, motor leads and that the wheel turns freely."
+            return (
+                "no motion",
+                "Check the driver supply, the motor leads and the free motion of the wheel.",
+            )
         return (
             "the wheel turned, and the Hall sensors gave no edges",
             "Check the Hall cable of this wheel and its supply.",
@@ -634,8 +639,9 @@ class Motion:
 
 
 def perform(bring_up: BringUp, record: Record) -> None:
-    """Executes the steps. At the end, even after an error, the robot has a stop order or neutral
-    orders."""
+    """Executes the steps. At the end, even after an error, the robot has received a stop order or
+    neutral orders.
+    """
     steps = bring_up.steps()
     outcomes = [Outcome(step.name, step.expected) for step in steps]
     record.steps = outcomes
@@ -676,14 +682,16 @@ def now() -> str:
 
 
 def find_port() -> list[Path]:
-    """Returns the serial ports of boards with this debug probe, by their permanent names."""
+    """Returns the serial ports of the boards with this debug probe, by their permanent names."""
     ports = [Path(port.device) for port in list_ports.comports() if port.vid == PROBE_VENDOR]
     names = {path.resolve(): path for path in sorted(Path("/dev/serial/by-id").glob("*"))}
     return [names.get(port.resolve(), port) for port in ports]
 
 
 def choose_link(link: Path | None) -> Path | None:
-    """Returns the port to use; None and a message when there is no port or more than one."""
+    """Returns the port to use. Returns None and a message when there is no port or more than one
+    port.
+    """
     if link is not None:
         return link
     ports = find_port()
@@ -700,7 +708,7 @@ def choose_link(link: Path | None) -> Path | None:
 
 
 def folder(text: str) -> Path:
-    """Creates and returns the folder with this name, so that a record can be written at the end."""
+    """Creates the folder first, so that a record can be written at the end. Returns its path."""
     path = Path(text)
     try:
         path.mkdir(parents=True, exist_ok=True)

@@ -25,10 +25,10 @@ from weeding_robot_client.recording import Recording
 from weeding_robot_client.script import HELP, Script, ScriptError, Wish, load
 
 DESCRIPTION = f"""\
-Sends orders to the robot every 100 ms, because an order is valid for 200 ms. Without --script the
-keyboard drives. Without a key the orders are neutral, which arms the robot after 0.5 s. A stop that
-is already in force stays until it is released. When the terminal is lost or the program is
-suspended, the robot is ordered to stop.
+Sends orders to the robot every 100 ms, because an order is valid for 200 ms. Without --script
+the keyboard orders the motion. Without a key the orders are neutral, which arms the
+robot after 0.5 s. A stop that is already in force stays until it is released. When the
+terminal is lost or the program is suspended, the program orders the robot to stop.
 
 {keyboard.HELP}
 
@@ -174,7 +174,7 @@ def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None
 
 
 def drop_output() -> None:
-    """Drops the output for a closed terminal: Python would exit with 120."""
+    """Discards the output to a closed terminal: otherwise Python would exit with 120."""
     if os.isatty(sys.stdin.fileno()):
         return
     nowhere = os.open(os.devnull, os.O_WRONLY)
@@ -184,7 +184,7 @@ def drop_output() -> None:
 
 
 class _Driver:
-    """The keyboard's loop."""
+    """The loop of the keyboard drive."""
 
     def __init__(self, orders: Orders, wheels: tuple[int, ...] | None, requests: list[int]) -> None:
         self._orders = orders
@@ -196,7 +196,9 @@ class _Driver:
         self._first = True  # no report of this connection was received yet
 
     def run(self) -> bool:
-        """Returns true when the key q ended it, false when the terminal or the program ends."""
+        """Runs the loop. Returns true if the key q ended it, and false if the terminal or the
+        program ends.
+        """
         while True:
             pressed = read_keys(sys.stdin.fileno())
             if pressed is None or self._ends():
@@ -218,7 +220,9 @@ class _Driver:
                 print(f"\r\x1b[Kno connection on {self._link.path}, trying", end="", flush=True)
 
     def _ends(self) -> bool:
-        """Stops the robot and suspends this program on request; returns true when it must end."""
+        """Stops the robot and suspends this program on request. Returns true if the program must
+        end.
+        """
         if not self._requests:
             return False
         if set(self._requests) != {signal.SIGTSTP}:
@@ -250,7 +254,7 @@ def suspend() -> None:
 
 @contextmanager
 def raw_keys_off(terminal: int) -> Iterator[None]:
-    """Gives the terminal back to the shell while this program is suspended."""
+    """Restores the mode of the terminal for the shell while this program is suspended."""
     import termios
     import tty
 
@@ -265,7 +269,9 @@ def raw_keys_off(terminal: int) -> Iterator[None]:
 
 
 def show_start(link: Link, before: Welcome | None) -> Welcome | None:
-    """Shows the fault before the last start once for each connection; returns its Welcome."""
+    """Shows the fault before the last start, once for each connection. Returns the Welcome of the
+    connection.
+    """
     welcome = link.welcome
     if welcome and welcome is not before:
         if welcome.start.faulted:
@@ -276,7 +282,9 @@ def show_start(link: Link, before: Welcome | None) -> Welcome | None:
 
 
 def show_changes(report: Report, before: list[str]) -> list[str]:
-    """Shows each condition once when it begins and when it ends; returns all present ones."""
+    """Shows each condition once when it begins and once when it ends. Returns all present
+    conditions.
+    """
     now = conditions(report)
     for condition in now:
         if condition not in before:

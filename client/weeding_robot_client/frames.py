@@ -12,7 +12,7 @@ VERSION = 2
 MAX_PAYLOAD = 200
 MIN_BODY = 5
 MAX_BODY = MIN_BODY + MAX_PAYLOAD
-CRC_START = 0xFFFF  # of CRC-16/CCITT-FALSE
+CRC_START = 0xFFFF  # initial value of CRC-16/CCITT-FALSE
 
 
 class FrameError(ValueError):
@@ -57,7 +57,7 @@ def decode(coded: bytes) -> Frame:
 
 @dataclass
 class Decoder:
-    """Splits the bytes of a line into frames; drops and counts other bytes."""
+    """Splits the bytes of a line into frames. It drops all other bytes and counts them."""
 
     dropped: int = 0
     _pending: bytearray = field(default_factory=bytearray)

@@ -55,7 +55,7 @@ def read_keys(keyboard: int) -> list[bytes] | None:
 
 
 def keys(data: bytes) -> Iterator[bytes]:
-    """Splits bytes into keys; arrows become letters."""
+    """Splits bytes into keys. Arrow keys become letters."""
     while data:
         if data[:3] in ESCAPES:
             yield ESCAPES[data[:3]]
@@ -67,7 +67,7 @@ def keys(data: bytes) -> Iterator[bytes]:
 
 @dataclass
 class Hand:
-    """State of the keys, and the wish at a given time."""
+    """State of the keys. It gives the wish at a given time."""
 
     wheels: tuple[int, ...] | None = None  # None: all wheels
     speed_rpm: float = SPEED_RPM

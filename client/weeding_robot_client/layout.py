@@ -1,4 +1,4 @@
-"""Frames of the PC protocol, read from ``design/frames.toml``: the table of all programs."""
+"""Frames of the PC protocol, read from ``design/frames.toml``. All programs use this table."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CODES = {
     "i32": "i",
     "char8": "8s",
 }
-# The ending of the name of a value with this unit.
+# Unit -> ending of the name of a value with this unit.
 ENDS = {
     "degree": "_degrees",
     "rpm": "_rpm",
@@ -66,7 +66,7 @@ class Enumeration:
         return next((entry for entry in self.entries if entry.number == number), None)
 
     def shown(self, number: int) -> str:
-        """Returns the text of a number; the number itself when it has no text."""
+        """Returns the text of a number, or the number itself when it has no text."""
         entry = self.find(number)
         return entry.shown if entry else f"{self.name} {number}"
 
@@ -108,18 +108,20 @@ class Field:
 
     @property
     def counts(self) -> bool:
-        """Whether the field counts events of the link or of the cycle, not of a wheel."""
+        """Returns whether the field counts events of the link or of the cycle, not events of a
+        wheel.
+        """
         return self.counter and self.wheel is None
 
     @property
     def stem(self) -> str:
-        """Name without the number of the wheel."""
+        """Returns the name without the number of the wheel."""
         return self.name if self.wheel is None else self.name.removesuffix(str(self.wheel))
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Fields of the payload of one type of frame, in their order on the line."""
+    """Fields of the payload of a frame type, in their order on the line."""
 
     name: str
     kind: int
@@ -141,11 +143,11 @@ class Layout:
 
     @property
     def value_names(self) -> tuple[str, ...]:
-        """Names of the values that decode() returns."""
+        """Returns the names of the values that decode() returns."""
         return tuple(self.decode(bytes(self.size)))
 
     def pack(self, **values: int) -> bytes:
-        """Returns the payload with these values; every field needs one."""
+        """Returns the payload with these values. Every field needs a value."""
         if set(values) != set(self.names):
             raise LayoutError(f"fields {sorted(set(values) ^ set(self.names))} do not match")
         return self.form.pack(*(values[name] for name in self.names))
@@ -157,7 +159,7 @@ class Layout:
     def decode(self, payload: bytes) -> dict[str, Any]:
         """Returns the values of a payload in their units, with the texts of enumerations.
 
-        A field with bits gives a value for each bit. A value that is not valid is None.
+        A field of bits has a value for each bit. A value that is not valid is None.
         """
         numbers = self.unpack(payload)
         missing = {
@@ -194,7 +196,7 @@ class Layout:
 
 
 def scale_of(quantity: Field, numbers: Mapping[str, int]) -> float:
-    """Returns the scale of a quantity; 1 for an unknown quantity."""
+    """Returns the scale of a quantity, or 1 for an unknown quantity."""
     assert quantity.values
     entry = quantity.values.find(numbers[quantity.name])
     return entry.scale if entry else 1
@@ -225,7 +227,7 @@ class FrameTable:
 
     @property
     def schema(self) -> str:
-        """The text whose CRC-32 is the schema hash: a line for each field."""
+        """Returns the text whose CRC-32 is the schema hash. It has a line for each field."""
         return "".join(
             f"{frame.name} {one.name} {one.type} {one.offset}\n"
             for frame in self.frames.values()
@@ -279,7 +281,7 @@ def _layout(item: dict[str, Any], enumerations: Mapping[str, Enumeration]) -> La
 
 
 def _in_order(items: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], int | None]]:
-    """Yields each field in the order on the line; a group for the wheels repeats."""
+    """Yields each field in the order on the line. A group of fields for the wheels repeats."""
     group: list[dict[str, Any]] = []
     for one in [*items, None]:
         if one is not None and "each" in one:
@@ -332,5 +334,5 @@ FRAMES = read_frames(TABLE.read_text(encoding="utf-8"))
 LAYOUTS = FRAMES.frames
 SCHEMA_HASH = FRAMES.schema_hash
 
-if __name__ == "__main__":  # the build of the firmware uses it
+if __name__ == "__main__":  # the build of the firmware runs this file as a program
     print(f"{SCHEMA_HASH:#010x}")

@@ -1,5 +1,4 @@
-"""The serial line to the robot: handshake, keep-alive, and a new handshake when the robot is
-silent."""
+"""Serial line to the robot: handshake, keep-alive, and a new handshake when the robot is silent."""
 
 from __future__ import annotations
 
@@ -124,7 +123,9 @@ class Link:
         return self._send(replace(order, sent_at_ms=clock_ms(self._clock())))
 
     def reports(self, timeout_s: float | None = None) -> Iterator[Report]:
-        """All reports, across lost connections, until no report came for the given time."""
+        """Yields all reports, also across lost connections, until no report arrives for the given
+        time.
+        """
         last = self._clock()
         while timeout_s is None or self._clock() - last < timeout_s:
             for report in self.service(0.05):
@@ -141,8 +142,9 @@ class Link:
             self._send(Confirm(welcome.session))
 
     def _timed(self, report: Report) -> Report:
-        """The report with the round trip of its order, if the robot read an order of this
-        connection."""
+        """Returns the report with the round trip of its order, if the robot read an order of this
+        connection.
+        """
         if not (report.order_read and report.source == "PC"):
             return report
         passed = (clock_ms(self._clock()) - report.sent_at_ms) % CLOCK_MS
@@ -158,8 +160,9 @@ class Link:
         self.welcome = None
 
     def _keep_up(self) -> None:
-        """When the time has come, opens the line again, begins a handshake, or keeps the connection
-        alive."""
+        """Opens the line again, begins a handshake, or keeps the connection alive, when each is
+        due.
+        """
         now = self._clock()
         if self._line is None:
             try:
@@ -190,7 +193,9 @@ class Link:
         return sent
 
     def _write(self, data: bytes) -> bool:
-        """Sends the bytes, or stores them while the line is slow; returns false when it is full."""
+        """Sends the bytes, or stores them while the line is slow. Returns false when the store is
+        full.
+        """
         if self._line is None or len(self._unsent) > READ_BYTES:
             return False
         self._unsent += data

@@ -1,4 +1,6 @@
-"""Reports as messages of an MCAP file: JSON, with a schema that has the unit of each value."""
+"""Writes reports as messages of an MCAP file: JSON, with a schema that has the unit of each
+value.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,7 @@ NANOSECONDS = 1_000_000  # of a ms
 
 
 def schema_of(layout: Layout) -> dict[str, Any]:
-    """The JSON Schema of the values of a frame."""
+    """Returns the JSON Schema of the values of a frame."""
     missing = {name for field in layout.fields for name in field.valid}
     properties: dict[str, Any] = {}
     for one in layout.fields:
@@ -90,7 +92,7 @@ class McapFile:
 
 
 def read_mcap(path: Path) -> Iterator[dict[str, Any]]:
-    """The values of each report."""
+    """Returns the values of each report."""
     with path.open("rb") as file:
         for _, _, message in make_reader(file).iter_messages(topics=[TOPIC]):
             yield json.loads(message.data)

@@ -1,4 +1,4 @@
-"""Messages of the PC protocol, in the units that people use."""
+"""Messages of the PC protocol, with values in SI or everyday units."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class MessageError(ValueError):
 
 
 class Quantity(Enum):
-    """Quantity of a set-point: its number on the line, unit, steps of a unit, limit."""
+    """Quantity of a set-point: number on the line, unit, steps of a unit, and limit."""
 
     VELOCITY = "Velocity"
     TENSION = "Tension"
@@ -59,7 +59,7 @@ class WheelSetPoint:
 
 @dataclass(frozen=True)
 class ReportedSetPoint:
-    """Set-point in a report: any number, in any quantity, even an unknown quantity."""
+    """Set-point in a report. Its number and its quantity may be out of range or unknown."""
 
     value: float
     unit: str
@@ -72,7 +72,7 @@ class ReportedSetPoint:
 class Hello:
     """Request for a connection, with the versions and the layout that this client has."""
 
-    version: int = VERSION  # of the frame
+    version: int = VERSION  # version of the frame
     kind: ClassVar[int] = LAYOUTS["Hello"].kind
 
     def payload(self) -> bytes:
@@ -198,22 +198,24 @@ class Welcome:
 
     @property
     def incompatible(self) -> str | None:
-        """The reason why no connection is possible, and the next action; None when it is
-        possible."""
+        """Returns the reason why no connection is possible and the next action, or None when it is
+        possible.
+        """
         lowest, highest = self.protocol_versions
         if lowest <= VERSION <= highest:
             return None
         spoken = f"version {lowest}" if lowest == highest else f"versions {lowest} to {highest}"
         action = "Update this client" if lowest > VERSION else "Flash the robot (./wr flash)"
         return (
-            f"The robot speaks {spoken} of the PC protocol, this client speaks version {VERSION}. "
+            f"The robot uses {spoken} of the PC protocol, this client uses version {VERSION}. "
             f"{action}, and connect again."
         )
 
     @property
     def schema_note(self) -> str | None:
-        """The difference of the layouts within one version of the protocol; None when they are
-        equal."""
+        """Returns the difference of the layouts within a version of the protocol, or None when they
+        are equal.
+        """
         if self.incompatible or self.schema_hash in (SCHEMA_HASH, None):
             return None
         return (
@@ -305,7 +307,7 @@ class Report:
 
     @property
     def ready(self) -> bool:
-        """Whether an order of the PC that moves the robot would be executed now."""
+        """Returns whether the robot would now execute an order of the PC that moves it."""
         return self.armed or (self.inhibit == "none" and self.order_read and self.source == "PC")
 
 
@@ -321,7 +323,7 @@ def to_frame(message: ToMcu, sequence: int) -> Frame:
 def from_frame(frame: Frame) -> FromMcu:
     """Returns the message of the MCU in a frame.
 
-    A payload that is longer than known is accepted, a shorter one is not. A Welcome of another
+    A longer payload than expected is accepted, a shorter payload is not. A Welcome of another
     version is accepted, because it names the versions that the robot supports.
     """
     if frame.kind == Welcome.kind:

@@ -13,7 +13,7 @@ from weeding_robot_client.options import add_link, open_capture, open_link, open
 from weeding_robot_client.reasons import conditions, faults
 
 DESCRIPTION = """\
-Connects to the robot and shows its reports: in a terminal a table that is updated, otherwise one
+Connects to the robot and shows its reports: in a terminal as a table that is updated, otherwise one
 line for each report. It shows why the robot does not move, the source of a stop, and the round trip
 from an order to its report. A value that is missing or stale is shown as '-'. Ctrl-C ends it. Only
 one program can use the line at a time; ./wr drive shows the reports too."""
@@ -89,7 +89,7 @@ def flags(report: Report) -> str:
 
 
 def inhibit(report: Report) -> str:
-    """Short form of the reason why the robot does not follow its set-points."""
+    """Returns a short form of the reason why the robot does not follow its set-points."""
     if report.inhibit == "none":
         return ""
     detail = ""

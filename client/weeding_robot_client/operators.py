@@ -19,33 +19,37 @@ Idle = Callable[[], None]
 
 
 class OperatorError(RuntimeError):
-    """An operator that cannot act."""
+    """An operator who cannot act."""
 
 
 class Operator(Protocol):
     """Executes manual actions. ``idle`` is called while the program waits for the operator."""
 
-    reaction_s: float  # greatest time between the announced and the actual start of an action
+    reaction_s: float  # longest time between the announced and the actual start of an action
     patience_s: float  # time for the effect of an action
 
     def perform(self, action: str, instruction: str, idle: Idle) -> None:
-        """Asks for an action. Returns when the operator begins with it."""
+        """Asks for an action. Returns when the operator begins the action."""
 
     def skips(self) -> bool:
         """Returns whether the operator wants to skip the present step."""
 
     def confirm(self, question: str, idle: Idle) -> bool:
-        """Asks a question; true for yes."""
+        """Asks a question. Returns true for yes."""
 
     def sees_forward(self, wheel: int, name: str, idle: Idle) -> bool | None:
-        """Asks how a wheel turned: true forwards, false backwards, None not at all."""
+        """Asks how a wheel turned. Returns true for forwards, false for backwards, None for no
+        motion.
+        """
 
     def number(self, question: str, idle: Idle) -> float | None:
-        """Asks for a measured number; None when it was not measured."""
+        """Asks for a measured number. Returns None when it was not measured."""
 
 
 class Person:
-    """A person at the terminal. Every question is asked; there is no default answer."""
+    """A person at the terminal. Every question needs an answer: no question has a default
+    answer.
+    """
 
     reaction_s = 0.5
     patience_s = 60.0
@@ -109,7 +113,7 @@ class Person:
 
 
 class Control:
-    """The control socket of the simulator: one action of a scenario for each message."""
+    """The control socket of the simulator. Each message is an action of a scenario."""
 
     def __init__(self, path: Path) -> None:
         self._folder = tempfile.TemporaryDirectory()
@@ -146,7 +150,7 @@ class Control:
             raise OperatorError(f"the simulator does not answer '{words}'") from error
 
 
-# Actions of the bring-up, as actions of a scenario.
+# Action of the bring-up -> actions of a scenario.
 ACTIONS = {
     "left end press": ("fault left-end",),
     "left end release": ("repair left-end",),
@@ -166,7 +170,9 @@ TURNS_MOST = 100_000
 
 
 class SimulatedOperator:
-    """Acts on the simulated robot. Refuses every line that is not a pseudo-terminal."""
+    """A simulated operator for the simulated robot. It refuses every line that is not a
+    pseudo-terminal.
+    """
 
     reaction_s = 0.0
     patience_s = 5.0

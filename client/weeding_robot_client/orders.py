@@ -1,5 +1,4 @@
-"""Sends an order in each cycle, and contains the procedures that consist of orders: arm, stop,
-end."""
+"""Sends an order in each cycle. Contains the procedures that consist of orders: arm, stop, end."""
 
 from __future__ import annotations
 
@@ -23,7 +22,7 @@ Observer = Callable[[Report], None]
 
 
 def order_ids() -> Iterator[int]:
-    """1 to 65535, then again from 1; 0 means an order of the remote control."""
+    """Yields 1 to 65535, then again from 1. The id 0 means an order of the remote control."""
     return itertools.cycle(range(1, 0x10000))
 
 
@@ -54,7 +53,7 @@ class Orders:
         return reports
 
     def hold(self, wish: Wish, seconds: float) -> list[Report]:
-        """Repeats a wish for a time; returns the reports."""
+        """Repeats a wish for a time. Returns the reports."""
         reports = []
         end = time.monotonic() + seconds
         while (rest := end - time.monotonic()) > 0:
@@ -62,20 +61,20 @@ class Orders:
         return reports
 
     def stop(self) -> None:
-        """Orders stop, several times: the stop arrives even if a frame is lost."""
+        """Orders stop several times, so that the stop arrives even if a frame is lost."""
         wish = Wish(stop=True)
         for _ in range(STOP_ORDERS):
             self.send(wish)
             self.link.service(STOP_EVERY_S)
 
     def end(self, wish: Wish) -> None:
-        """Sends the last order: all wheels at 0; a stop stays in force."""
+        """Sends the last order: all wheels at 0. A stop stays in force."""
         self.send(wish.neutral())
         self.link.service()
 
 
 def connect(orders: Orders) -> Report | None:
-    """Returns the first report; None when no report came in time, or when versions differ."""
+    """Returns the first report, or None when no report came in time or the versions differ."""
     end = time.monotonic() + CONNECT_WITHIN_S
     while time.monotonic() < end and orders.link.incompatible is None:
         if reports := orders.service(None):
@@ -84,7 +83,7 @@ def connect(orders: Orders) -> Report | None:
 
 
 def not_connected(link: Link) -> str:
-    """Prints why there is no connection, and the next action."""
+    """Prints the reason for the missing connection, and the next action."""
     if link.incompatible:
         return link.incompatible
     return (

@@ -1,4 +1,4 @@
-"""Reasons and conditions in a report, in words, with the next action of the user."""
+"""The reasons and conditions of a report in words, with the next action of the user."""
 
 from __future__ import annotations
 
@@ -41,7 +41,9 @@ def cause(report: Report) -> str:
 
 
 def inhibited(report: Report) -> str | None:
-    """Returns why the robot does not move and the next action; None when it follows orders."""
+    """Returns the reason why the robot does not move and the next action, or None when it follows
+    orders.
+    """
     if report.inhibit == "none":
         return None
     if report.inhibit == "stop":

@@ -1,4 +1,4 @@
-"""Recordings of reports: a CSV file, where an empty cell is a missing value, or an MCAP file."""
+"""Recordings of reports: a CSV file, in which an empty cell is a missing value, or an MCAP file."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def cell_of(value: object) -> object:
 
 
 class ReportFile(Protocol):
-    """A file that gets reports."""
+    """A file to which reports are written."""
 
     def add(self, report: Report) -> None: ...
 
@@ -82,5 +82,6 @@ class Recording(AbstractContextManager["Recording"]):
             try:
                 action(file)
             except OSError as error:
-                del self._files[path]  # the recording is incomplete, and gets no more reports
+                # the recording is incomplete, and no more reports are written
+                del self._files[path]
                 print(f"\nthe recording {path} ends here: {error.strerror}", file=sys.stderr)

@@ -49,12 +49,12 @@ STILL: Points = all_wheels(Quantity.VELOCITY, 0.0)
 
 
 class ScriptError(ValueError):
-    """A script with a line that has an error."""
+    """A script that has a line with an error."""
 
 
 @dataclass(frozen=True)
 class Wish:
-    """Content of the next order."""
+    """Values of the next order."""
 
     wheels: Points = STILL
     steering_degrees: float = 0.0
@@ -69,7 +69,7 @@ class Wish:
         steering_degrees: float = 0.0,
         wheels: Iterable[int] | None = None,
     ) -> Wish:
-        """Returns a wish with one value for some wheels, or for all; the others are at rest."""
+        """Returns a wish with a value for some wheels, or for all. The other wheels are at rest."""
         chosen = range(len(WHEELS)) if wheels is None else wheels
         wish = cls(steering_degrees=steering_degrees)
         for wheel in chosen:
@@ -92,14 +92,15 @@ class Wish:
 
 @dataclass(frozen=True)
 class Script:
-    """Wishes with the time in seconds from which each applies; the last time ends the script."""
+    """Wishes, each with the time from which it applies [s]. The last time ends the script."""
 
     wishes: tuple[tuple[float, Wish], ...]
     end_s: float
 
     def at(self, seconds: float) -> Wish | None:
-        """Returns the orders that are in force at a time; None before the first line of the
-        script."""
+        """Returns the orders that are in force at a time, or None before the first line of the
+        script.
+        """
         earlier = [(start, wish) for start, wish in self.wishes if start <= seconds]
         if not earlier:
             return None
@@ -152,7 +153,7 @@ def _time(content: str) -> tuple[float, str]:
 def _change(wish: Wish, rest: str) -> tuple[Wish, bool]:
     """Returns the wish after the words of one line, and whether they end the script."""
     if not rest:
-        raise ScriptError("nothing follows the time")
+        raise ScriptError("the time has no values after it")
     wish = replace(wish, acknowledge=False)
     position = 0
     while position < len(rest):
@@ -188,7 +189,7 @@ def _set(wish: Wish, match: re.Match[str]) -> Wish:
         raise ScriptError(f"'{number}' is not a number") from error
     if name == "steering":
         if wheel is not None:
-            raise ScriptError("steering belongs to no wheel")
+            raise ScriptError("steering cannot be ordered for a single wheel")
         return replace(wish, steering_degrees=value)
     point = WheelSetPoint(Quantity[name.upper()], value)
     for chosen in range(len(WHEELS)) if wheel is None else (wheel_number(wheel),):

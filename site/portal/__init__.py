@@ -1,1 +1,1 @@
-"""Documents: the pages, diagrams and search index of the portal, made from the model."""
+"""Documents: the pages, diagrams and search index of the portal, generated from the model."""

@@ -1,4 +1,4 @@
-"""The questions of newcomers, and the page that answers each."""
+"""The questions of newcomers, and the page that answers each question."""
 
 from __future__ import annotations
 
@@ -15,7 +15,9 @@ QUESTIONS = Path("design/questions.toml")
 
 @dataclass
 class Question:
-    """A question, its answer, and the links of the content that lead to the answer."""
+    """A question, its answer, and the links in the content of the portal that lead to the
+    answer.
+    """
 
     ask: str
     answer: str

@@ -1,4 +1,4 @@
-"""The page of the bench: the paper's four scenarios, its values and ours."""
+"""The page of the bench: the paper's four scenarios, the values of the paper, and our values."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from traceability.reading.bench_record import (
 from traceability.reading.fault_record import LOADS
 from traceability.schema import HOST, BenchRun, Curve
 
-Runs = Mapping[str, BenchRun]  # by the model of time
+Runs = Mapping[str, BenchRun]  # Key: model of time
 
 BIN_US = 20
 GROUP = 4  # number of cycles in a point of a band
@@ -54,14 +54,16 @@ def bench(portal: Portal) -> dict[str, Any]:
 
 
 def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
-    """The limit of the pessimistic time, and the ratio of the time to the limit."""
+    """Returns the limit of the pessimistic time, and the ratio of the time to the limit."""
     most = (paper.average if kind == "average" else paper.maximum) / SHARE
     return round(most, 3), round(getattr(run[SLOW].report_ms, kind) / most, 2)
 
 
 @dataclass
 class Range:
-    """From the average to the maximum of a scenario, and both positions on the axis [per cent]."""
+    """The range of a scenario from the average to the maximum, with both positions on the axis [per
+    cent].
+    """
 
     words: str
     kind: str
@@ -72,7 +74,7 @@ class Range:
 
 
 def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
-    """The longest cycle of all scenarios, for each model of time."""
+    """Returns the longest cycle of all scenarios, for each model of time."""
     times = [
         (name, entry.report_ms.maximum) for run in runs.values() for name, entry in run.items()
     ]
@@ -80,7 +82,7 @@ def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
 
 
 def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
-    """For each scenario the paper's range and ours, on one axis."""
+    """Returns for each scenario the range of the paper and our range, on the same axis."""
     x = axis(0.0, max(paper.maximum for paper in SCENARIOS), rounded=True)
 
     def shown(words: str, kind: str, average: float, maximum: float) -> Range:
@@ -101,7 +103,9 @@ def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
 
 
 def bands(run: Runs) -> Drawing:
-    """Cycle by cycle: the mean of a few cycles, between their minimum and maximum."""
+    """Returns the times of the cycles: the mean of a few cycles, between their minimum and
+    maximum.
+    """
     times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
     count = max(len(values) for values in times.values())
     x = axis(0.0, float(count), rounded=False)
@@ -153,7 +157,7 @@ def point(across: float, time_us: float, y: Axis) -> str:
 
 
 def distribution(run: Runs) -> Drawing:
-    """A histogram of the cycle times, in steps of 20 us."""
+    """Returns a histogram of the cycle times, in steps of 20 us."""
     times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
     bins = {kind: Counter(time // BIN_US for time in values) for kind, values in times.items()}
     most = max(max(counts) for counts in bins.values()) + 1
@@ -169,7 +173,7 @@ def distribution(run: Runs) -> Drawing:
 
 
 def outline(counts: Counter[int], x: Axis, y: Axis) -> str:
-    """The steps of a histogram."""
+    """Returns the steps of a histogram."""
     parts: list[str] = []
     for number in range(min(counts), max(counts) + 1):
         left, right = (x.place(edge * BIN_US / 1000) * WIDTH / 100 for edge in (number, number + 1))

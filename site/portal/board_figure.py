@@ -12,9 +12,9 @@ from markupsafe import Markup, escape
 from portal.pin_map import HEADER, entries, roles
 
 PITCH = 35
-SIZE = 26  # of a pin
+SIZE = 26  # size of a pin
 LABEL = 205  # space for an upright label
-SHORT = 112  # the same for the name of a signal
+SHORT = 112  # space for the name of a signal
 MARGIN = 8
 PLACE = re.compile(r"(J\d+)-(\d+)")
 # Pins that step 7 of the page uses, in addition to the pins of the firmware.
@@ -33,18 +33,19 @@ PARTS = (
 
 @dataclass(frozen=True)
 class Row:
-    """A header: its name, its pins from left to right, and the place of their labels."""
+    """A header: its name, its pins from left to right, and the place of the pin labels."""
 
     header: str
     pins: tuple[int, ...]
-    left: int  # columns before it
+    left: int  # number of columns to the left of the header
     top: int
-    above: bool  # labels above the pins
+    above: bool  # true: the labels are above the pins
 
 
 def headers() -> list[Row]:
-    """The headers as the Arduino R3 layout orders them, seen from above; the pins with even numbers
-    are outside."""
+    """Returns the headers in the order of the Arduino R3 layout, seen from above. The pins with
+    even numbers are outside.
+    """
     outer, inner = LABEL, LABEL + SIZE + 4
     low_inner = inner + SIZE + LABEL + SHORT
     low_outer = low_inner + SIZE + 4
@@ -73,7 +74,7 @@ class Used:
 
     @property
     def part(self) -> tuple[str, str]:
-        """The name and the class of the part of the robot at this pin."""
+        """Returns the name and the class of the part of the robot at this pin."""
         matches = (
             (name, kind)
             for words, name, kind in PARTS
@@ -83,12 +84,13 @@ class Used:
 
     @property
     def label(self) -> str:
-        named = self.signal.islower()  # the name of a peripheral does not name a part of the robot
+        # the name of a peripheral is not the name of a part of the robot
+        named = self.signal.islower()
         return self.signal.replace("_", " ") if named else self.effect.rstrip(".")
 
 
 def used_pins(root: Path) -> dict[str, Used]:
-    """The pins of the firmware on the headers, by header and number."""
+    """Returns the pins of the firmware on the headers, by header and number."""
     text = (root / HEADER).read_text(encoding="utf-8")
     return {
         place: Used(pin, signal, effect)
@@ -98,7 +100,7 @@ def used_pins(root: Path) -> dict[str, Used]:
 
 
 def board_figure(root: Path) -> str:
-    """The drawing with its legend, as HTML for the page."""
+    """Returns the drawing with its legend, as HTML for the page."""
     used, rows = used_pins(root), headers()
     drawn = {f"{row.header}-{pin}" for row in rows for pin in row.pins}
     if lost := sorted(used.keys() - drawn):
@@ -121,7 +123,7 @@ def board_figure(root: Path) -> str:
 
 
 def _legend(used: dict[str, Used]) -> Markup:
-    """A button for each part of the robot; app.js marks its pins."""
+    """Returns the legend: a button for each part of the robot. The script app.js marks its pins."""
     parts = [part for part in dict.fromkeys(pin.part for pin in used.values()) if part[0]]
     buttons = (
         Markup('<button type="button" class="btn {}" data-part="{}">{}</button>').format(
@@ -135,7 +137,7 @@ def _legend(used: dict[str, Used]) -> Markup:
 def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
     left = MARGIN + row.left * PITCH
     wide = len(row.pins) * PITCH
-    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # the name, once for two rows
+    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # the name is drawn once for two rows
         yield Markup('<text x="{}" y="{}" class="b">{}</text>').format(
             left + wide + 2, row.top + SIZE + 4, row.header
         )
@@ -145,7 +147,7 @@ def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
 
 
 def _pin(place: str, number: int, x: int, row: Row, used: Used | None) -> Markup:
-    """The pin with its number and its label; a free pin has no label."""
+    """Returns the drawing of the pin with its number and its label. A free pin has no label."""
     middle = x + SIZE // 2
     y = row.top - 6 if row.above else row.top + SIZE + 6
     label = used.label if used else SUPPLY.get(place, "")

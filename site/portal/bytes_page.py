@@ -19,7 +19,7 @@ from portal.recorded_calls import (
 from traceability.reading.call_record import Recording, Span
 from traceability.reading.chains import Chain, Step, declared_chains, first_missing, follow
 
-SHOWN = 4  # requirements of a step
+SHOWN = 4  # number of requirements that a step shows
 
 
 @dataclass
@@ -27,18 +27,18 @@ class Row:
     """A step of a chain as the page shows it."""
 
     step: Step
-    since: int  # the first step [ns]
+    since: int  # time since the first step [ns]
     context: str = "hardware"
     priority: int | None = None
     links: MethodLinks | None = None
     brief: str = ""
     requirements: tuple[str, ...] = ()
-    others: int = 0  # requirements that are not shown
+    others: int = 0  # number of requirements that are not shown
 
 
 @dataclass
 class Followed:
-    """A chain with its rows; without rows the recording lacks the step ``missing``."""
+    """A chain with its rows. If it has no rows, the recording lacks the step ``missing``."""
 
     chain: Chain
     rows: list[Row]
@@ -85,7 +85,9 @@ def _describe(
 
 
 def _choose_requirements(rows: list[Row]) -> None:
-    """The requirements of a step; those whose tree also contains a neighbouring step come first."""
+    """Returns the requirements of a step. The requirements whose trees also contain a neighbouring
+    step come first.
+    """
     for number, row in enumerate(rows):
         if row.links is None:
             continue

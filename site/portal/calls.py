@@ -1,4 +1,4 @@
-"""The module diagram of one module: its callers and the modules that it calls."""
+"""The module diagram of a module: its callers and the modules that it calls."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ GROUP_GAP = 12
 LEFT, RIGHT = 296, 560
 BOX_LEFT, BOX_RIGHT = 340, 516
 TOP = 74
-MOST = 12  # ends shown next to one method; the list shows all
+MOST = 12  # number of calls shown next to a method; the list shows all
 
 
 @dataclass
@@ -62,7 +62,9 @@ class Drawing:
 
 
 class CallGraph:
-    """Callers of each method; calls to an abstraction count for each method that they can reach."""
+    """Callers of each method. A call to an abstract method counts for each method that it can
+    reach.
+    """
 
     def __init__(self, model: Model, links: Links) -> None:
         self.links = links
@@ -84,7 +86,7 @@ class CallGraph:
                     ends.append(End(caller, call.virtual, link))
 
     def _add_nested(self, method: Method, model: Model) -> None:
-        """Adds the callers that are no methods: nested classes, and first values of constants."""
+        """Adds the callers that are not methods: nested classes, and first values of constants."""
         ends = self.callers.setdefault(method.id, [])
         known = {end.method for end in ends}
         ends += [
@@ -119,7 +121,7 @@ class CallGraph:
 
 
 def without_constructor(caller: str) -> str:
-    """Returns the name of a nested class for its constructor, other names unchanged."""
+    """Returns the name of the nested class for its constructor, and other names unchanged."""
     owner, _, name = caller.rpartition("::")
     return owner if owner.endswith(f"::{name}") else caller
 
@@ -135,7 +137,7 @@ def is_heir_constructor(module: Module, method: Method, caller: str) -> bool:
 
 
 def draw(rows: list[Row]) -> Drawing:
-    """Places the three columns: each method next to the middle of its callers and callees."""
+    """Places the three columns. Each method is next to the middle of its callers and callees."""
     drawing = Drawing(0, 0, [], [], [], 0)
     y = float(TOP)
     for row in rows:

@@ -19,12 +19,12 @@ SHOWN = {
     "mOhm": (1000, "ohm"),
     "1/1000": (1000, ""),
 }
-# Units with a greater unit, which is used for large values.
+# Unit -> a larger unit, which is used for large values.
 LONGER = {"us": (1000, "ms"), "ms": (1000, "s"), "Hz": (1_000_000, "MHz")}
 
 
 def constant_text(constant: Constant) -> str:
-    """The value and the unit, as in ``100 ms``."""
+    """Returns the value and the unit, as in ``100 ms``."""
     number, unit = float(constant.number), constant.unit.partition(" per ")[0]
     steps, unit = SHOWN.get(unit, (1, unit))
     number /= steps
@@ -37,7 +37,7 @@ def constant_text(constant: Constant) -> str:
 
 
 def constant_links(model: Model, links: Links) -> dict[str, str]:
-    """For each constant, its text in HTML."""
+    """Returns for each constant its text in HTML."""
     texts = {}
     for name, constant in model.constants.items():
         text = html.escape(constant_text(constant).replace(" ", "\N{NO-BREAK SPACE}"))

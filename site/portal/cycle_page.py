@@ -1,4 +1,4 @@
-"""The page of one control cycle as a time line: a lane for each priority, and in it the calls."""
+"""The page of a control cycle as a time line: a lane for each priority, with its calls."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from portal.recorded_calls import (
 from traceability.reading.call_record import Activation, Recording, Span
 
 RECORDING = "drive"
-WIDTH = 1000  # of the drawings, in units of the drawing
+WIDTH = 1000  # sizes in units of the drawing
 LANE, ROW = 26, 12
 LEAST = 0.6  # width of the thinnest bar
 SHOWN = 2.0  # a narrower call has no bar in the drawing of the main thread
@@ -40,7 +40,7 @@ class Lane:
     priority: int | None
     names: list[str] = field(default_factory=list)
     entries: int = 0
-    busy: int = 0  # [ns], without the time of interrupts
+    busy: int = 0  # time of the lane without the time of interrupts [ns]
     path: str = ""
 
     @property
@@ -81,7 +81,7 @@ class Cycle:
 
 
 def find_cycle(recording: Recording) -> Cycle | None:
-    """The first whole cycle: it begins when the timer raises its line."""
+    """Returns the first whole cycle. It begins when the timer requests its interrupt."""
     entered = [span.activation for span in recording.spans if span.method == PULSE]
     pulses = [recording.activations[number].raised for number in entered]
     return next((Cycle(recording, begin, end) for begin, end in pairwise(pulses)), None)
@@ -115,7 +115,7 @@ def cycle(portal: Portal) -> dict[str, Any]:
 
 
 def lanes_of(portal: Portal, shown_cycle: Cycle) -> list[Lane]:
-    """The lanes, the highest priority first, and the main program last."""
+    """Returns the lanes: the highest priority first, and the main program last."""
     lanes: dict[int | None, Lane] = {}
     inside = [
         a
@@ -136,7 +136,7 @@ def lanes_of(portal: Portal, shown_cycle: Cycle) -> list[Lane]:
 
 
 def busy_times(activations: Iterable[Activation], shown_cycle: Cycle) -> dict[int | None, int]:
-    """The time of each priority, without the time of interrupts."""
+    """Returns the time of each priority, without the time of interrupts."""
     times: dict[int | None, int] = {}
     for activation in activations:
         length = min(activation.end, shown_cycle.end) - max(activation.begin, shown_cycle.begin)
@@ -148,7 +148,7 @@ def busy_times(activations: Iterable[Activation], shown_cycle: Cycle) -> dict[in
 
 
 def path_of(activations: Iterable[Activation], shown_cycle: Cycle) -> str:
-    """Returns the bars as one path; bars that touch are joined."""
+    """Returns the bars as a single path. Bars that touch are joined."""
     scale = WIDTH / (shown_cycle.end - shown_cycle.begin)
     bars: list[tuple[float, float]] = []
     for activation in activations:
@@ -162,7 +162,7 @@ def path_of(activations: Iterable[Activation], shown_cycle: Cycle) -> str:
 
 
 def report_time(shown_cycle: Cycle) -> tuple[int, int]:
-    """From the clock pulse to the end of the main thread."""
+    """Returns the time from the clock pulse to the end of the main thread."""
     activations = shown_cycle.recording.activations
     end = next(
         (
@@ -178,7 +178,9 @@ def report_time(shown_cycle: Cycle) -> tuple[int, int]:
 def bars_of(
     portal: Portal, shown_cycle: Cycle, lanes: list[Lane], first: int, last: int
 ) -> list[Bar]:
-    """The calls from the clock pulse to the end of the main thread, one row for each depth."""
+    """Returns the calls from the clock pulse to the end of the main thread, with a row for each
+    depth.
+    """
     scale = WIDTH / (last - first)
     activations = shown_cycle.recording.activations
     chosen = [

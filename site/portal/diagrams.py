@@ -1,7 +1,8 @@
 """Class and state diagrams: PlantUML text from the model, and the SVG, adapted to a page.
 
-PlantUML does not support CSS variables. The text therefore has marker colours, and each becomes
-a variable of the theme in the SVG. All diagrams whose text changed are drawn in one run of Java.
+PlantUML does not support CSS variables. The text therefore has marker colours. In the SVG, a
+variable of the theme replaces each marker colour. All diagrams whose text changed are drawn in one
+run of Java.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from portal.links import Links
 from traceability.model.design_model import Model
 from traceability.schema import Module, PatternApplication, StateMachine, Transition
 
-DIAGRAMS = "diagrams"  # the folder of their sources in the site
+DIAGRAMS = "diagrams"  # folder of the sources of the diagrams in the site
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
 FORMAT = "10"  # part of the cache key: increase it when the processing of the SVG changes
@@ -63,7 +64,7 @@ VARIABLES = {
 }
 MARKERS = {name: f"#FA{number:02X}5C" for number, name in enumerate(VARIABLES)}
 COLOURS = {MARKERS[name]: variable for name, variable in VARIABLES.items()}
-COLOURS["#FFFFFF"] = "--paper"  # the inside of diamonds
+COLOURS["#FFFFFF"] = "--paper"  # colour inside diamonds
 
 # Elements of the architecture, in the colours of the first page.
 COLOUR_OF = {
@@ -78,9 +79,10 @@ LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
 
 EDGE = 4  # space below the lowest label
 
-LONG_LABEL = 12  # a transition's action goes below a longer event
+LONG_LABEL = 12  # the action of a transition goes below a longer event
 
-# (role of one end, role of the other end, arrow): drawn when the first end uses the second.
+# (role of one end, role of the other end, arrow): the arrow is drawn when the first end uses the
+# second.
 RELATIONS = [
     ("Context", "State", "o-->"),
     ("Context", "Strategy", "o-->"),
@@ -97,7 +99,9 @@ RELATIONS = [
 
 
 def role_family(role: str) -> str:
-    """The five families of roles, with a colour each, cover the roles of all patterns."""
+    """Returns one of five families of roles. Each family has a colour, and the families contain the
+    roles of all patterns.
+    """
     if role in FAMILIES:
         return FAMILIES[role]
     return "concrete" if role.startswith("Concrete") else "abstraction"
@@ -151,7 +155,7 @@ def preamble() -> list[str]:
 
 
 def between(model: Model, bound: set[str]) -> set[str]:
-    """Modules in the hierarchy between two bound modules."""
+    """Returns the modules in the hierarchy between two bound modules."""
 
     def leads_to_bound(name: str) -> bool:
         module = model.modules.get(name)
@@ -175,7 +179,8 @@ def shown_members(module: Module, role: str) -> list[str]:
     names = [
         m
         for m in module.methods
-        if (m.access == "public" or m.kind != "plain")  # a primitive is virtual and not public
+        # a primitive method is virtual and not public
+        if (m.access == "public" or m.kind != "plain")
         and m.kind in kinds
         and not m.name.startswith(("operator", "~"))
     ]
@@ -240,7 +245,9 @@ def uses(module: Module) -> set[str]:
 
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
-    """When there are results, a transition that occurred in no test is dashed."""
+    """Returns the diagram of a state machine. If there are results, a transition that occurred in
+    no test is dashed.
+    """
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")
@@ -263,7 +270,7 @@ def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram
 
 
 def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
-    """Transitions between the same two states share an edge."""
+    """Merges the transitions between the same two states into a single edge."""
     merged: dict[tuple[str, str], list[Transition]] = {}
     for step in machine.transitions:
         merged.setdefault((step.source, step.target), []).append(step)
@@ -279,7 +286,7 @@ def label_lines(step: Transition) -> list[str]:
 
 
 def located(svg: str, requirement: str) -> str:
-    """The diagram of a machine with the edges and labels of a requirement marked."""
+    """Returns the diagram of a machine with the edges and labels of a requirement marked."""
 
     def mark(match: re.Match[str]) -> str:
         lit = " lit" if requirement in match[2].split() else ""
@@ -327,7 +334,7 @@ def node(name: str) -> str:
 
 
 def part(model: Model, name: str, links: Links) -> str:
-    """A box: a module, or a part outside the software."""
+    """Returns a box: a module, or a part outside the software."""
     module = model.modules.get(name) if name != "PC" else None
     if module is None:
         style = f"{MARKERS['plain']};line:{MARKERS['line'][1:]};line.dotted"
@@ -344,11 +351,11 @@ def part(model: Model, name: str, links: Links) -> str:
 
 
 class DiagramError(Exception):
-    """PlantUML could not draw."""
+    """PlantUML cannot draw a diagram."""
 
 
 def draw(diagrams: Iterable[Diagram], cache: Path) -> dict[str, str]:
-    """The finished SVG of each diagram, by its id."""
+    """Returns the finished SVG of each diagram, by its id."""
     cache.mkdir(parents=True, exist_ok=True)
     targets = {d.id: (d, cache / f"{digest(d)}.svg") for d in diagrams}
     stale = [(d, path) for d, path in targets.values() if not path.exists()]
@@ -392,7 +399,7 @@ def run_plantuml(stale: list[tuple[Diagram, Path]], cache: Path) -> None:
 
 
 def finish(svg: str, diagram: Diagram) -> str:
-    """The SVG with variables for colours, own ids, plain links and the page's font."""
+    """Returns the SVG with variables for colours, own ids, plain links and the page's font."""
     root = ET.fromstring(svg)
     clean(root)
     width, height = root.get("width", "0").strip("px"), root.get("height", "0").strip("px")
@@ -417,7 +424,7 @@ def finish(svg: str, diagram: Diagram) -> str:
 
 
 def place_labels(root: ET.Element, labels: dict[str, dict[ET.Element, Box]]) -> None:
-    """Moves each label off the lines of the other edges, and makes room for it."""
+    """Moves each label away from the lines of the other edges, and enlarges the drawing for it."""
     paths = {line.get("id", ""): line.get("d", "") for line in root.iter("path")}
     states = [
         Box(x, y, x + float(state.get("width", "0")), y + float(state.get("height", "0")))
@@ -489,9 +496,10 @@ def restyle(element: ET.Element) -> None:
             style[name] = value
     for name, value in style.items():
         style[name] = f"var({COLOURS[value.upper()]})" if value.upper() in COLOURS else value
-    if style.get("stroke", "").upper() == UNSET:  # PlantUML cannot set the edge colour of states
+    # PlantUML cannot set the colour of edges at states
+    if style.get("stroke", "").upper() == UNSET:
         style["stroke"] = style.get("fill", "").replace("-fill)", ")")
-    if element.tag == "ellipse":  # the initial state
+    if element.tag == "ellipse":  # initial state
         element.set("rx", "5")
         element.set("ry", "5")
     for name in ("font-family", "filter"):
@@ -505,7 +513,7 @@ def restyle(element: ET.Element) -> None:
 
 
 def plain_role(element: ET.Element) -> None:
-    """Centres a role in the space that includes its quotation marks, without the marks."""
+    """Centres a role in its space. The space includes the quotation marks, which are removed."""
     element.text = (element.text or "").strip("«»")
     middle = float(element.get("x", "0")) + float(element.attrib.pop("textLength", "0")) / 2
     element.attrib.pop("lengthAdjust", None)
@@ -514,8 +522,8 @@ def plain_role(element: ET.Element) -> None:
 
 
 def diagram_files(diagrams: list[Diagram]) -> dict[str, str]:
-    """The source of each diagram in PlantUML's language, by the name of its file. The links in a
-    source are relative to the folder of the diagrams.
+    """Returns the source of each diagram in PlantUML's language, by the name of its file. The links
+    in a source are relative to the folder of the diagrams.
     """
     return {
         f"{DIAGRAMS}/{diagram.id}.puml": diagram.text.replace("[[@/", "[[../") + "\n"

@@ -21,7 +21,7 @@ class Sheet:
     verdict: Verdict
     nodes: list[tuple[int, TreeNode]]
     tests: list[Test]
-    changes: list[str]  # texts that are not as in the baseline
+    changes: list[str]  # texts that differ from the baseline
 
 
 def sheet_of(portal: Portal, requirement: Requirement) -> Sheet:
@@ -53,7 +53,7 @@ def dossier_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def dossier(portal: Portal) -> dict[str, Any]:
-    """All sheets, in the order of the sections of requirements, behind a cover."""
+    """Returns all sheets in the order of the sections of requirements, after a cover."""
     sheets = [sheet_of(portal, requirement) for requirement in portal.model.requirements.values()]
     states = Counter(sheet.verdict.state for sheet in sheets)
     return {

@@ -1,4 +1,6 @@
-"""The font of the pages as files that Java reads, so that PlantUML measures with the same font."""
+"""The font of the pages as files that Java reads. PlantUML therefore measures with the same
+font.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,7 @@ from pathlib import Path
 
 FONTS = Path(__file__).parents[1] / "theme" / "static" / "fonts"
 FAMILY = "Inter"
-# The header and a directory entry of WOFF 1.0, then of OpenType.
+# Formats of the header and of a directory entry of WOFF 1.0, then of OpenType.
 WOFF_HEADER, WOFF_ENTRY, WOFF_HEADER_SIZE = ">4s4sIH", ">4sIIII", 44
 HEADER, ENTRY = ">4sHHHH", ">4sIII"
 
@@ -21,7 +23,7 @@ def write_fonts(folder: Path) -> None:
 
 
 def opentype(woff: bytes) -> bytes:
-    """Returns the OpenType font in a WOFF file: the same tables, not compressed."""
+    """Returns the OpenType font in a WOFF file: the same tables, uncompressed."""
     _, flavour, _, count = struct.unpack_from(WOFF_HEADER, woff)
     log = count.bit_length() - 1
     header = struct.pack(HEADER, flavour, count, 16 << log, log, 16 * count - (16 << log))

@@ -1,4 +1,4 @@
-"""Generates the tables of the PC protocol from the table of frames, for pages that people write."""
+"""Generates the tables of the PC protocol from the table of frames, for hand-written pages."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ INCLUDED = re.compile(r"^\.\. include:: /_generated/(\S+)$", re.MULTILINE)
 
 
 def frame_tables(root: Path) -> dict[str, str]:
-    """File name and text of each table that a page can include."""
+    """Returns file name and text of each table that a page can include."""
     if not (root / TABLE).exists():
         return {}
     frames = read_frames((root / TABLE).read_text(encoding="utf-8"))
@@ -51,7 +51,7 @@ def frame_tables(root: Path) -> dict[str, str]:
 
 
 def expanded(source: str, root: Path) -> str:
-    """The text of a page with its tables of frames, for the search."""
+    """Returns the text of a page with its tables of frames, for the search."""
     tables = frame_tables(root) if INCLUDED.search(source) else {}
     return INCLUDED.sub(lambda match: tables.get(match[1], ""), source)
 
@@ -71,7 +71,9 @@ def types_table(frames: FrameTable) -> str:
 
 
 def fields_table(layout: Layout) -> str:
-    """The fields of a frame. Fields of the wheels share one row for each group."""
+    """Returns the table of the fields of a frame. Fields of the wheels share a row for each
+    group.
+    """
     fields = list(layout.fields)
     rows = []
     while fields:
@@ -100,7 +102,7 @@ def unit_of(field: Field) -> str:
 
 
 def meanings(field: Field) -> Iterator[str]:
-    """The meaning of a field, and of its numbers and bits."""
+    """Yields the meaning of a field, and of its numbers and bits."""
     yield field.meaning
     if field.values:
         yield f"See :ref:`{field.values.page}`" if field.values.page else in_line(field.values)
@@ -116,7 +118,7 @@ def meanings(field: Field) -> Iterator[str]:
 
 
 def in_line(enumeration: Enumeration) -> str:
-    """The numbers with their names, for one cell."""
+    """Returns the numbers with their names, for one cell."""
     return ", ".join(
         f"{entry.number} {entry.name}"
         + (f" ({entry.meaning})" if entry.meaning else "")
@@ -130,14 +132,14 @@ def in_line(enumeration: Enumeration) -> str:
 
 
 def shown_unit(unit: str, scale: float) -> str:
-    """The unit of one step on the line, as in mV or 0.1 rpm."""
+    """Returns the unit of one step on the line, as in mV or 0.1 rpm."""
     if scale == 0.001:
         return f"m{unit}"
     return unit if scale == 1 else f"{scale:g} {unit}"
 
 
 def values_table(enumeration: Enumeration) -> str:
-    """The numbers of an enumeration, with the words that the client shows."""
+    """Returns the numbers of an enumeration, with the words that the client shows."""
     heads = [enumeration.name, "in scenarios", "shown as", "meaning"]
     heads += [enumeration.detail] if enumeration.detail else []
     rows = []
@@ -150,7 +152,9 @@ def values_table(enumeration: Enumeration) -> str:
 
 
 def live_frames(root: Path) -> str:
-    """The place of the frames of a running robot; nothing when the module was not built."""
+    """Returns the element that shows the frames of a running robot, or nothing when the module was
+    not built.
+    """
     if not (root / MODULE).exists():
         return "<p>The module that runs the robot was not built.</p>\n"
     return LIVE_FRAMES

@@ -26,7 +26,7 @@ END = re.compile(r"s?(?![\w-])", re.IGNORECASE)
 
 
 class GlossaryLinks:
-    """The terms by their words in lower case; the plural of a term belongs to the term."""
+    """The terms and their words in lower case. The plural of a term has the link of the term."""
 
     def __init__(self, root: Path) -> None:
         path = root / f"{GLOSSARY.id}.rst"
@@ -39,7 +39,7 @@ class GlossaryLinks:
         }
 
     def link(self, html: str, prefix: str = ROOT) -> str:
-        """The page with a link at the first use of each term in its text."""
+        """Returns the page with a link at the first use of each term in its text."""
         parts, done = [], 0
         for start, end, words in sorted(self._first_uses(html)):
             parts += [html[done:start], anchor(self.terms[words], html[start:end], prefix)]
@@ -59,15 +59,16 @@ class GlossaryLinks:
                 at = text.find(words, at + 1)
 
     def _stands_alone(self, text: str, at: int, words: str) -> bool:
-        """Whether the words begin here and are not part of a longer term."""
+        """Returns whether the words begin here and are not part of a longer term."""
         if at and NO_START.match(text, at - 1):
             return False
         return not any(text.startswith(term, at - offset) for term, offset in self.longer[words])
 
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
-    """The page in lower case without the elements that are not changed; for each part its start in
-    this text, and the distance from there to its place on the page."""
+    """Returns the page in lower case without the elements that are not changed. For each part it
+    gives the start in this text, and the distance from there to its place on the page.
+    """
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
         parts.append(html[done:begin])
@@ -79,7 +80,7 @@ def without_apart(html: str) -> tuple[str, list[int], list[int]]:
 
 
 def is_text(text: str, at: int) -> bool:
-    """Whether a place is outside of tags."""
+    """Returns whether a place is outside of tags."""
     return text.rfind("<", 0, at) <= text.rfind(">", 0, at)
 
 

@@ -1,4 +1,4 @@
-"""Source files as highlighted lines, kept between runs by their content."""
+"""Source files as highlighted lines. The result of a file is cached by its content."""
 
 from __future__ import annotations
 
@@ -40,13 +40,14 @@ def lexer_for(path: str) -> Lexer:
 
 
 def highlighted_lines(path: str, text: str) -> list[str]:
-    """One HTML fragment for each line; tags never cross the end of a line."""
+    """Returns an HTML fragment for each line. No tag crosses the end of a line."""
     return highlight(text, lexer_for(path), HtmlFormatter(nowrap=True)).split("\n")[:-1]
 
 
 class Highlighter:
-    """Highlights files below a root; the result of a file is cached by its content and by the
-    version of Pygments."""
+    """Highlights files below a root. The result of a file is cached by its content and by the
+    version of Pygments.
+    """
 
     def __init__(self, root: Path, cache: Path) -> None:
         self.root = root

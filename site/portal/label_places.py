@@ -1,4 +1,4 @@
-"""Moves the labels of a state diagram off the lines of other edges."""
+"""Moves the labels of a state diagram away from the lines of other edges."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-ASCENT, DESCENT = 11, 3  # of a label above and below its base line
-MOVES = (0, 8, -8, 14, -14, 20, -20, 28, -28)  # down and up, the nearest first
-STEPS = 24  # points of a curve
+ASCENT, DESCENT = 11, 3  # distance of the top and the bottom of a label from its base line
+MOVES = (0, 8, -8, 14, -14, 20, -20, 28, -28)  # moves down and up, the smallest first
+STEPS = 24  # number of points of a curve
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 
 Point = tuple[float, float]
@@ -34,13 +34,15 @@ class Box:
 
 
 def box_of(text: ET.Element) -> Box:
-    """The place of a line of text, with the length that PlantUML measured."""
+    """Returns the place of a line of text, with the length that PlantUML measured."""
     x, y = float(text.get("x", "0")), float(text.get("y", "0"))
     return Box(x, y - ASCENT, x + float(text.get("textLength", "0")), y + DESCENT)
 
 
 def points(path: str) -> Iterator[Point]:
-    """Points on a path of cubic curves: ``M`` with a point, ``C`` with three points for each."""
+    """Yields points on a path of cubic curves: ``M`` with a point, ``C`` with three points for
+    each.
+    """
     numbers = [float(match) for match in NUMBER.findall(path)]
     corners = list(zip(numbers[::2], numbers[1::2], strict=True))
     for first in range(0, len(corners) - 3, 3):
@@ -53,7 +55,9 @@ def points(path: str) -> Iterator[Point]:
 
 
 def best_move(lines: list[Box], paths: Iterable[str], taken: list[Box]) -> float:
-    """The smallest move after which a label meets the fewest points of lines and no other text."""
+    """Returns the smallest move after which a label covers the fewest points of lines and no other
+    text.
+    """
     dots = [point for path in paths for point in points(path)]
 
     def price(down: float) -> tuple[int, int, float]:

@@ -1,5 +1,6 @@
 """Returns the address at which each element of the model is shown. An address starts with ``@/``,
-the root of the site."""
+the root of the site.
+"""
 
 from __future__ import annotations
 
@@ -17,22 +18,22 @@ ID_OR_CODE = re.compile(r"<code>([^<]*)</code>|\b(?:FR|NFR|SG|HZ|AU)-\d+\b|" + T
 
 
 def slug(name: str) -> str:
-    """A name as part of an address: operators become words of code points."""
+    """Returns a name as a part of an address. Operators become words of code points."""
     return re.sub(r"[^A-Za-z0-9_.-]", lambda hit: f"-{ord(hit.group()):x}", name)
 
 
 def paper_anchor(name: str) -> str:
-    """The place of a name on the page Concordance."""
+    """Returns the place of a name on the page Concordance."""
     return slug(name.replace(" ", "-"))
 
 
 def depth_prefix(page: str) -> str:
-    """The way from a page back to the root of the site."""
+    """Returns the relative path from a page to the root of the site."""
     return "../" * (len(PurePosixPath(page).parts) - 1)
 
 
 def address_in(pages: Container[str], address: str, identifier: str) -> str | None:
-    """The address of a known element."""
+    """Returns the address of a known element."""
     return ROOT + address.format(slug(identifier)) if identifier in pages else None
 
 
@@ -68,7 +69,7 @@ class Links:
         return page and f"{page.partition('#')[0]}#{self.method_anchor(method)}"
 
     def find_method(self, identifier: str) -> Method | None:
-        """Returns a method of the module, or the inherited method."""
+        """Returns a method of the module, or the method that it inherits."""
         name, _, method = identifier.partition("::")
         seen: set[str] = set()
         pending = [name]
@@ -89,7 +90,9 @@ class Links:
         return scope + slug(method.name)
 
     def safety(self, identifier: str) -> str | None:
-        """A safety goal has a page, a hazard and an assumption of use have a place on a page."""
+        """Returns the address of a safety goal, hazard or assumption of use. Only a goal has a
+        separate page.
+        """
         case = self.model.safety
         return (
             address_in(case.goals, "safety/{}.html", identifier)

@@ -1,4 +1,6 @@
-"""The page that runs the robot: the images, and the facts of the model that it shows with them."""
+"""The page that runs the robot: the images, and the facts of the model that the page shows with
+them.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +47,7 @@ class Image:
 
 
 def images(root: Path) -> list[Image]:
-    """The built images, if the module that runs them was built."""
+    """Returns the built images, if the module that runs them was built."""
     if not (root / MODULE).exists():
         return []
     built = []
@@ -60,13 +62,13 @@ def images(root: Path) -> list[Image]:
 
 
 def file_of(name: str, suffix: str) -> Path:
-    """The file of an image of the page."""
+    """Returns the file of an image of the page."""
     product = name.removesuffix(CALLS)
     return image_of(product, suffix) if product == name else recorded_image_of(product, suffix)
 
 
 def run(portal: Portal) -> dict[str, Any]:
-    """The values of the template of the page."""
+    """Returns the values of the template of the page."""
     built = images(portal.root)
     module = portal.root / MODULE
     ran = [scenario for scenario in portal.model.closed_loop if scenario.runs]
@@ -105,7 +107,7 @@ def write_live(portal: Portal, site: Path) -> None:
 
 
 def facts(portal: Portal, built: list[Image]) -> dict[str, Any]:
-    """The content of ``live.json``."""
+    """Returns the content of ``live.json``."""
     model = portal.model
     methods = [m.id for module in portal.designs for m in module.methods]
     numbers = {name: number for number, name in enumerate(dict.fromkeys(methods))}
@@ -162,7 +164,7 @@ def address(link: str | None) -> str:
 
 
 def entered_by_hardware(model: Model) -> set[str]:
-    """The functions that no code calls: the vectors of the image refer to them."""
+    """Returns the functions that no code calls: the vectors of the image refer to them."""
     methods = [m for module in model.modules.values() for m in module.methods]
     called = {call.target for method in methods for call in method.calls}
     called |= {call.target for function in model.functions.values() for call in function.calls}
@@ -170,7 +172,7 @@ def entered_by_hardware(model: Model) -> set[str]:
 
 
 def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]:
-    """The address and the number of each method that an image has, by rising address."""
+    """Returns the address and the number of each method that an image has, by rising address."""
     elf = root / file_of(name, ".elf")
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
 
@@ -189,7 +191,7 @@ def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]
 
 
 def overriders(model: Model) -> dict[str, list[str]]:
-    """Each method with the methods that override it, directly or not."""
+    """Returns each method with the methods that override it, directly or indirectly."""
     direct: dict[str, list[str]] = {}
     for module in model.modules.values():
         for method in module.methods:
@@ -205,7 +207,9 @@ def overriders(model: Model) -> dict[str, list[str]]:
 def tree(
     node: TreeNode, over: dict[str, list[str]], portal: Portal, numbers: dict[str, int]
 ) -> dict[str, Any]:
-    """A declared tree: for each node the numbers of the methods whose call counts as this node."""
+    """Returns a declared tree: for each node the numbers of the methods whose call counts as this
+    node.
+    """
     method: Method | None = portal.links.find_method(node.resolved) if node.resolved else None
     accepted = [] if method is None else [method.id] if method.body else over.get(method.id, [])
     node_data: dict[str, Any] = {
@@ -228,7 +232,7 @@ def frame(layout: Layout) -> dict[str, Any]:
 
 
 def field(field_entry: Field) -> dict[str, Any]:
-    """A field of a frame, with the names of its values."""
+    """Returns a field of a frame, with the names of its values."""
     data: dict[str, Any] = {
         "n": field_entry.name,
         "t": field_entry.type,
@@ -245,7 +249,7 @@ def field(field_entry: Field) -> dict[str, Any]:
 
 
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
-    """The scenarios that the page plays: the examples, and the single faults."""
+    """Returns the scenarios that the page plays: the examples, and the single faults."""
     titles = {
         scenario.name: (scenario.title.rstrip("."), "")
         for scenario in model.safety.scenarios.values()

@@ -16,17 +16,18 @@ from traceability.reading.fault_record import FAULTS, FUZZ, OUTCOMES
 from traceability.schema import Place
 
 TORTURE = "tests/torture/"
-LEAST_DIFFERENCE = 20  # instructions in a cycle: functions that differ by less are not shown
+# functions whose numbers of instructions in a cycle differ by less are not shown
+LEAST_DIFFERENCE = 20
 
 
 @dataclass
 class DriverFile:
-    """A file of the drivers, and its lines that no test executed on the virtual K64."""
+    """A file of the drivers, and the lines that no test executed on the virtual K64."""
 
     path: str
     executed: int
     lines: int
-    missed: list[Place]  # runs of lines
+    missed: list[Place]  # ranges of missed lines
 
 
 def virtual_k64(portal: Portal) -> dict[str, Any]:
@@ -46,7 +47,7 @@ def driver_coverage(portal: Portal) -> list[DriverFile] | None:
 
 
 def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
-    """Ranges of missed lines; lines without code do not separate two ranges."""
+    """Returns the ranges of missed lines. Lines without code do not separate two ranges."""
     runs: list[Place] = []
     missed_before = False
     for line, hit in sorted(lines.items()):
@@ -61,8 +62,9 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
     scenarios = portal.model.closed_loop
 
     def within(binding: str) -> tuple[int | None, int]:
-        """The number of values within their limits, None if no value was measured; and the number
-        of all values."""
+        """Returns the number of values within their limits, and the number of all values. The first
+        number is None if no value was measured.
+        """
         every = [figure for scenario in scenarios for figure in scenario.figures]
         ran = [figure for figure in every if binding in figure.values]
         return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)
@@ -87,7 +89,7 @@ def mutation(portal: Portal) -> dict[str, Any]:
     }
 
 
-MOST_SHOWN = 12  # modules of the first table
+MOST_SHOWN = 12  # number of modules in the first table
 
 
 def robustness(portal: Portal) -> dict[str, Any]:
@@ -104,14 +106,18 @@ def robustness(portal: Portal) -> dict[str, Any]:
 
 
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
-    """The modules with the most silent faults first, then those with the most faults."""
+    """Returns the modules with the most silent faults first, then the modules with the most
+    faults.
+    """
     return sorted(
         modules.items(), key=lambda item: (-item[1]["silent"], -sum(item[1].values()), item[0])
     )
 
 
 def made_changes(portal: Portal) -> dict[str, Any]:
-    """The likely changes that are made, and the changed lines for those that both designs make."""
+    """Returns the likely changes that are made, and the changed lines for the changes that both
+    designs make.
+    """
     done = [change.made for change in portal.model.changes.values() if change.made]
     return {
         "made": done,
@@ -128,7 +134,7 @@ def made_changes(portal: Portal) -> dict[str, Any]:
 
 
 def patches_of(root: Path) -> dict[str, dict[str, str]]:
-    """Change -> design -> the patch that makes the change."""
+    """Returns for each change and design the patch that makes the change."""
     return {
         change: {
             design: (root / baseline_record.patch_of(change, design)).read_text("utf-8")

@@ -10,9 +10,9 @@ from portal import calls
 from portal.portal import Page, Portal
 from traceability.schema import Method, Module
 
-FIRST_TESTS = 12  # shown open on the page of a module
+FIRST_TESTS = 12  # number of members that are shown open on the page of a module
 XML = "build/model/xml"
-MEMBERS = "<!-- members -->"  # marks the place of Breathe's part of the page
+MEMBERS = "<!-- members -->"  # marks the place of the part of the page that Breathe writes
 
 
 def module_page(portal: Portal, module: Module) -> Page:
@@ -46,13 +46,13 @@ def module_page(portal: Portal, module: Module) -> Page:
 
 
 def doxygen_file(portal: Portal, module: Module) -> Path | None:
-    """Doxygen's file about a class."""
+    """Returns the name of Doxygen's file about a class."""
     path = portal.root / XML / f"class{module.qualified.replace('::', '_1_1')}.xml"
     return path if path.is_file() else None
 
 
 def ancestors(portal: Portal, module: Module) -> list[str]:
-    """Bases, nearest first."""
+    """Returns the base classes, nearest first."""
     names: list[str] = []
     pending = list(module.bases)
     while pending:
@@ -65,7 +65,7 @@ def ancestors(portal: Portal, module: Module) -> list[str]:
 
 
 def inherited_methods(portal: Portal, module: Module) -> list[Method]:
-    """Public methods that the module has from its bases and does not override."""
+    """Returns the public methods that the module has from its bases and does not override."""
     overridden = {m.name for m in module.methods}
     methods: list[Method] = []
     for base in ancestors(portal, module):
@@ -78,7 +78,7 @@ def inherited_methods(portal: Portal, module: Module) -> list[Method]:
 
 
 def requirement_methods(module: Module) -> dict[str, list[str]]:
-    """The methods through which a module serves each requirement."""
+    """Returns the methods through which a module satisfies each requirement."""
     methods: dict[str, list[str]] = {identifier: [] for identifier in module.requirements}
     for method in module.methods:
         for identifier in method.satisfies:
@@ -89,7 +89,7 @@ def requirement_methods(module: Module) -> dict[str, list[str]]:
 
 
 def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:
-    """For each file a class for each of its lines: executed, missed, or not code."""
+    """Returns for each file a class for each of its lines: executed, missed, or not code."""
     bars = []
     for path, hits in {**module.line_hits, **board_hits(portal, module)}.items():
         kinds = [line_kind(hits.get(n)) for n in range(1, portal.length(path) + 1)]
@@ -98,7 +98,9 @@ def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]
 
 
 def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
-    """File -> line -> 1 where the virtual K64 executed the line, for a module of the drivers."""
+    """Returns for each file the lines that the virtual K64 executed, for a module of the drivers.
+    The value of a line is 1.
+    """
     measured = portal.model.board_lines or {}
     return {
         path: {line: int(hit) for line, hit in sorted(measured[path].items())}

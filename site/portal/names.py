@@ -1,4 +1,4 @@
-"""Names as HTML, written as in the paper: LOGIC in small capitals, *abstract*, **concrete**."""
+"""Names as HTML in the style of the paper: LOGIC in small capitals, *abstract*, **concrete**."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ KEPT = ("mod", "meth", "logic", "req", "safety", "pat", "change", "test", "check
 
 
 def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str) -> Markup:
-    """A link, or plain text in the same style when there is no target."""
+    """Returns a link, or plain text in the same style when there is no target."""
     classes = f' class="{escape(kind)}"' if kind else ""
     if address is None:
         return Markup(f"<span{classes}>{escape(text)}</span>")
@@ -53,13 +53,13 @@ def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str)
 
 
 def breakable(name: str) -> Markup:
-    """A long name may break between its words."""
+    """Returns a name with places where the browser may break it."""
     joints = re.sub(r"(::|[._/]|(?<=[a-z0-9])(?=[A-Z]))", "\\1\0", name)
     return Markup("<wbr>").join(escape(part) for part in joints.split("\0"))
 
 
 def views_of(module: Module, called: set[str]) -> set[str]:
-    """The letters of the views of a module that have content."""
+    """Returns the letters of the views of a module that have content."""
     letters = {"I", "G", "S"}
     if module.name in called or any(m.calls for m in module.methods):
         letters.add("F")
@@ -113,7 +113,7 @@ class Names:
         )
 
     def types(self, code: str, own: str = "") -> Markup:
-        """A type or a signature, with the modules and value types in it as links."""
+        """Returns a type or a signature, with links at its modules and value types."""
         modules = self.model.modules
         parts = re.split(r"(\w+)", code.replace("< ", "<").replace(" >", ">"))
         return Markup("").join(
@@ -142,14 +142,14 @@ class Names:
         )
 
     def function(self, name: str) -> Markup:
-        """A function outside classes, of the project or of a library."""
+        """Returns a function outside classes, of the project or of a library."""
         function = self.model.functions.get(name)
         return anchor(
             self.links.source(function.place) if function else None, breakable(name), "meth"
         )
 
     def logic(self, identifier: str) -> Markup:
-        """A logic module; below its parent when another logic module has the same name."""
+        """Returns a logic module, with its parent if another logic module has the same name."""
         module = self.model.logic_modules.get(identifier)
         text = Markup(module.name if module else identifier)
         parent = self.model.logic_modules.get(module.parent or "") if module else None
@@ -173,7 +173,7 @@ class Names:
         )
 
     def keys(self, name: str) -> Markup:
-        """The seven view keys of a module; a view without content is left blank."""
+        """Returns the seven view keys of a module. The key of an empty view is blank."""
         module = self.model.modules.get(name)
         if module is None or module.datatype:
             return Markup("")
@@ -197,7 +197,7 @@ class Names:
         return glyph(*VERDICTS[state])
 
     def result(self, test: Test, binding: str) -> Markup:
-        """The result on one target; a dash where the test is not built for it."""
+        """Returns the result on a target, or a dash if the test is not built for it."""
         result = test.results.get(binding)
         if result is None:
             return Markup('<span class="mut" title="not built for it">\N{EN DASH}</span>')
@@ -206,14 +206,14 @@ class Names:
         return glyph(*RESULTS.get(result.result, ("none", str(result.result))))
 
     def results(self, test: Test) -> Markup:
-        """The result on each target that the test is built for."""
+        """Returns the result on each target that the test is built for."""
         parts = [
             Markup("{} {}").format(binding, self.result(test, binding)) for binding in test.results
         ]
         return Markup(", ").join(parts)
 
     def text(self, words: str) -> Markup:
-        """A text of the model as HTML, with the names and ids in it as links."""
+        """Returns a text of the model as HTML, with links at its names and ids."""
 
         def name(match: re.Match[str]) -> str:
             code, whole = match.group(1), match.group(0)
@@ -235,7 +235,7 @@ class Names:
 
 
 def marked(words: str) -> str:
-    """The light markup of a text as HTML: `names`, paragraphs and lists."""
+    """Returns the light markup of a text as HTML: `names`, paragraphs and lists."""
     text = re.sub(r"`([^`]*)`", r"<code>\1</code>", str(escape(words)))
     paragraphs = [_paragraph(part) for part in text.split("\n\n") if part]
     if len(paragraphs) < 2:
@@ -249,12 +249,12 @@ def _paragraph(text: str) -> str:
 
 
 def gist(brief: str) -> str:
-    """Returns the part of a brief after the name at its start; empty when there is none."""
+    """Returns the part of a brief after the name at its start, or an empty text."""
     return brief.partition(": ")[2]
 
 
 def changed_words(text: str) -> Markup:
-    """The words of a comparison, with removed and added text marked."""
+    """Returns the words of a comparison, with marks at removed and added text."""
     marked = re.sub(r"\[-(.+?)-\]", r"<del>\1</del>", str(escape(text)))
     return Markup(re.sub(r"\{\+(.+?)\+\}", r"<ins>\1</ins>", marked))
 
@@ -265,5 +265,5 @@ def file_name(path: str) -> str:
 
 @functools.cache
 def glyph(kind: str, word: str) -> Markup:
-    """A verdict is shown as a mark and a word, never only as a colour."""
+    """Returns a verdict as a mark and a word, never only as a colour."""
     return Markup('<span class="v {}">{}</span>').format(kind, word)

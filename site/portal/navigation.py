@@ -9,8 +9,8 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.reading.products import PRODUCTS
 
-# The hand-written pages of each group, in this order;
-# the group "build" contains the pages that are not named.
+# The hand-written pages of each group, in this order. The group "build" also contains all other
+# pages.
 DOCS = {
     "understand": ("tour",),
     "build": (
@@ -56,7 +56,7 @@ class Group:
 
 
 def hand_written(folder: Path) -> list[Entry]:
-    """The pages below ``docs/``; those for beginners come first."""
+    """Returns the pages below ``docs/``. The pages for beginners come first."""
     names = {path: str(path.relative_to(folder).with_suffix("")) for path in folder.rglob("*.rst")}
     pages = [
         Entry(f"docs/{name}", first_title(path), f"docs/{name}.html")
@@ -67,7 +67,7 @@ def hand_written(folder: Path) -> list[Entry]:
 
 
 def first_title(path: Path) -> str:
-    """The text above the first underline of a page."""
+    """Returns the text above the first underline of a page."""
     lines = path.read_text(encoding="utf-8").splitlines()
     for above, line in pairwise(lines):
         if above.strip() and is_underline(line):
@@ -80,7 +80,7 @@ def is_underline(line: str) -> bool:
 
 
 class Navigation:
-    """Three groups, one for each aim of a reader, and the pages that explain."""
+    """Three groups, each for an aim of a reader, and the pages that explain."""
 
     def __init__(
         self, model: Model, docs: list[Entry], checks: int, faults: int, questions: int
@@ -115,7 +115,7 @@ class Navigation:
 
 
 def understand(model: Model) -> list[Entry]:
-    """In the order in which a newcomer reads."""
+    """Returns the pages in the order in which a newcomer reads."""
     modules = [module for module in model.modules.values() if not module.datatype]
     designs = sum(not module.extension for module in modules)
     types = len(model.modules) - len(modules)

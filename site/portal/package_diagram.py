@@ -14,7 +14,7 @@ PACKAGES = "packages"  # id of the diagram
 
 
 def package_diagrams(root: Path) -> list[Diagram]:
-    """Returns the diagram; nothing for a project without contracts."""
+    """Returns the diagram, or nothing for a project without contracts."""
     if not (root / CONTRACTS).exists():
         return []
     tools = tomllib.loads((root / CONTRACTS).read_text(encoding="utf-8"))["tool"]
@@ -45,7 +45,7 @@ def node(name: str) -> str:
 
 
 def box(root: Path, name: str) -> str:
-    """A layer with the first line of its documentation."""
+    """Returns a layer with the first line of its documentation."""
     file = name.replace(".", "/")
     paths = [root / part / (file + end) for part in ("", "site") for end in ("/__init__.py", ".py")]
     path = next(path for path in paths if path.exists())

@@ -9,13 +9,13 @@ from html.parser import HTMLParser
 
 VOID = {"area", "br", "col", "hr", "img", "input", "link", "meta", "source", "wbr"}
 HEADS = {"h1", "h2"}
-APART = {"nav", "svg", "script", "select", "summary"}  # no text to read
+APART = {"nav", "svg", "script", "select", "summary"}  # elements without text to read
 MOST = 4000  # letters of a section: its first sentences, and enough of a table
 
 
 @dataclass
 class Part:
-    """A section of a page; the part before the first section has no anchor."""
+    """A section of a page. The part before the first section has no anchor."""
 
     anchor: str
     title: str = ""
@@ -30,7 +30,7 @@ class _Reader(HTMLParser):
     def __init__(self) -> None:
         super().__init__()
         self.parts = [Part("")]
-        self.open: list[tuple[str, bool]] = []  # tag, begins a part
+        self.open: list[tuple[str, bool]] = []  # (tag, whether it begins a part)
         self.inside = [self.parts[0]]
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
@@ -62,7 +62,7 @@ class _Reader(HTMLParser):
 
 
 def parts_of(body: str) -> Iterator[Part]:
-    """The parts of a page that have a heading."""
+    """Returns the parts of a page that have a heading."""
     reader = _Reader()
     reader.feed(body)
     reader.close()

@@ -62,7 +62,7 @@ EXAMPLE = "FR-15"  # the example of the first page
 
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
-    """All pages, or a part of them: each process builds a part."""
+    """Returns all pages, or a part of them: each process builds a part."""
     for make in islice(_makers(portal), part, None, parts):
         yield make()
 
@@ -100,7 +100,7 @@ def _makers(portal: Portal) -> Iterator[Callable[[], Page]]:
 
 @functools.cache
 def page_titles(portal: Portal) -> dict[str, str]:
-    """Address -> the title of the page or of the element at this address."""
+    """Returns for each address the title of the page or of the element at this address."""
     return {address: title for _, _, title, _, address, *_ in reversed(entries(portal))}
 
 
@@ -132,7 +132,7 @@ def home_page(portal: Portal) -> Page:
 
 
 def best_method(portal: Portal, requirement: Requirement) -> Method | None:
-    """The deepest method of the tree that satisfies the requirement."""
+    """Returns the deepest method of the tree that satisfies the requirement."""
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     methods = [m for m in (real_method(portal, node) for _, node in reversed(nodes)) if m]
     satisfying = [m for m in methods if requirement.id in m.satisfies]
@@ -157,7 +157,9 @@ def products(portal: Portal) -> dict[str, Any]:
 
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
-    """The number of public methods and tests, and how many of them serve no requirement."""
+    """Returns the number of public methods and tests, and how many of them are for no
+    requirement.
+    """
     modules = portal.model.modules.values()
     methods = [m for item in modules if not item.datatype for m in item.methods]
     public = sum(method.access == "public" for method in methods)
@@ -186,7 +188,7 @@ def pattern_page(portal: Portal, application: PatternApplication) -> Page:
 
 
 def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
-    """The file of each diagram, and the page that shows it."""
+    """Returns the file of each diagram, and the page that shows it."""
     sources = []
     for application in portal.model.patterns.values():
         page = portal.links.pattern(application.id) or ""
@@ -202,7 +204,7 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
 
 
 def execution(portal: Portal) -> dict[str, Any]:
-    """The contexts, the highest priority first; modules without a context come last."""
+    """Returns the contexts, the highest priority first. Modules without a context come last."""
     contexts = portal.model.contexts.values()
     ordered = sorted(
         contexts, key=lambda context: (context.priority is None, context.priority or 0)
@@ -244,7 +246,7 @@ def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
 
 
 def trees(portal: Portal) -> dict[str, Any]:
-    """The trees by the sections of the requirements, with the values of their filters."""
+    """Returns the trees by the sections of the requirements, with the values of their filters."""
     by_section: dict[str, list[Requirement]] = {}
     facets: dict[str, Facets] = {}
     for requirement in portal.model.requirements.values():
@@ -274,7 +276,7 @@ class UseRow:
 
 
 def use_rows(portal: Portal) -> list[UseRow]:
-    """Allowed and actual uses side by side."""
+    """Returns the allowed and actual uses, paired."""
     allowed = {(use.source, use.target): use.why for use in portal.model.allowed_uses}
     actual = {(use.source, use.target): use.places for use in portal.model.uses}
     pairs = {pair for pair in allowed if pair[0] != ANY} | set(actual)
@@ -290,8 +292,9 @@ def use_rows(portal: Portal) -> list[UseRow]:
 
 
 def uses(portal: Portal) -> dict[str, Any]:
-    """The uses as rows and as the cells of a matrix, whose modules are in the order of the
-    structure."""
+    """Returns the uses as rows and as the cells of a matrix. The modules of the matrix are in the
+    order of the structure.
+    """
     rows = use_rows(portal)
     named = {name for row in rows for name in (row.source, row.target)}
     return {
@@ -305,7 +308,7 @@ def uses(portal: Portal) -> dict[str, Any]:
 
 
 def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
-    """The name of each logic module; equal names get the name of their folder in addition."""
+    """Returns the name of each logic module. Equal names also contain the name of their folder."""
     logic_modules = portal.model.logic_modules
     count = Counter(logic_modules[identifier].name for identifier in identifiers)
 

@@ -62,7 +62,9 @@ COMPARED = (
 
 
 def compared(portal: Portal, change: LikelyChange) -> Compared | None:
-    """The products without and with the extension that makes the change, if there is one."""
+    """Returns the products without and with the extension that makes the change, if an extension
+    makes it.
+    """
     by_extension = {f"extensions/{pair.extension}": pair for pair in COMPARED}
     examples = (portal.model.modules[name].logic for name in change.examples)
     made = (change.made.extension,) if change.made else ()
@@ -83,7 +85,7 @@ def filled(step: str, change: LikelyChange) -> str:
 
 
 def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
-    """The clauses of the pattern, and the checks that every new module meets."""
+    """Returns the clauses of the pattern, and the checks that every new module must pass."""
     pattern = portal.model.patterns[change.application].pattern.lower().replace(" ", "-")
     prefix = f"pattern-{pattern.partition('-')[0]}-"
     clauses = [name for name in portal.checks if name.startswith(prefix)]
@@ -95,7 +97,7 @@ def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
 
 
 def hidden_names(owner: Module | LogicModule) -> dict[str, list[str]]:
-    """The hidden names of a module or of a folder, by kind."""
+    """Returns the hidden names of a module or of a folder, by kind."""
     by_kind = {"registers": list(owner.registers)} if isinstance(owner, Module) else {}
     for name in owner.hides:
         by_kind.setdefault(kind_of(name), []).append(name)
@@ -124,7 +126,7 @@ class Heir:
 
 
 def families(portal: Portal) -> list[list[Heir]]:
-    """A family for each base class that does not derive from another module."""
+    """Returns a family for each base class that does not derive from another module."""
     modules = portal.model.modules
     roots = [m for m in portal.designs if any(h in modules for h in m.heirs)]
     return [
@@ -135,7 +137,7 @@ def families(portal: Portal) -> list[list[Heir]]:
 
 
 def heirs(portal: Portal, module: Module, depth: int, above: list[Method]) -> Iterator[Heir]:
-    """The module and all its subclasses; ``above`` is the interface that it inherits."""
+    """Returns the module and all its subclasses. ``above`` is the interface that it inherits."""
     methods = [m for m in unique(module.methods) if m.access == "public" or m.kind != "plain"]
     methods = [m for m in methods if m.kind != "constructor" and m.name[0] != "~"]
     inherited = {method.name for method in above}
@@ -195,7 +197,7 @@ def target_link(portal: Portal, target: str) -> Markup:
 
 
 def page_of(portal: Portal, kind: str, name: str) -> tuple[str | None, str]:
-    """Returns address and title of an element that has no separate page."""
+    """Returns the address and the title of an element that has no separate page."""
     model = portal.model
     if kind == "machine":
         machine = model.machines.get(name)

@@ -24,7 +24,7 @@ class PinMapError(ValueError):
 
 
 def pin_map(root: Path) -> str:
-    """The table as comma-separated values, with a line of titles."""
+    """Returns the table as comma-separated values, with a line of titles."""
     text = (root / HEADER).read_text(encoding="utf-8")
     rows = list(entries(text, roles(text)))
     if not rows:
@@ -33,13 +33,15 @@ def pin_map(root: Path) -> str:
 
 
 def roles(text: str) -> dict[str, str]:
-    """Enumerator of Role -> its comment."""
+    """Returns the comment of each enumerator of Role."""
     _, _, enum = text.partition("enum class Role")
     return dict(ROLE.findall(enum.partition("};")[0]))
 
 
 def entries(text: str, uses: dict[str, str]) -> Iterator[tuple[str, ...]]:
-    """The lines of the table; a line that is not an entry is an error, so no entry is lost."""
+    """Returns the lines of the table. A line that is not an entry is an error, so that no entry is
+    lost.
+    """
     inside = ended = False
     for number, line in enumerate(text.splitlines(), 1):
         content = line.strip()

@@ -1,5 +1,5 @@
-"""Curves over time as HTML: lines in SVG that fit any width, with labels in the text size of the
-page.
+"""Curves over time as HTML. The lines in SVG fit any width, and the labels have the text size of
+the page.
 
 The theme sets colours and strokes by the classes of the lines.
 """
@@ -36,7 +36,7 @@ class Axis:
     ticks: list[Tick]
 
     def place(self, value: float) -> float:
-        """Place of a value [per cent]."""
+        """Returns the place of a value [per cent]."""
         return 100 * (value - self.first) / (self.last - self.first)
 
 
@@ -72,7 +72,9 @@ class Drawing:
 
 
 def draw(plot: LoopPlot) -> Drawing | None:
-    """None when there is nothing to draw. The set-point is drawn once, for the first target."""
+    """Returns None when there is nothing to draw. The set-point is drawn once, for the first
+    target.
+    """
     curves = [curve for curve in plot.curves if curve.points]
     if not curves:
         return None
@@ -106,7 +108,7 @@ def words_of(curve: Curve) -> str:
 
 
 def axis(low: float, high: float, *, rounded: bool) -> Axis:
-    """An axis with some round values; if rounded, its ends are also round values."""
+    """Returns an axis with some round values. If it is rounded, its ends are also round values."""
     span = high - low or 1.0
     high = low + span
     rough = span / TICKS
@@ -126,7 +128,9 @@ def axis(low: float, high: float, *, rounded: bool) -> Axis:
 
 
 def path(curve: Curve, x: Axis, y: Axis) -> str:
-    """A set-point applies until the next set-point; between other values the line is straight."""
+    """Returns the path of a curve. A set-point applies until the next set-point; other values are
+    joined by straight lines.
+    """
     steps = curve.kind == "set_point"
     parts: list[str] = []
     for at, value in curve.points:

@@ -54,7 +54,7 @@ CONNECTING = (
     *("Wheel", "SteeringDevice", "VelSensor", "CntSensor", "DirSensor", "WheelController"),
     *("DirController", "MainController", "Mode", "OperationState"),
 )
-WITHOUT_TERMS = ("source_file", "home")  # code, and the page that shows where to begin
+WITHOUT_TERMS = ("source_file", "home")  # check of the code -> the page that shows where to begin
 LATER = {"doc-warning", "link-doc", "link-site"}  # known after Sphinx and on the finished site
 # They need results of these sources.
 DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
@@ -74,18 +74,18 @@ class CheckText:
 
 @dataclass
 class Page:
-    """A page of the site. ``nav`` names the entry of the navigation that it belongs to."""
+    """A page of the site. ``nav`` names its entry in the navigation."""
 
-    name: str  # without .html
+    name: str  # path without .html
     title: str
     body: str
     nav: str
     wide: bool = False
-    bare: bool = False  # without the side navigation
+    bare: bool = False  # true: the page is shown without the side navigation
 
 
 def heading_anchor(title: str) -> str:
-    """The anchor that Sphinx makes from a heading."""
+    """Returns the anchor that Sphinx makes from a heading."""
     return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
 
 
@@ -177,13 +177,13 @@ class Portal:
         return self.page(page, entry.title, name, name, **values(self))
 
     def _row_of(self, test: str) -> Markup:
-        """The row of a test in a table; many pages show the same."""
+        """Returns the row of a test in a table. Many pages show the same row."""
         template = self.templates.get_template("test_row.html")
         return Markup(template.render(test=self.model.tests[test]))
 
     @functools.cached_property
     def runs_live(self) -> bool:
-        """Whether the page that runs the robot has its module and its images."""
+        """Returns whether the module that runs the robot and its images were built."""
         return (self.root / MODULE).exists()
 
     # ---- derived facts --------------------------------------------------------
@@ -194,16 +194,18 @@ class Portal:
 
     @property
     def early(self) -> int:
-        """The number of checks that are decided before the pages are written."""
+        """Returns the number of checks that are decided before the pages are written."""
         return sum(not self.is_later(check) for check in self.checks)
 
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
-        """The nodes of a tree with their depth, from the root."""
+        """Returns the nodes of a tree with their depth, from the root."""
         below = [pair for child in node.children for pair in self.flat(child, depth + 1)]
         return [(depth, node), *below]
 
     def element_targets(self) -> dict[str, str]:
-        """The linked module of each element of the architecture; "" when there is none."""
+        """Returns the linked module of each element of the architecture, or "" when there is
+        none.
+        """
         modules = self.model.modules
         return {
             element.id: next(
@@ -227,14 +229,16 @@ class Portal:
         ]
 
     def executed(self, requirement: Requirement) -> str:
-        """Kind of glyph for a tree: "none" as long as no test of it was recorded."""
+        """Returns the kind of the glyph of a tree: "none" if no test of the tree was recorded."""
         if requirement.runs:
             return "ok"
         measured = requirement.tree is not None and requirement.tree.ran is not None
         return "bad" if measured else "none"
 
     def met_evidence(self, requirement: Requirement) -> int:
-        """The number of metrics that are evidence of a requirement and within their bounds."""
+        """Returns the number of metrics that are evidence of a requirement and within their
+        bounds.
+        """
         measured = self.report.measured
         return sum(evidence.holds(measured[evidence.figure]) for evidence in requirement.evidence)
 
@@ -248,18 +252,18 @@ class Portal:
         )
 
     def modules_of(self, context: ExecutionContext) -> list[str]:
-        """The design modules that a context may reach."""
+        """Returns the design modules that a context may reach."""
         names = dict.fromkeys(method.partition("::")[0] for method in context.methods)
         return [name for name in names if not self.model.modules[name].datatype]
 
     def interrupts_of(self, pipe: SharedPipe) -> list[str]:
-        """The interrupts that write or read a pipe."""
+        """Returns the interrupts that write or read a pipe."""
         users = [*pipe.writers.values(), *pipe.readers.values()]
         used_by = dict.fromkeys(name for contexts in users for name in contexts)
         return [name for name in used_by if self.model.contexts[name].kind == INTERRUPT]
 
     def contexts_of(self, module: Module) -> list[str]:
-        """The interrupts and threads that may run methods of a module."""
+        """Returns the interrupts and threads that may run methods of a module."""
         begin = f"{module.name}::"
         return [
             context.id
@@ -268,7 +272,7 @@ class Portal:
         ]
 
     def path_of(self, module: Module) -> list[str]:
-        """Logic modules from the top down to the module's own."""
+        """Returns the logic modules from the top to the logic module of this module."""
         path: list[str] = []
         logic = self.model.logic_modules.get(module.logic)
         while logic is not None:
@@ -277,7 +281,7 @@ class Portal:
         return path
 
     def body_lines(self, place: Place | None) -> list[tuple[int, Markup]]:
-        """The highlighted lines of a place, numbered."""
+        """Returns the highlighted lines of a place, numbered."""
         if place is None:
             return []
         lines = self.code.lines(place.file)
@@ -289,7 +293,7 @@ class Portal:
 
     @functools.cached_property
     def marks(self) -> dict[str, dict[int, list[str]]]:
-        """File -> line -> the methods and tests that begin there."""
+        """Returns for each file and line the methods and tests that begin there."""
         marks: dict[str, dict[int, list[str]]] = {}
 
         def add(place: Place, name: str) -> None:
@@ -308,8 +312,9 @@ class Portal:
 
     @functools.cached_property
     def hits(self) -> dict[str, dict[int, int]]:
-        """File -> line -> how often the tests executed it; on the virtual K64, whether they
-        executed it."""
+        """Returns for each file and line how often the tests executed it; on the virtual K64,
+        whether they executed it.
+        """
         hits: dict[str, dict[int, int]] = {}
         for module in self.model.modules.values():
             for path, lines in module.line_hits.items():
@@ -361,21 +366,25 @@ class Portal:
         return Markup("{}: {}").format(source.kind, self.names.text(source.name))
 
     def targets_of(self, requirement: Requirement) -> str:
-        """The targets on which a test of the requirement passed in this run."""
+        """Returns the targets on which a test of the requirement passed in this run."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         passed = {target for test in tests for target in test.gave("passed")}
         targets = [target for target in self.model.results_hashes if target in passed]
         return f"{', '.join(targets) or 'none in this run'}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:
-        """The number of runs that passed; ``None`` when there are no results of these sources."""
+        """Returns the number of runs that passed, or ``None`` when there are no results of these
+        sources.
+        """
         runs = [run for test in tests for run in test.results.values()]
         if self.model.results_stale or not any(run.result for run in runs):
             return None
         return sum(run.result == "passed" for run in runs)
 
     def share_of(self, requirement: Requirement, binding: str) -> str:
-        """The passed and all tests on a target that verify a requirement, as in "2/3"."""
+        """Returns the passed tests and all tests on a target that verify a requirement, as in
+        "2/3".
+        """
         tests = [self.model.tests[name] for name in requirement.verified_by]
         runs = [test.results[binding] for test in tests if binding in test.results]
         if not runs:
@@ -384,7 +393,9 @@ class Portal:
         return f"{passed}/{len(runs)}"
 
     def passed_on(self, binding: str) -> tuple[int | None, int]:
-        """The number of passed tests on a target, if known, and the number of tests for it."""
+        """Returns the number of passed tests on a target, if known, and the number of tests for
+        it.
+        """
         runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
         is_fresh = not self.model.stale_on(binding)
         return sum(run.result == "passed" for run in runs) if is_fresh else None, len(runs)
@@ -393,11 +404,13 @@ class Portal:
         return sum(binding in requirement.runs for requirement in self.model.requirements.values())
 
     def runs(self, tests: Iterable[Test]) -> int:
-        """A test counts once on each target that it is built for."""
+        """Returns the number of runs. A test counts once on each target that it is built for."""
         return sum(len(test.results) for test in tests)
 
     def callers(self, method: Method) -> list[Markup]:
-        """Returns its callers: methods, nested classes, and first values of constants."""
+        """Returns the callers of a method: methods, nested classes, and first values of
+        constants.
+        """
         callers = []
         for name in method.called_by:
             module, _, rest = name.partition("::")
@@ -408,12 +421,12 @@ class Portal:
         return callers
 
     def computed_from(self, constant: str) -> list[Markup]:
-        """The methods and constants that read a constant of the one instance."""
+        """Returns the methods and constants that read a constant of the given instance."""
         methods = (method for module in self.model.modules.values() for method in module.methods)
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
-        """The likely changes that a module absorbs: it hides them, or one variant."""
+        """Returns the likely changes that a module hides. A change of one variant counts too."""
         return [
             change.application
             for change in self.model.changes.values()
@@ -421,7 +434,7 @@ class Portal:
         ]
 
     def in_paper(self, name: str) -> list[PaperElement]:
-        """Returns the names in the paper of this module, its methods, or this application."""
+        """Returns the names in the paper of this module and its methods, or of this application."""
         return [
             element
             for element in self.model.paper
@@ -430,7 +443,7 @@ class Portal:
         ]
 
     def is_later(self, check: str) -> bool:
-        """Whether a check can only be decided after the pages are written."""
+        """Returns whether a check can only be decided after the pages are written."""
         return check in LATER and not self.findings_of(check)
 
     def verdict_of(self, check: str) -> Markup:
@@ -444,7 +457,9 @@ class Portal:
         return names.glyph("ok", "holds")
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
-        """Returns the result of a fault; ``None`` when it was not seeded in the present state."""
+        """Returns the result of a fault, or ``None`` when it was not seeded in the present
+        state.
+        """
         return next(
             (outcome for outcome in self.model.outcomes or [] if outcome.name == fault.name), None
         )

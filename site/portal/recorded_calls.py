@@ -19,7 +19,7 @@ from traceability.reading.call_record import (
 from traceability.schema import ExecutionContext
 
 PULSE = "cycleTimerInterrupt"  # the handler of the clock pulse
-COMMAND = "./wr portal"  # makes the records
+COMMAND = "./wr portal"  # the function that makes the records
 NOT_ENTERED = "main program"
 
 
@@ -48,7 +48,7 @@ def windows_of(portal: Portal) -> Mapping[str, Window]:
 
 
 def context_of(portal: Portal, activation: Activation) -> ExecutionContext | None:
-    """The context of the design whose interrupt line was entered."""
+    """Returns the context of the design whose interrupt line was entered."""
     contexts = portal.model.contexts.values()
     return next((context for context in contexts if activation.line in context.lines), None)
 
@@ -61,7 +61,7 @@ def name_of(portal: Portal, activation: Activation) -> str:
 
 
 def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
-    """The requirements whose trees contain a method."""
+    """Returns the requirements whose trees contain a method."""
     requirements: dict[str, list[str]] = {}
     for requirement in portal.model.requirements.values():
         nodes = portal.flat(requirement.tree) if requirement.tree else []
@@ -71,8 +71,9 @@ def requirements_by_method(portal: Portal) -> dict[str, list[str]]:
 
 
 def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> MethodLinks:
-    """Returns the links of a recorded method; an inherited method has the links of the method with
-    the body."""
+    """Returns the links of a recorded method. An inherited method has the links of the method that
+    it inherits.
+    """
     method = portal.links.find_method(name)
     if method is None:
         function = portal.model.functions.get(name)
@@ -88,7 +89,7 @@ def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> Metho
 
 
 def shown_time(nanoseconds: float) -> str:
-    """A duration in the unit that suits it."""
+    """Returns a duration in the unit that suits it."""
     if abs(nanoseconds) < 1e3:
         return f"{nanoseconds:.0f} ns"
     if abs(nanoseconds) < 1e6:

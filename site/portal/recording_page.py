@@ -1,4 +1,4 @@
-"""A recording of reports as one page of curves, which needs no other file."""
+"""A recording of reports as a page of curves, which needs no other file."""
 
 from __future__ import annotations
 
@@ -45,7 +45,9 @@ class Change:
 
 
 def read_recording(path: Path) -> list[Values]:
-    """The values of each report: of an MCAP or CSV file of the client, or a table of a scenario."""
+    """Returns the values of each report. The file is an MCAP or CSV file of the client, or a table
+    of a scenario.
+    """
     if path.suffix == MCAP:
         return list(read_mcap(path))
     with path.open(newline="", encoding="utf-8") as lines:
@@ -59,7 +61,9 @@ def read_recording(path: Path) -> list[Values]:
 
 
 def raw_columns(report: Layout) -> set[str]:
-    """The columns of a scenario's table: numbers as on the line, and a column for each bit."""
+    """Returns the columns of a scenario's table: numbers as on the line, and a column for each
+    bit.
+    """
     bits = {bit.name for field in report.fields for bit in field.bits}
     return bits | {field.name for field in report.fields if not field.bits}
 
@@ -102,7 +106,7 @@ class Series:
 
 
 def all_series() -> list[Series]:
-    """For each wheel its velocity, voltage and current, then the steering."""
+    """Returns the velocity, voltage and current of each wheel, then the steering."""
     wheels = [
         Series(f"Wheel {wheel}, {title}", unit, name, f"set_point{wheel}", f"quantity{wheel}", of)
         for wheel in range(WHEEL_COUNT)
@@ -134,8 +138,9 @@ def _plot(reports: Sequence[Values], series: Series) -> LoopPlot:
 
 
 def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
-    """Each report with its time since the first report [s]; the time continues when the robot is
-    reset."""
+    """Returns each report with its time since the first report [s]. The time continues when the
+    robot is reset.
+    """
     start, offset, last = None, 0.0, 0.0
     for report in reports:
         at = float(report["time_ms"]) / MS_OF_S
@@ -147,7 +152,7 @@ def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
 
 
 def points(reports: Iterable[tuple[float, Values]], name: str) -> list[tuple[float, float]]:
-    """The values that are not missing."""
+    """Returns the values that are not missing."""
     return [(at, report[name]) for at, report in reports if report[name] is not None]
 
 
@@ -174,7 +179,7 @@ def text_of(value: object) -> str:
 
 
 def plotted(_: object) -> dict[str, Any]:
-    """The values of the template of the page that draws a recording in the browser."""
+    """Returns the values of the template of the page that draws a recording in the browser."""
     series = [asdict(one) for one in all_series()]
     return {"recording": json.dumps({"series": series, "states": STATES}), "wide": True}
 

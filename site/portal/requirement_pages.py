@@ -1,4 +1,6 @@
-"""The list of requirements, and the page of each: its tree next to the calls of a test."""
+"""The list of requirements, and the page of each requirement: its tree next to the calls of a
+test.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,7 @@ from portal.portal import Page, Portal
 from traceability.model.reviews import NAMES_OF_TEXTS, QUESTIONS
 from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
 
-MOST_BETWEEN = 4  # calls that are shown between two nodes of a tree
+MOST_BETWEEN = 4  # number of calls that are shown between two nodes of a tree
 
 
 def requirements(portal: Portal) -> dict[str, Any]:
@@ -43,13 +45,13 @@ def requirements(portal: Portal) -> dict[str, Any]:
 
 
 def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
-    """Logic module at the top -> how many of its methods satisfy the requirement."""
+    """Returns for each logic module at the top how many of its methods satisfy the requirement."""
     modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)
     return Counter(module.logic.partition("/")[0] for module in modules if module)
 
 
 def marks(portal: Portal, requirement: Requirement) -> list[tuple[str, bool]]:
-    """The results of the tree: declared, possible, and executed on each target."""
+    """Returns the results of the tree: declared, possible, and executed on each target."""
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     possible = all(node.reachable for _, node in nodes)
     targets = portal.model.results_hashes
@@ -96,7 +98,9 @@ def requirement_page(portal: Portal, requirement: Requirement) -> Page:
 
 
 def covered_methods(requirement: Requirement) -> list[dict[str, MethodCoverage]]:
-    """A row for each body of a method of the tree: target -> its lines that the tests executed."""
+    """Returns a row for each body of a method of the tree, with the lines that the tests executed
+    on each target.
+    """
     rows: dict[tuple[str, int], dict[str, MethodCoverage]] = {}
     for binding, methods in requirement.coverage.items():
         for method in methods:
@@ -109,7 +113,7 @@ def first_run(requirement: Requirement) -> TreeRun | None:
 
 
 def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
-    """State machines with a transition of the requirement."""
+    """Returns state machines with a transition of the requirement."""
     return [
         machine
         for machine in portal.model.machines.values()
@@ -130,7 +134,7 @@ class Row:
 
 
 def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> list[Row]:
-    """Each node of the tree on the row of the recorded call that it matches."""
+    """Returns each node of the tree in the row of the recorded call that it matches."""
     rows = [Row(call=t.method, call_depth=t.depth) for t in run.rows] if run else []
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     places = run.places if run else [None] * len(nodes)
@@ -149,7 +153,7 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
 
 
 def shortened(rows: list[Row]) -> list[Row]:
-    """The rows, with one row instead of many calls between two nodes."""
+    """Returns the rows, with a single row in place of many calls between two nodes."""
     shown: list[Row] = []
     for is_call, group in groupby(rows, lambda row: row.node is None):
         between = list(group)
@@ -160,7 +164,9 @@ def shortened(rows: list[Row]) -> list[Row]:
 
 
 def add_trunks(rows: list[Row]) -> None:
-    """The vertical lines of the tree in each row; the line of a parent ends at its last child."""
+    """Adds the vertical lines of the tree to each row. The line of a parent ends at its last
+    child.
+    """
     placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
     for number, (index, depth) in enumerate(placed):
         if depth == 0:

@@ -79,7 +79,9 @@ def sizes(portal: Portal) -> Iterator[Compared]:
 
 
 def cycles(portal: Portal) -> Iterator[Compared]:
-    """The longest time from the clock pulse to the report, in each scenario of the bench."""
+    """Returns the longest time from the clock pulse to the report, in each scenario of the
+    bench.
+    """
     safe, paper = portal.model.bench, portal.model.bench_paper
     names = list(safe or {}) or ["any scenario of the bench"]
     for name in names:
@@ -88,6 +90,8 @@ def cycles(portal: Portal) -> Iterator[Compared]:
 
 
 def longest(record: Mapping[str, BenchScenario] | None, name: str) -> float | None:
-    """The maximum of a scenario in a record of the bench; ``None`` when it was not measured."""
+    """Returns the maximum of a scenario in a record of the bench, or ``None`` when it was not
+    measured.
+    """
     run = record[name].runs.get(TIMING) if record and name in record else None
     return run.report_ms.maximum if run else None

@@ -18,9 +18,9 @@ from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
-# Group, key, title, text, address; then words that are searched, and shown only when they match.
+# Group, key, title, text, address. Then words that are searched, and shown only when they match.
 Entry = tuple[str, ...]
-# Groups of entries -> the kind that Sphinx's inventory names.
+# Group of entries -> the kind in Sphinx's inventory.
 NAMED = {
     "Modules": "module",
     "Data types": "module",
@@ -33,7 +33,7 @@ NAMED = {
 }
 
 
-# Pages whose sections repeat texts that have entries of their own.
+# Pages whose sections repeat texts that have separate entries.
 LISTS = {
     *("answers", "tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees"),
     "structure",
@@ -41,7 +41,7 @@ LISTS = {
 
 
 def script(portal: Portal) -> str:
-    """Returns the data of each page: a script, so that it can be read without a server."""
+    """Returns the data of each page as a script, so that the page needs no server to read them."""
     modules = {m.name: card(portal, m) for m in portal.model.modules.values()}
     tours = {tour.id: asdict(tour) for tour in portal.tours}
     data = {"commit": portal.model.commit, "modules": modules, "tours": tours}
@@ -49,7 +49,7 @@ def script(portal: Portal) -> str:
 
 
 def index_script(portal: Portal, bodies: Path) -> str:
-    """Returns the data of the search; a page reads it when the search is used first."""
+    """Returns the data of the search. A page loads them at the first search."""
     parts = list(section_entries(portal, bodies))
     pages = {(group, address) for group, _, _, _, address, *_ in parts if group == "Pages"}
     found = [one for one in entries(portal) if (one[0], one[4]) not in pages] + parts
@@ -66,7 +66,7 @@ def assigned(name: str, data: object) -> str:
 
 
 def listed(name: str, separator: str) -> list[list[str]]:
-    """Returns the parts of each line of a file; empty lines and comments are left out."""
+    """Returns the parts of each line of a file, without empty lines and comments."""
     lines = (SITE / name).read_text(encoding="utf-8").splitlines()
     used = (line for line in lines if line[:1] not in ("", "#"))
     return [[part.strip() for part in line.split(separator)] for line in used]
@@ -91,7 +91,7 @@ def kind(module: Module) -> str:
 
 
 def plain(text: str) -> str:
-    """A text without its markup, on one line."""
+    """Returns a text without its markup, on one line."""
     return " ".join(text.replace("`", "").split())
 
 
@@ -142,7 +142,7 @@ def entries(portal: Portal) -> list[Entry]:
 
 
 def inventory(found: list[Entry]) -> list[list[str]]:
-    """Kind, name and address of each element that other documentation may name."""
+    """Returns the kind, name and address of each element to which other documentation may refer."""
     return [
         [NAMED[group], title, address]
         for group, _, title, _, address, *_ in found
@@ -151,7 +151,7 @@ def inventory(found: list[Entry]) -> list[list[str]]:
 
 
 def method_entries(portal: Portal) -> Iterator[Entry]:
-    """The methods that pages show, each once."""
+    """Returns the methods that pages show, each once."""
     shown = {
         method.id: method
         for module in portal.model.modules.values()
@@ -171,7 +171,7 @@ def change_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def safety_entries(portal: Portal) -> Iterator[Entry]:
-    """The goals, hazards and assumptions of the safety case."""
+    """Yields the goals, hazards and assumptions of the safety case."""
     case = portal.model.safety
     titles = {one.id: one.title for one in case.goals.values()}
     titles |= {one.id: one.title for one in case.hazards.values()}
@@ -182,7 +182,7 @@ def safety_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def paper_entries(portal: Portal) -> Iterator[Entry]:
-    """The places of the paper, and the names in each."""
+    """Yields the places of the paper, and the names in each."""
     page, model = "concordance.html", portal.model
     for place in model.paper_places:
         yield "Paper", "", place.id, place.title, f"{page}#{paper_anchor(place.id)}"
@@ -193,7 +193,9 @@ def paper_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def written_entries(portal: Portal) -> Iterator[Entry]:
-    """The sections of the hand-written pages, with all their words, and the terms they define."""
+    """Yields the sections of the hand-written pages, with all their words, and the terms they
+    define.
+    """
     for doc in portal.docs:
         source = (portal.root / f"{doc.id}.rst").read_text(encoding="utf-8")
         name = doc.id.removeprefix("docs/").replace("_", " ")
@@ -205,7 +207,7 @@ def written_entries(portal: Portal) -> Iterator[Entry]:
 
 
 def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
-    """The sections of the generated pages of the navigation, with their first words."""
+    """Yields the sections of the generated pages of the navigation, with their first words."""
     for entry in portal.navigation.entries.values():
         body = bodies / entry.address
         if entry.id in LISTS or not body.is_file():
@@ -219,7 +221,7 @@ def section_entries(portal: Portal, bodies: Path) -> Iterator[Entry]:
 
 
 def targets(portal: Portal) -> dict[str, dict[str, str]]:
-    """For each role of the hand-written pages: name to HTML."""
+    """Returns for each role of the hand-written pages the HTML of each name."""
     model, links, names = portal.model, portal.links, portal.names
     methods = {
         f"{module.name}::{method.name}"

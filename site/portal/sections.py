@@ -29,7 +29,9 @@ class Section:
 
 
 def sections_of(doc: Entry, source: str) -> Iterator[Section]:
-    """Each section of a page; the part above the first section gets the title of the page."""
+    """Returns each section of a page. The part above the first section gets the title of the
+    page.
+    """
     lines = [*source.splitlines(), ""]
     heads = [
         number
@@ -44,13 +46,13 @@ def sections_of(doc: Entry, source: str) -> Iterator[Section]:
 
 
 def terms_of(doc: Entry, source: str) -> Iterator[Section]:
-    """The terms of a page that has a glossary."""
+    """Yields the terms of a page that has a glossary."""
     for part in source.split(".. glossary::")[1:]:
         for title, text in TERM.findall(part):
             yield Section(title, f"{doc.address}#term-{TERM_MARKS.sub('-', title)}", plain(text))
 
 
 def plain(source: str) -> str:
-    """The words of a text, with little of its markup."""
+    """Returns the words of a text, with little of its markup."""
     text = NAMED.sub(r"\1", MARKS.sub(" ", source))
     return re.sub(r"\s+", " ", text).strip()

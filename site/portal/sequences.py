@@ -1,4 +1,4 @@
-"""Sequence diagrams of recorded calls: calls between modules that are in trees of requirements."""
+"""Sequence diagrams of recorded calls between the modules in trees of requirements."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ SEQUENCE: Keys = {"name": str, "title": str, "says": str, "recordings": list, "r
 PC, LINE = "PC", "serial line"
 LONGEST = 12  # greatest number of messages in a repeated group
 CLASSES_ONLY = ("hide ", "set ")  # beginnings of lines that only class diagrams need
-ROUND = 2  # digits of an instant [ms]
+ROUND = 2  # decimal digits of a time [ms]
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class DeclaredSequence:
 
 @dataclass(frozen=True)
 class Message:
-    """A call from one participant to another, or a frame on the line."""
+    """A call from a participant to another participant, or a frame on the line."""
 
     source: str
     target: str
@@ -70,7 +70,7 @@ class Loop:
 
 @dataclass
 class CycleMessages:
-    """The messages from one clock pulse to the next; equal cycles are counted."""
+    """The messages from a clock pulse to the next. Equal cycles are counted."""
 
     begin: int  # [ns]
     parts: tuple[Message | Loop, ...]
@@ -111,7 +111,7 @@ def declared_sequences(root: Path, entries: Entries | None = None) -> list[Decla
 def messages_of(
     portal: Portal, recording: Recording, methods: frozenset[str], by_logic: bool
 ) -> Iterator[tuple[int, Message]]:
-    """The messages of a recording with their instants, in their order."""
+    """Returns the messages of a recording with their times, in their order."""
     timed = [*_calls(portal, recording, methods, by_logic), *_frames(recording)]
     yield from sorted(timed, key=lambda pair: pair[0])
 
@@ -143,7 +143,7 @@ def _calls(
 
 
 def _frames(recording: Recording) -> Iterator[tuple[int, Message]]:
-    """A frame is a message at the time of its last byte."""
+    """Returns the frames as messages. The time of a frame is the time of its last byte."""
     for frame in frames_in(recording, "byte_received"):
         yield frame.events[-1].at, Message(PC, LINE, frame.kind)
     for frame in frames_in(recording, "byte_sent"):
@@ -151,7 +151,7 @@ def _frames(recording: Recording) -> Iterator[tuple[int, Message]]:
 
 
 def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> list[CycleMessages]:
-    """The messages of each cycle, with repeated groups and equal cycles combined."""
+    """Returns the messages of each cycle, with repeated groups and equal cycles combined."""
     pulses = [
         recording.activations[span.activation].raised
         for span in recording.spans
@@ -169,8 +169,9 @@ def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> 
 
 
 def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
-    """Groups of messages that are repeated immediately become loops, the longest repetition
-    first."""
+    """Replaces groups of messages that are repeated immediately by loops, the longest repetition
+    first.
+    """
     parts: list[Message | Loop] = []
     at = 0
     while at < len(messages):
@@ -242,7 +243,7 @@ def sequence_diagram(
 
 
 def _look() -> list[str]:
-    """Colours of the parts that only sequence diagrams have."""
+    """Returns the colours of the parts that only sequence diagrams have."""
     return [
         f"skinparam sequenceLifeLineBorderColor {MARKERS['edge']}",
         f"skinparam participantBackgroundColor {MARKERS['plain']}",
@@ -285,7 +286,7 @@ def _arrow(message: Message, links: Links) -> str:
 
 
 def drawn_sequences(portal: Portal) -> list[Drawn]:
-    """The declared sequences whose recordings exist in this build."""
+    """Returns the declared sequences whose recordings exist in this build."""
     recordings = recordings_of(portal)
     if recordings is None:
         return []

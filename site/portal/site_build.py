@@ -1,5 +1,6 @@
-"""Builds the site: each core builds a part of the bodies while Sphinx reads the texts; then Sphinx
-writes the pages."""
+"""Builds the site. Each core builds a part of the bodies while Sphinx reads the texts; then Sphinx
+writes the pages.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.schema import Finding, Place
 
-PARTS = 8  # parts of the pages: more than cores, so that no core waits long
+PARTS = 8  # more parts of the pages than cores, so that no core waits long
 
 
 @dataclass
@@ -72,7 +73,7 @@ def _share(portal: Portal, site: Path) -> None:
 
 
 def _write_part(bodies: Path, part: int) -> list[Page]:
-    """Writes the bodies of a part of the pages; returns these pages without them."""
+    """Writes the bodies of a part of the pages. Returns these pages without their bodies."""
     portal, _ = _shared[-1]
     made = []
     for page in all_pages(portal, part, PARTS):
@@ -89,7 +90,7 @@ def _write_exports() -> None:
 
 
 def write_exports(portal: Portal, site: Path) -> None:
-    """The files that the page of exports links."""
+    """Writes the files to which the page of exports links."""
     files = diagram_files(portal.diagrams)
     names_written = [name.rpartition("/")[2] for name in files]
     remove_others(site / DIAGRAMS, "*.puml", names_written)

@@ -18,7 +18,7 @@ from portal.glossary_links import GLOSSARY, GlossaryLinks
 from portal.links import ROOT, depth_prefix
 
 LOGGER = logging.getLogger(__name__)
-NAMES = "names.json"  # in the folder of the sources: kind, name and address of each element
+NAMES = "names.json"  # file in the folder of the sources: kind, name and address of each element
 
 
 class NameRole(SphinxRole):
@@ -67,8 +67,9 @@ def load(app: Sphinx) -> None:
 
 
 def hand_written(app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> list[str]:
-    """All these pages are read again when a page changed or caused a warning, because the pages
-    refer to each other."""
+    """Returns all hand-written pages if a page changed or caused a warning, because the pages refer
+    to each other.
+    """
     names = [name for name in env.found_docs if name.startswith("docs/")]
     return names if app.config.read_all_docs else []
 
@@ -82,7 +83,7 @@ def mark(app: Sphinx, _doctree: nodes.document) -> None:
 def link_terms(
     app: Sphinx, name: str, _template: str, context: dict[str, Any], doctree: nodes.document | None
 ) -> None:
-    """Links the terms on a hand-written page; generated pages already have these links."""
+    """Links the terms on a hand-written page. Generated pages already have these links."""
     if doctree is not None and name.startswith("docs/") and name != GLOSSARY.id:
         glossary = GlossaryLinks(Path(app.srcdir))
         context["body"] = glossary.link(context["body"], depth_prefix(name))

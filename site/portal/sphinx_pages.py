@@ -42,9 +42,9 @@ INCLUDED = (
     (DEBIAN, "packages.csv", package_table),
     (PRODUCTS, "products.inc", product_table),
 )
-FRAME = "frame.txt"  # the part of all pages around their body
+FRAME = "frame.txt"  # the layout of all pages around their bodies
 INDEX = "search_index.js"
-BODIES = "_bodies"  # folder below the pages: bodies that templates make, without the layout
+BODIES = "_bodies"  # folder below the pages: bodies from templates, without the layout
 UNKNOWN_TO_BREATHE = re.compile(r"\s*<(satisfies|verifies|innerclass)\b.*?</\1>", re.DOTALL)
 
 
@@ -112,10 +112,10 @@ def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
 
 
 class GeneratedPages:
-    """The pages that templates make: Sphinx puts each body into the layout, and writes it.
+    """The pages from templates. Sphinx inserts each body into the layout and writes the page.
 
     Sphinx also reads the page of a module, and adds the members that Breathe generates. ``made``
-    returns the pages when their bodies are in the folder ``bodies``.
+    returns the pages when the folder ``bodies`` contains their bodies.
     """
 
     def __init__(
@@ -129,7 +129,7 @@ class GeneratedPages:
         write_changed(self.frame, frame)
 
     def changed(self, _app: Sphinx, env: BuildEnvironment) -> list[str]:
-        """Pages that Sphinx must write again although their members did not change."""
+        """Returns the pages that Sphinx writes again although their members did not change."""
         self.pages = {page.name: page for page in self.made()}
         return [name for name in self.pages if name in env.found_docs and self.is_old(name)]
 

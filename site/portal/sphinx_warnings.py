@@ -1,4 +1,4 @@
-"""Sphinx's warnings as findings, each at its place in the project."""
+"""Converts Sphinx's warnings to findings, each at its place in the project."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class WarningCollector(io.StringIO):
         return Finding(place, "link-doc" if is_link else "doc-warning", text, fix)
 
     def _source(self, file: str) -> str:
-        """The hand-written page from which the copy for Sphinx was made."""
+        """Returns the hand-written page from which the copy for Sphinx was made."""
         path = Path(file)
         for base in (self.pages, self.root):
             if path.is_relative_to(base):

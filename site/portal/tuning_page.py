@@ -1,4 +1,4 @@
-"""The page of the values that fit one robot: its parameters, gains and limits."""
+"""The page of the values for a single robot: its parameters, gains and limits."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def tuning(portal: Portal) -> dict[str, Any]:
 
 
 def robot_values(model: Model) -> list[tuple[Method, Constant]]:
-    """The methods of the module of the robot's values that return one number."""
+    """Returns the methods, in the module of the robot's values, that return a number."""
     module = model.modules.get(ROBOT)
     methods = module.methods if module else []
     return [
@@ -44,8 +44,9 @@ def robot_values(model: Model) -> list[tuple[Method, Constant]]:
 
 
 def control_values(model: Model) -> dict[str, list[Value]]:
-    """Module -> its named constants with a unit, and its constants that were chosen to fit another
-    value."""
+    """Returns for each module its named constants with a unit, and its constants that were chosen
+    to fit another value.
+    """
     values: dict[str, list[Value]] = {}
     for name, constant in model.constants.items():
         chosen_for = [

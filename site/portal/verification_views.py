@@ -52,7 +52,7 @@ class Bar:
 
 
 def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
-    """A method in several trees is counted in each tree."""
+    """Returns the rows of the chart. A method in several trees is counted in each tree."""
 
     def methods(items: list[Requirement], binding: str) -> list[MethodCoverage]:
         return [method for item in items for method in item.coverage.get(binding, [])]
@@ -68,7 +68,7 @@ def chart(sections: dict[str, list[Requirement]]) -> list[Bar]:
     ]
 
 
-# Filter of the requirements -> the values of one requirement.
+# Filter of the requirements -> the values of a requirement.
 Facets = dict[str, Sequence[str]]
 
 
@@ -92,8 +92,9 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
 
 
 def facets_of_test(test: Test, model: Model, modules: Sequence[str]) -> Facets:
-    """The values of a test for the filters; a test without a requirement has no requirement and no
-    level."""
+    """Returns the values of a test for the filters. A test without a requirement has no value for
+    the filters of requirements and levels.
+    """
     verified = [model.requirements[one] for one in test.verifies if one in model.requirements]
     folders = test.place.file.split("/")[1:-1]
     return {
@@ -107,7 +108,7 @@ def facets_of_test(test: Test, model: Model, modules: Sequence[str]) -> Facets:
 
 
 def options(all_facets: Iterable[Facets]) -> dict[str, list[str]]:
-    """Each facet with the values that a requirement has."""
+    """Returns each facet with the values that a requirement has."""
     values: dict[str, set[str]] = defaultdict(set)
     for facet in all_facets:
         for name, own in facet.items():
@@ -116,6 +117,6 @@ def options(all_facets: Iterable[Facets]) -> dict[str, list[str]]:
 
 
 def _numbers_in_order(text: str) -> list[tuple[str, int]]:
-    """FR-2 comes before FR-10."""
+    """Returns a sort key with which FR-2 comes before FR-10."""
     parts = re.findall(r"(\D*)(\d*)", text)
     return [(words, int(number or 0)) for words, number in parts]

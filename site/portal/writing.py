@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def write_changed(path: Path, content: str | bytes) -> None:
-    """Writes a file unless it has this content, because readers read a newer file again."""
+    """Writes a file unless it has this content, because a newer file is read again."""
     data = content.encode() if isinstance(content, str) else content
     if path.is_file() and path.read_bytes() == data:
         return
@@ -16,8 +16,9 @@ def write_changed(path: Path, content: str | bytes) -> None:
 
 
 def remove_others(folder: Path, names: str, kept: Iterable[str]) -> None:
-    """Removes the files that match these names and are not in the list of kept files, relative to
-    the folder."""
+    """Removes the files that match these names and are not in the list of kept files. The names are
+    relative to the folder.
+    """
     kept_names = set(kept)
     for path in folder.rglob(names):
         if path.is_file() and str(path.relative_to(folder)) not in kept_names:

@@ -33,7 +33,7 @@ def randomised(examples: int) -> Callable[[Any], Any]:
 
 
 def edited(sound: str) -> st.SearchStrategy[str]:
-    """A sound text with one to four edits of lines or characters."""
+    """Returns a valid text after one to four edits of lines or characters."""
     place = st.floats(0, 1, exclude_max=True)
     piece = st.one_of(st.sampled_from(ODD), st.text(CHARACTERS, max_size=6))
     edit = st.tuples(st.sampled_from(sorted(EDITS)), place, place, piece)

@@ -1,6 +1,6 @@
 """The chunks of a campaign, and the files of the finished chunks.
 
-A chunk is a pure function of its seed and its count: it has the same result wherever it runs.
+A chunk is a pure function of its seed and its count: it has the same result on every computer.
 """
 
 from __future__ import annotations
@@ -27,7 +27,9 @@ class Chunk:
 
 
 def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
-    """The chunks of a campaign; a longer campaign begins with the chunks of a shorter campaign."""
+    """Returns the chunks of a campaign. A longer campaign begins with the chunks of a shorter
+    campaign.
+    """
     if count < 1 or count > size * SEEDS:
         raise ValueError(f"a campaign has from 1 to {size * SEEDS} cases")
     number = -(-count // size)
@@ -35,7 +37,7 @@ def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
 
 
 def identity_of(files: Iterable[Path]) -> str:
-    """The hash of the files that a chunk executes: the image and the program."""
+    """Returns the hash of the files that a chunk executes: the image and the program."""
     digest = hashlib.sha256()
     for path in files:
         digest.update(hashlib.sha256(path.read_bytes()).digest())
@@ -43,14 +45,14 @@ def identity_of(files: Iterable[Path]) -> str:
 
 
 class Store:
-    """The finished chunks of one campaign; each has a file."""
+    """The finished chunks of a campaign, each in a file."""
 
     def __init__(self, root: Path, kind: str, identity: str, seed: int) -> None:
         self.identity = identity
         self.folder = root / FOLDER / kind / f"{identity}-{seed}"
 
     def keep(self, chunk: Chunk, cases: list[dict[str, Any]]) -> None:
-        """Writes the result of a chunk: its file is complete, or it does not exist."""
+        """Writes the result of a chunk. Its file is complete, or it does not exist."""
         self.folder.mkdir(parents=True, exist_ok=True)
         path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
         draft = path.with_suffix(f".{os.getpid()}.draft")
@@ -62,7 +64,9 @@ class Store:
         draft.replace(path)
 
     def read(self, chunk: Chunk) -> list[dict[str, Any]] | None:
-        """The cases of a chunk; None while it is not finished. Another program's are refused."""
+        """Returns the cases of a chunk, or None while the chunk is not finished. Raises an error
+        for a chunk of another program.
+        """
         path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
         if not path.is_file():
             return None
@@ -73,7 +77,9 @@ class Store:
         return cases
 
     def finished(self) -> list[Chunk]:
-        """The finished chunks by their numbers; of several with one number the longest."""
+        """Returns the finished chunks by their numbers. Of several chunks with the same number it
+        returns the longest.
+        """
         seed = int(self.folder.name.rpartition("-")[2])
         longest: dict[int, int] = {}
         for path in self.folder.glob("*-*.json"):
@@ -83,7 +89,9 @@ class Store:
 
 
 def whole_part(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """The chunks before the first missing or incomplete chunk: they make a shorter campaign."""
+    """Returns the chunks before the first missing or incomplete chunk. They are a shorter
+    campaign.
+    """
     whole: list[Chunk] = []
     for number, chunk in enumerate(chunks):
         if chunk.number != number or (whole and chunk.count > whole[0].count):

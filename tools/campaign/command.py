@@ -102,7 +102,7 @@ def run(root: Path, kind: Kind, store: Store, options: argparse.Namespace) -> No
 
 
 def merged(root: Path, kind: Kind, store: Store, chunks: list[Chunk]) -> dict[str, Any]:
-    """The summary of the chunks, each counted once."""
+    """Returns the summary of the chunks, each counted once."""
     cases = [case for chunk in chunks for case in store.read(chunk) or []]
     return {
         "identity": store.identity,

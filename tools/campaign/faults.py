@@ -65,7 +65,7 @@ def times(values: Sequence[int]) -> dict[str, float]:
 
 
 def module_of(places: Any, case: Case) -> str:
-    """The module that a fault hit; empty if it hit no module."""
+    """Returns the module that a fault hit; empty if it hit no module."""
     if case["kind"] in BY_ADDRESS:
         return str(places.of(case["place"]))
     return str(places.of(case["pc"])) if case["kind"] in BY_INSTRUCTION else ""

@@ -13,7 +13,7 @@ LISTED = 20  # failures in the record
 
 
 def options(files: Sequence[Path]) -> list[str]:
-    """The options of the program for the fuzzers."""
+    """Returns the options of the program for the fuzzers."""
     return [
         word
         for name, file in zip(NAMES, files[1:], strict=True)

@@ -14,13 +14,13 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-# Inputs of one run. The last two need about 5 s each, the first 30 s of a processor.
+# Inputs of one run. Each of the last two needs about 5 s of a processor, the first 30 s.
 INPUTS = {"frames": 1_000_000, "link": 50_000, "robot": 1_000}
 LONGEST_INPUT = {"frames": 24}  # bytes
-LONGEST = 60  # [s] for one input; most inputs need less than 0.02 s
+LONGEST = 60  # time limit of an input [s]; most inputs need less than 0.02 s
 CORPUS = Path("tests/fuzz/corpus")
 MOST_OF_TEXT = 2_000
-# The line of the cause; those before it show the progress, those after it the calls.
+# Line of the cause. The lines before it show the progress, and the lines after it show the calls.
 CAUSE = re.compile(r"^.*(the fuzzer found|runtime error:|ERROR: ).*$", re.MULTILINE)
 
 
@@ -58,7 +58,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
 
 
 def cause_in(output: str) -> str:
-    """The text of a failure, beginning at the line of its cause."""
+    """Returns the text of a failure, beginning at the line of its cause."""
     match = CAUSE.search(output)
     return output[match.start() :][:MOST_OF_TEXT] if match else output[-MOST_OF_TEXT:]
 

@@ -23,18 +23,18 @@ class Kind:
     usual: int  # cases of a campaign, unless another number is given
     # Preset and targets that are built before the campaign.
     targets: tuple[tuple[str, tuple[str, ...]], ...]
-    files: tuple[Path, ...]  # files that a chunk needs; the first is its program
+    files: tuple[Path, ...]  # files that a chunk needs; the first file is the program
     options: Callable[[Sequence[Path]], list[str]]  # the options for these files
     summarise: Callable[[Path, Cases], dict[str, Any]]
 
     def words(self, files: Sequence[Path], chunk: Chunk) -> list[str]:
-        """The command of a chunk."""
+        """Returns the command of a chunk."""
         seeded = ["--seed", str(chunk.seed), "--count", str(chunk.count)]
         return [str(files[0]), *self.options(files), *seeded]
 
 
 def image_options(files: Sequence[Path]) -> list[str]:
-    """The options of a program that runs an image."""
+    """Returns the options of a program that runs an image."""
     return ["--image", str(files[1]), "--elf", str(files[2])]
 
 

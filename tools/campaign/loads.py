@@ -11,7 +11,7 @@ LISTED = 10  # longest drives in the record
 
 
 def summarise(_root: Path, cases: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """The longest control cycles of all drives."""
+    """Returns the longest control cycles of all drives."""
     longest = sorted(cases, key=lambda case: (-case["longest_ns"], case["seed"]))
     quiet = [case["longest_ns"] for case in longest if not case["noise"]]
     noisy = [case["longest_ns"] for case in longest if case["noise"]]

@@ -42,7 +42,7 @@ class Places:
             }
 
     def of(self, address: int) -> str:
-        """The module of an address; NOWHERE when the address belongs to no module."""
+        """Returns the module of an address; NOWHERE when the address belongs to no module."""
         for starts, items in ((self._starts, self._objects), (self._first, self._functions)):
             at = bisect.bisect_right(starts, address) - 1
             if at < 0 or address >= items[at][1]:
@@ -135,7 +135,9 @@ class Places:
                         yield from inner
 
     def _resolved(self, die: DIE) -> DIE:
-        """The type itself; for a class that is only declared, its definition in another file."""
+        """Returns the type itself; for a class that is only declared, its definition in another
+        file.
+        """
         while die.tag in _WRAPPERS:
             inner = _type_of(die)
             if inner is None:
@@ -166,7 +168,7 @@ class Places:
 
 
 def _children(die: DIE, tags: Iterable[str]) -> Iterator[DIE]:
-    """The entries of some kinds in namespaces, classes and functions."""
+    """Yields the entries of some kinds in namespaces, classes and functions."""
     for child in die.iter_children():
         if str(child.tag) in tags:
             yield child
@@ -175,7 +177,7 @@ def _children(die: DIE, tags: Iterable[str]) -> Iterator[DIE]:
 
 
 def _path(die: DIE) -> str:
-    """The name of a class with its namespaces and enclosing classes."""
+    """Returns the name of a class with its namespaces and enclosing classes."""
     parent = die.get_parent()
     outer = _path(parent) if parent is not None and parent.tag != "DW_TAG_compile_unit" else ""
     return f"{outer}::{_text(die, 'DW_AT_name')}"
@@ -187,7 +189,7 @@ def _text(die: DIE, name: str) -> str:
 
 
 def _plain(name: str) -> str:
-    """The name of a class without the arguments of its template."""
+    """Returns the name of a class without the arguments of its template."""
     return re.sub(r"<.*", "", name)
 
 

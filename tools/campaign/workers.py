@@ -19,11 +19,11 @@ from tools.steps import FailureError, stop_programs, stoppable
 Result = tuple[Chunk, list[dict[str, Any]]]
 NICE = "15"  # a campaign leaves the processor to other work
 HERE = "{folder}"  # replaced by the folder of the copies in the command of a worker
-RETRIES = 3  # of a chunk whose worker ended
+RETRIES = 3  # retries of a chunk whose worker ended
 
 
 def execute(words: Sequence[str]) -> list[dict[str, Any]]:
-    """Runs the command of a chunk; returns its cases."""
+    """Runs the command of a chunk. Returns its cases."""
     program = subprocess.Popen(
         ["nice", "-n", NICE, *words],
         stdin=subprocess.DEVNULL,
@@ -79,7 +79,7 @@ def execute_copy(
 def run_on_dask(
     kind: Kind, root: Path, chunks: Sequence[Chunk], scheduler: str, identity: str
 ) -> Iterator[Result]:
-    """Yields each chunk when a worker has finished it; a chunk of a lost worker runs again.
+    """Yields each chunk when a worker has finished it. A chunk of a lost worker runs again.
 
     The workers need this project's tools: they are started in its folder, with its Python.
     """

@@ -72,7 +72,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Point:
-    """A part of a source that is wrapped, so that each of its mutants can be activated.
+    """A wrapped part of a source. The wrapper can activate each of its mutants.
 
     In ``before``, ``#`` means the number of the first mutant. ``inside`` replaces the text of
     ``cut``: the operator between two operands.
@@ -217,7 +217,7 @@ class _Finder:
         self.add(Point(start, end, before, ")", mutants, at, ","))
 
     def operator(self, cursor: Cursor) -> tuple[str, tuple[int, int]]:
-        """The operator between two operands, and its place."""
+        """Returns the operator between two operands, and its place."""
         children = list(cursor.get_children())
         if len(children) < 2 or not all(child.kind.is_expression() for child in children):
             return "", (0, 0)
@@ -258,8 +258,9 @@ class _Finder:
 
 
 def _layers(cursor: Cursor) -> list[Cursor]:
-    """An expression without the nodes that the compiler adds around it, beginning with the
-    outermost one."""
+    """Returns an expression without the nodes that the compiler adds around it, beginning with the
+    outermost one.
+    """
     found = [cursor]
     while found[-1].kind == CursorKind.UNEXPOSED_EXPR:
         children = list(found[-1].get_children())

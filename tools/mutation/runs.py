@@ -1,4 +1,4 @@
-"""Runs the tests of a mutant, and returns those that find it."""
+"""Runs the tests of a mutant, and returns the tests that find it."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ SUITE = re.compile(rb"^\[-+\] \d+ tests? from ([\w/]+)(?:, .*)?$", re.MULTILINE)
 
 @dataclass
 class Outcome:
-    """Results of tests: those that failed, those that passed. Other tests are undecided."""
+    """Results of tests: the failed tests, and the passed tests. Other tests are undecided."""
 
     failed: set[str] = field(default_factory=set)
     passed: set[str] = field(default_factory=set)
 
 
 def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
-    """Runs tests with a mutant activated; 0 means none.
+    """Runs tests with a mutant activated; the number 0 activates no mutant.
 
-    ``seconds`` contains the time of each test without a mutant. A test that ends the
-    program has failed; the others run in the next process.
+    ``seconds`` contains the time of each test without a mutant. A test that ends the program has
+    failed; the others run in the next process.
     """
     outcome = Outcome()
     left = dict(seconds)
@@ -58,7 +58,7 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
 def _run(
     program: Path, mutant: int, tests: Iterable[str], limit: float, outcome: Outcome
 ) -> tuple[str | None, bool]:
-    """One process. Returns the test that ended it, if any, and whether this test hung.
+    """Runs one process. Returns the test that ended it, if any, and whether this test hung.
 
     ``limit`` counts processor seconds, because other programs on this computer delay the tests.
     """
@@ -89,13 +89,15 @@ def _run(
 
 
 def _pattern(test: str) -> str:
-    """The filter of a test, of its parameters, and of the types of its suite."""
+    """Returns the filter of a test, of its parameters, and of the types of its suite."""
     suite, _, name = test.partition(".")
     return f"{test}:{test}/*:*/{test}:*/{test}/*:{suite}/*.{name}"
 
 
 def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
-    """The first open test of the suite that began last: a fault can end the set-up of a suite."""
+    """Returns the first open test of the suite that began last: a fault can end the set-up of a
+    suite.
+    """
     for suite in SUITE.findall(text)[-1:]:
         begin = plain_name(suite.decode(), "")
         opened = set(tests) - outcome.failed - outcome.passed
@@ -105,7 +107,7 @@ def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | N
 
 def _limit_processor_time(process: int, seconds: int) -> None:
     """The kernel ends the process when it has used this processor time; so does each child."""
-    with contextlib.suppress(ProcessLookupError):  # it has ended
+    with contextlib.suppress(ProcessLookupError):  # the process has ended
         resource.prlimit(process, resource.RLIMIT_CPU, (seconds, seconds + 1))
 
 

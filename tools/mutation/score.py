@@ -37,7 +37,7 @@ class Plan:
     seconds: dict[str, float] = field(default_factory=dict)  # test that passes -> its time
 
     def own(self, method: str, requirement: str) -> set[str]:
-        """The tests of a requirement that can detect a change of a method."""
+        """Returns the tests of a requirement that can detect a change of a method."""
         return self.verifying[requirement] & self.executing.get(method, set()) & set(self.seconds)
 
     def timed(self, tests: set[str]) -> dict[str, float]:
@@ -49,7 +49,7 @@ class Tried:
     """A mutant that ran: the tests that found it, and for each requirement whether one of its own
     tests found it.
 
-    A requirement is missing where its tests were not decided.
+    A requirement is missing if its tests were not decided.
     """
 
     mutant: Mutant
@@ -58,7 +58,9 @@ class Tried:
 
 
 def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[str]) -> Plan:
-    """The tests of the functions that have mutants; without a tree they serve no requirement."""
+    """Returns the tests of the functions that have mutants; without a tree they serve no
+    requirement.
+    """
     plan = Plan({name: [] for name in functions}, {}, {})
     for requirement in model.requirements.values():
         if requirement.tree is None:
@@ -80,7 +82,7 @@ def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[st
 
 
 def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
-    """The functions that a test called; all functions when its recording is incomplete.
+    """Returns the functions that a test called; all functions when its recording is incomplete.
 
     A death test runs in a separate process, which is not recorded.
     """
@@ -93,7 +95,7 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
 
 
 def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
-    """The numbers of the mutants, shuffled, so that the requirements contribute in turn."""
+    """Returns the numbers of the mutants, shuffled, so that the requirements contribute in turn."""
     numbers = list(range(1, len(mutants) + 1))
     random.Random(seed).shuffle(numbers)
     waiting: dict[str, list[int]] = {name: [] for name in plan.verifying}
@@ -143,7 +145,8 @@ def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried 
 def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str]]) -> Outcome:
     """Runs the short tests first, until in each group a test has found the mutant or none is left.
 
-    The time of a part is a multiple of that of the previous one: a program starts seldom.
+    The time of each part is a multiple of the time of the previous part, so that programs start
+    seldom.
     """
     outcome = Outcome()
     most = FIRST_PART
@@ -163,7 +166,7 @@ def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str
 
 
 def _found(outcome: Outcome, tests: set[str]) -> bool | None:
-    """Whether a test failed; nothing while one of them is undecided."""
+    """Returns whether a test failed; nothing while one of them is undecided."""
     if tests & outcome.failed:
         return True
     return False if tests <= outcome.passed else None
@@ -242,7 +245,7 @@ class Justifications:
         self.lines: dict[str, list[str]] = {}
 
     def why(self, mutant: Mutant) -> str:
-        """The reason why no test can find a mutant; empty without a justification."""
+        """Returns the reason why no test can find a mutant; empty without a justification."""
         if mutant.file not in self.lines:
             text = (self.root / mutant.file).read_text(encoding="utf-8")
             self.lines[mutant.file] = [line.strip() for line in text.splitlines()]
@@ -253,7 +256,7 @@ class Justifications:
 def record(
     tried: Iterable[Tried], origin: Mapping[str, Any], total: int, justified: Justifications
 ) -> dict[str, Any]:
-    """The record from which the model computes its scores."""
+    """Returns the record from which the model computes its scores."""
     return {
         **origin,
         "total": total,

@@ -1,4 +1,4 @@
-"""The switched build: one copy of the sources that contains all mutants, each with its number."""
+"""The switched build: a copy of the sources that contains all mutants, each with its number."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def write_switched(root: Path, log: TextIO) -> list[Mutant]:
 def compiling(
     root: Path, unit: str, found: dict[str, list[Point]], first: int, log: TextIO
 ) -> tuple[dict[str, str], list[Mutant]]:
-    """The changed texts of a unit with the points that compile, and their mutants."""
+    """Returns the changed texts of a unit with the points that compile, and their mutants."""
     for _ in range(ATTEMPTS):
         held = [mutant for points in found.values() for point in points for mutant in point.mutants]
         numbers = iter(range(first, first + len(held)))
@@ -74,7 +74,7 @@ def _lines(path: Path, file: str, point: Point) -> set[tuple[str, int]]:
 
 
 def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
-    """The text with each point wrapped."""
+    """Returns the text with each point wrapped."""
     text = path.read_bytes()
     edits: list[tuple[tuple[int, int, int], int, int, str]] = []
     for order, point in enumerate(points):
@@ -105,8 +105,8 @@ def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int,
     for problem in tree.diagnostics:
         if problem.severity < cindex.Diagnostic.Error or not problem.location.file:
             continue
-        # For an error in the switch itself, a note shows the place of the call. With parsed headers
-        # libclang reports errors without a file; they have no meaning.
+        # If the switch has an error, a note shows the place of the call. Errors of libclang without
+        # a file come from parsed headers and are ignored.
         places = [problem.location, *(child.location for child in problem.children)]
         for place in places:
             if place.file and str(Path(place.file.name)) in {name for name, _ in unsaved}:

@@ -69,7 +69,7 @@ FAMILIES = (
 
 
 def run_checks(model: Model, facts: Facts) -> Report:
-    """The report, with all findings except the findings of the site's links, sorted."""
+    """Returns the report, with all findings except the findings of the site's links, sorted."""
     families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
     all_findings = [finding for family in families for finding in family(model, facts)]
     clauses, broken = pattern_checks.decide(model, facts)

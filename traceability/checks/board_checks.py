@@ -89,12 +89,12 @@ def _text(facts: Facts, file: str) -> str:
 
 
 def _declares(registers: str, belief: BoardBelief) -> bool:
-    """Whether the namespace of the block declares the register."""
+    """Returns whether the namespace of the block declares the register."""
     block, _, name = belief.register.rpartition("::")
     inside = registers.partition(f"namespace {block} {{")[2].partition("}  // namespace")[0]
     return re.search(rf"> {re.escape(name)};", inside) is not None
 
 
 def _names(text: str, belief: BoardBelief) -> bool:
-    """Whether a file of the virtual board names the register, directly or as a constant."""
+    """Returns whether a file of the virtual board names the register, directly or as a constant."""
     return re.search(rf"\bk?{re.escape(belief.name)}", text, re.IGNORECASE) is not None

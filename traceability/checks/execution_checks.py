@@ -76,7 +76,9 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], list[Finding]]:
-    """Returns the context of each handler; a handler has one context, and its kind must exist."""
+    """Returns the context of each handler. Each handler must have a single context, whose kind
+    exists.
+    """
     declared: dict[str, ExecutionContext] = {}
     findings: list[Finding] = []
     for context in model.contexts.values():
@@ -151,7 +153,7 @@ def _priorities(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _enabled_at(constant: str, facts: Facts) -> Place:
-    """The last call that enables a line with this priority."""
+    """Returns the last call that enables a line with this priority."""
     calls = [
         call.place
         for body in facts.syntax.bodies
@@ -162,7 +164,7 @@ def _enabled_at(constant: str, facts: Facts) -> Place:
 
 
 def _place_of(constant: str, facts: Facts) -> Place:
-    """The first place of a constant in a file."""
+    """Returns the first place of a constant in a file."""
     file, _, name = constant.removeprefix("var ").partition(":")
     lines = (facts.root / file).read_text(encoding="utf-8").splitlines()
     return Place(file, next((n for n, line in enumerate(lines, 1) if name in line), 1))
@@ -183,7 +185,7 @@ def _declared(place: Place, text: str, fix: str) -> Finding:
 
 
 def _interrupts(model: Model, facts: Facts) -> list[Finding]:
-    """Methods that no interrupt may call, but that run in one."""
+    """Finds methods that no interrupt may call, but that run in an interrupt."""
     forbidden = {
         method.id: method
         for module in model.modules.values()

@@ -56,13 +56,13 @@ def _files(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _is_described(fact: ClassFact, facts: Facts) -> bool:
-    """Whether a class is a module, or a data type with its mark."""
+    """Returns whether a class is a module, or a data type with its mark."""
     name = fact.qualified.rsplit("::", maxsplit=1)[-1]
     return bool(facts.comment(fact).of("datatype")) or name in facts.with_file
 
 
 def _composes(model: Model, folder: str) -> bool:
-    """Whether a folder contains functions and no module: the composition of a product."""
+    """Returns whether a folder contains functions and no module: the composition of a product."""
     logic = model.logic_modules.get(folder.removeprefix("src/"))
     return logic is not None and bool(logic.function) and not logic.modules
 

@@ -57,7 +57,7 @@ def _change(
 
 
 def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str) -> bool:
-    """Whether a class of the kit makes the change of the recipe."""
+    """Returns whether a class of the kit makes the change of the recipe."""
     above = set(_above(facts, kit, name))
     if change.derives:
         return not above.isdisjoint(change.derives)
@@ -72,7 +72,7 @@ def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str
 
 
 def _touches(model: Model, change: LikelyChange, made: MadeChange | None) -> bool:
-    """Whether the kit changes the file of an altered module."""
+    """Returns whether the kit changes the file of an altered module."""
     headers = [model.modules[name].place.file for name in change.altered]
     files = {*headers, *(name.replace(".hpp", ".cpp") for name in headers)}
     return made is not None and not files.isdisjoint(made.patched)

@@ -21,7 +21,7 @@ from traceability.sources import file_hash, files_below
 
 # A path of the project, in backticks or as the target of a link.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
-URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a style sheet
+URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # links in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
 PRODUCT = re.compile(r"--product[ =](\w+)")
 PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
@@ -32,7 +32,7 @@ PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
 CACHE = "pages-cache/links"  # next to the site
-FEW = 100  # up to this number of pages, one process is as fast as several
+FEW = 100  # up to this number of pages, a single process is as fast as several processes
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
@@ -40,7 +40,8 @@ ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|
 @dataclass
 class _Page:
     anchors: set[str]
-    links: dict[str, int]  # link -> place in the text; without live links to its own anchors
+    # link -> place in the text, without valid links to anchors of the same page
+    links: dict[str, int]
 
 
 def _text(file: str) -> str:
@@ -99,13 +100,13 @@ class _Site:
         self.away = functools.cache(self._away)
 
     def reason(self, file: str, folder: str, link: str) -> str:
-        """The reason why a link is dead; empty when its target exists."""
+        """Returns the reason why a link is dead; empty when its target exists."""
         if link.startswith(("#", "?")):
             return self._without(file, link.partition("#")[2])
         return self.away(folder, link)
 
     def _away(self, folder: str, link: str) -> str:
-        """The result is equal for each page of a folder, so it is computed once."""
+        """Returns the result, which is computed once: it is equal for each page of a folder."""
         path, _, fragment = link.partition("#")
         path = path.partition("?")[0]
         if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
@@ -127,7 +128,7 @@ class _Site:
 
 
 def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
-    """Page, line, link and reason of each dead link."""
+    """Returns page, line, link and reason of each dead link."""
     site = _Site(root)
     dead: list[tuple[Path, int, str, str]] = []
     for file, page in site.pages.items():
@@ -182,7 +183,7 @@ def dead_clicks(site: Path) -> list[Finding]:
 
 
 def has_page(site: Path, name: str) -> bool:
-    """Whether the site has a page, and on it the anchor behind a #."""
+    """Returns whether the site has a page, and on it the anchor behind a #."""
     page, _, anchor = name.partition("#")
     path = site / page
     if not path.is_file():
@@ -198,7 +199,7 @@ class Texts:
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """The place of a link; no place when the text contains only parts of the link."""
+        """Returns the place of a link; no place when the text contains only parts of the link."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""
@@ -279,7 +280,7 @@ def missing_parts(root: Path) -> list[Finding]:
 
 
 def _pins(root: Path) -> set[str]:
-    """The pins of the table of pins, and the pins that its comments name."""
+    """Returns the pins of the table of pins, and the pins that its comments name."""
     path = root / "src" / "k64" / "pins.hpp"
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     rows = {f"PT{port}{number}" for port, number in re.findall(r"Port::([A-E]), (\d+)", text)}
@@ -287,13 +288,13 @@ def _pins(root: Path) -> set[str]:
 
 
 def _keys(root: Path) -> set[str]:
-    """The keys that the client reads."""
+    """Returns the keys that the client reads."""
     files = files_below(root, ("client",), (".py",))
     return set(re.findall(r'\bb"(\w)"', "".join(path.read_text("utf-8") for path in files)))
 
 
 def _targets(root: Path) -> set[str]:
-    """The programs that CMake builds."""
+    """Returns the programs that CMake builds."""
     files = [root / "CMakeLists.txt"]
     files += files_below(root, ("tests", "sim", "src", "changes", "ports"), (".txt",))
     lists = [path for path in files if path.name == "CMakeLists.txt" and path.exists()]

@@ -16,7 +16,7 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
 
-FEWEST_WORDS = 3  # of a useful sentence
+FEWEST_WORDS = 3  # smallest number of words of a useful sentence
 FEWEST_OF_BRIEF = 2  # a verb and its object
 NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
 # A number has a unit, or it is a count, the number of an item, bytes, or the value of a field.
@@ -34,7 +34,7 @@ QUANTITY = re.compile(
 UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
 UNITS = re.compile(r"\[([^\]]+)\]")
 PROMISE = re.compile(r"\b(to be (written|done|defined|decided)|TODO|TBD|FIXME)\b", re.IGNORECASE)
-INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # what @isr says
+INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # text of @isr
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -199,12 +199,12 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> li
 
 
 def says(text: str) -> bool:
-    """Whether a text is a sentence, and not a placeholder."""
+    """Returns whether a text is a sentence, and not a placeholder."""
     return len(text.split()) >= FEWEST_WORDS and not PROMISE.search(text)
 
 
 def words_of(text: str) -> str:
-    """The text in lower case, without punctuation."""
+    """Returns the text in lower case, without punctuation."""
     return " ".join(re.findall(r"\w+", text.casefold()))
 
 
@@ -363,7 +363,7 @@ def _gives_result(method: Method) -> bool:
 
 
 def _result_of(method: Method) -> str:
-    """The type of the result and the name, as in the signature."""
+    """Returns the type of the result and the name, as in the signature."""
     return method.signature.split("(")[0].removeprefix("virtual ").removeprefix("static ")
 
 

@@ -30,7 +30,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds statements without a place in the paper, or whose answer does not exist."""
+    """Finds statements that have no place in the paper, or no existing answer."""
     places = {place.id for place in model.paper_places}
     for statement in model.statements:
         texts = [
@@ -129,7 +129,9 @@ def _stale(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
 
 
 def exists(target: str, model: Model, facts: Facts) -> bool:
-    """Whether the model contains the part of an entry. The site contains the generated pages."""
+    """Returns whether the model contains the part of an entry. The site contains the generated
+    pages.
+    """
     kind, _, name = target.partition(":")
     if kind == "method":
         owner, _, method = name.partition("::")
@@ -195,7 +197,7 @@ def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
 
 
 def _returned(method: str, facts: Facts) -> list[str]:
-    """The number that a method returns."""
+    """Returns the number that a method returns."""
     numbers: list[str] = []
     for body in facts.bodies.get(method, []):
         lines = facts.lines_of(body.place.file)[body.place.line - 1 : body.end]
@@ -204,7 +206,7 @@ def _returned(method: str, facts: Facts) -> list[str]:
 
 
 def _name_here(target: str, model: Model) -> str:
-    """The name that an element has here: an application by its title."""
+    """Returns the name that an element has here: an application by its title."""
     kind, _, name = target.partition(":")
     application = model.patterns.get(name) if kind == "pattern" else None
     return application.title if application else name

@@ -303,7 +303,8 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
-    """Whether a subclass has a role that derives, in this application or in one that replaces it.
+    """Returns whether a subclass has a role that derives, in this application or in one that
+    replaces it.
 
     The subclasses of a Command or a Builder have one application each. A decorator of a component,
     or a decorated component, need not also be an alternative.
@@ -326,7 +327,7 @@ def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> 
 def _clauses(
     application: PatternApplication, model: Model, facts: Facts
 ) -> tuple[list[Clause], list[Finding]]:
-    """Decides every clause of the pattern in one application."""
+    """Decides every clause of the pattern in an application."""
     clauses: list[Clause] = []
     findings: list[Finding] = []
     shape = Shape(application, facts)

@@ -25,7 +25,9 @@ class Shape:
 
     @property
     def replaced(self) -> list[str]:
-        """The operations that decorators of the application replace instead of extending them."""
+        """Returns the operations that decorators of the application replace instead of extending
+        them.
+        """
         declared = self.facts.declared.applications.get(self.application.id)
         return declared.replaces if declared else []
 
@@ -52,7 +54,7 @@ class Shape:
         return [method for method in self.facts.classes[module].methods if not method.deleted]
 
     def fields(self, module: str) -> list[FieldFact]:
-        """The fields of a class and of the classes nested in it."""
+        """Returns the fields of a class and of the classes nested in it."""
         inner = f"{module}::"
         return [
             field
@@ -62,7 +64,9 @@ class Shape:
         ]
 
     def bodies(self, module: str) -> list[BodyFact]:
-        """The bodies of a class, of its nested classes, and of the functions in its files."""
+        """Returns the bodies of a class, of its nested classes, and of the functions in its
+        files.
+        """
         return self.facts.bodies_of.get(module, [])
 
     def user(self, body: BodyFact) -> str:
@@ -79,7 +83,7 @@ class Shape:
         )
 
     def is_given(self, module: str, base: str) -> bool:
-        """Whether an own or inherited method of the class gets a reference to the base."""
+        """Returns whether an own or inherited method of the class gets a reference to the base."""
         marks = (f"{base}&", f"{base}*")
         for owner in (module, *self.bases(module)):
             for method in self.methods(owner):
@@ -100,7 +104,7 @@ class Shape:
                 yield include.place, target
 
     def marks(self, module: str) -> set[tuple[str, str]]:
-        """The values of an enumeration that a class names."""
+        """Returns the values of an enumeration that a class names."""
         return {
             (name.target, name.member)
             for name in self.facts.names_of.get(module, [])
@@ -263,8 +267,9 @@ def state_change(shape: Shape) -> Broken:
 def change_operation(
     shape: Shape, states: set[str], context: str, changers: dict[str, Place]
 ) -> str:
-    """The operation of the Context that the states call; if there are several, the first
-    operation."""
+    """Returns the operation of the Context that the states call; if there are several, the first
+    operation.
+    """
     by_states = {target for state in states for target, _ in shape.calls(state)}
     own = [method for method in changers if owner_of(method) == context]
     return next((m for m in own if m in by_states), next(iter(own), ""))
@@ -286,8 +291,9 @@ def decorator_holds(shape: Shape) -> Broken:
 
 
 def on_wrapped(call: CallFact, decorators: set[str]) -> bool:
-    """Whether a call goes to the component of the Decorator, which is its only member of this
-    type."""
+    """Returns whether a call goes to the component of the Decorator, which is its only member of
+    this type.
+    """
     return all(
         place.startswith("this ") or owner_of(place.split()[1]) in decorators for place in call.on
     )
@@ -347,7 +353,7 @@ def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
 
 
 def template_methods(shape: Shape, module: str) -> dict[str, set[str]]:
-    """The callers that are not virtual."""
+    """Returns the callers that are not virtual."""
     plain = {method.id for method in shape.methods(module) if not method.virtual}
     return {m: called for m, called in primitives_called(shape, module).items() if m in plain}
 
@@ -422,7 +428,7 @@ def command_invoker(shape: Shape) -> Broken:
 
 
 def executed(shape: Shape, calls: list[CallFact]) -> bool:
-    """Whether calls reach a Concrete Command of the application, as builders bind them."""
+    """Returns whether calls reach a Concrete Command of the application, as builders bind them."""
     targets = {owner_of(name) for call in calls for name in shape.facts.references.targets(call)}
     return not targets.isdisjoint(shape.playing("Concrete Command"))
 
@@ -487,7 +493,9 @@ def builder_constructs(shape: Shape) -> Broken:
 
 
 def passes_steps_on(shape: Shape, builder: str) -> bool:
-    """Whether a Concrete Builder calls the steps of the Builder, which other builders implement."""
+    """Returns whether a Concrete Builder calls the steps of the Builder, which other builders
+    implement.
+    """
     abstract = shape.playing("Builder")
     return builder not in abstract and any(
         owner_of(target) in abstract for target, _ in shape.calls(builder)
@@ -504,7 +512,7 @@ def builder_parts(shape: Shape) -> Broken:
 
 
 def parts_of(shape: Shape, builders: list[str]) -> set[str]:
-    """The modules with a role that the builders store or construct."""
+    """Returns the modules with a role that the builders store or construct."""
     parts = {
         name
         for builder in builders

@@ -40,7 +40,7 @@ def _owners(facts: Facts) -> dict[str, Block]:
 
 
 def _files(module: str, facts: Facts) -> set[str]:
-    """The place of a module; empty when no module has the name."""
+    """Returns the place of a module; empty when no module has the name."""
     fact = facts.classes.get(module)
     if fact is None:
         return set()
@@ -110,15 +110,16 @@ def _past_the_table(facts: Facts) -> list[Finding]:
 
 
 def _reaches(place: Place, facts: Facts) -> bool:
-    """Whether an instruction of a driver reads or writes an address that it computes."""
+    """Returns whether an instruction of a driver reads or writes an address that it computes."""
     lines = (facts.root / place.file).read_text(encoding="utf-8").splitlines()[place.line - 1 :]
     words = "\n".join(lines).partition(";")[0]
     return START_UP not in place.file and MEMORY.search(words) is not None
 
 
 def _twice(facts: Facts) -> list[Finding]:
-    """Finds an address in two blocks: the owners of one block could access the registers of the
-    other."""
+    """Finds an address in two blocks. The owners of each block could access the registers of the
+    other block.
+    """
     findings: list[Finding] = []
     first: dict[int, str] = {}
     for number, block, address in _table(facts):
@@ -174,7 +175,7 @@ def _outside(facts: Facts) -> list[Finding]:
 
 
 def _lies_in(address: int, registers: list[int]) -> bool:
-    """Whether an address is in a block: between its registers, or near them."""
+    """Returns whether an address is in a block: between its registers, or near them."""
     first, last = min(registers), max(registers)
     return first <= address <= last or _page(address) == _page(last)
 
@@ -237,7 +238,7 @@ def _module_of(file: str) -> str:
 
 
 def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
-    """Whether other modules can call a function for its result."""
+    """Returns whether other modules can call a function for its result."""
     if word == "param" or body.local:
         return False
     methods = facts.classes[body.owner].methods if body.owner in facts.classes else []

@@ -25,7 +25,7 @@ class Check:
 
     @property
     def text(self) -> str:
-        """The whole description, as plain text."""
+        """Returns the whole description, as plain text."""
         return f"{self.holds} Its limits: {self.blind} To fix a finding: {self.fix}"
 
 
@@ -272,10 +272,9 @@ _FIXED = [
     Check(
         "uses-extension",
         "Nothing depends on an extension",
-        "No file of src includes or calls one of extensions, so a product can omit it; nor "
-        "does it contain a number that an extension adds to an enumeration. An extension uses "
-        "another extension "
-        "only where design/uses.toml gives the reason.",
+        "No file of src includes or calls an extension, and no file of src contains a number that "
+        "an extension adds to an enumeration. A product can therefore omit the extension. An "
+        "extension uses another extension only where design/uses.toml gives the reason.",
         "the parts that the linker adds to the image of a product; tests of products check them.",
         "remove the include or the call: a composition of the extension binds it to the robot.",
     ),

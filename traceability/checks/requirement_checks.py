@@ -155,7 +155,7 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def headings(page: Path) -> list[str]:
-    """The headings of a hand-written page."""
+    """Returns the headings of a hand-written page."""
     lines = page.read_text(encoding="utf-8").splitlines() if page.exists() else []
     return [
         above.strip()
@@ -264,7 +264,7 @@ def _lines_of(root: Path, body: BodyFact) -> list[str]:
 
 
 def _spare(item: Justified) -> Sequence[str]:
-    """The names without a use. A path is in use if any of its parts is in use."""
+    """Returns the names without a use. A path is in use if any of its parts is in use."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]
@@ -291,7 +291,9 @@ def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
 
 
 def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place:
-    """The first requirement that a finding concerns, because results are no source to open."""
+    """Returns the first requirement that a finding concerns, because results are no source to
+    open.
+    """
     ordered = sorted(model.requirements.values(), key=lambda one: not concerns(one))
     return ordered[0].place if ordered else Place("requirements", 1)
 
@@ -353,7 +355,7 @@ def unmet(
 
 
 def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> bool:
-    """Whether findings of other checks state that the evidence does not hold."""
+    """Returns whether findings of other checks state that the evidence does not hold."""
     if value is None:
         return bool(evidence.relation) and "req-stale" in checks
     if evidence.figure == CONFORMING:
@@ -400,7 +402,7 @@ def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _built(folder: Path, words: set[str]) -> bool:
-    """Whether the folder, or one above it, is named."""
+    """Returns whether the folder, or a folder above it, is named."""
     above = [folder, *folder.parents]
     return any(str(folder.relative_to("tests")) in words for folder in above if folder.parts[1:])
 
@@ -421,7 +423,7 @@ def _unknown(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
-    """A tag names one requirement that exists: a text after the id would be ignored."""
+    """Each tag names a requirement that exists. A text after the id would be ignored."""
     for comment in facts.comments.below(TAGGED):
         for tag in comment.tags:
             if tag.name in _VERBS.values():

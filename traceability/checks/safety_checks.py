@@ -59,7 +59,7 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _at(facts: Facts, item: Assumption | Hazard | SafetyGoal) -> Place:
-    """The line with the id of an entry."""
+    """Returns the line with the id of an entry."""
     return facts.declared.entries.line_in(item.place, item.id)
 
 

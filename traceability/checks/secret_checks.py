@@ -133,7 +133,7 @@ def _declared(model: Model) -> Iterator[Hidden]:
 
 
 def _uses(name: str, facts: Facts) -> list[Place] | None:
-    """The places where a header, class or member is named; None when it does not exist."""
+    """Returns the places where a header, class or member is named; None when it does not exist."""
     if name.endswith(".hpp"):
         headers = [f"{folder}/{name}" for folder in DESIGN if (facts.root / folder / name).exists()]
         includes = [include.place for include in facts.syntax.includes if include.target in headers]
@@ -154,7 +154,7 @@ def _uses(name: str, facts: Facts) -> list[Place] | None:
 
 
 def _standard(name: str, root: Path) -> list[Place] | None:
-    """The places at which a header of the library is included."""
+    """Returns the places at which a header of the library is included."""
     places = [
         Place(str(path.relative_to(root)), number)
         for path in files_below(root, DESIGN, (".cpp", ".hpp"))
@@ -185,7 +185,7 @@ def _copied(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _is_similar(name: str, other: str) -> bool:
-    """Whether all words of one name occur in the other name: kGroup, kSampleGroup."""
+    """Returns whether all words of a name occur in another name, as in kGroup and kSampleGroup."""
     words, others = (
         set(re.findall(r"[A-Z][a-z]*|\d+", part.rpartition("::")[2])) for part in (name, other)
     )

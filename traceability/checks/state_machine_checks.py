@@ -152,7 +152,7 @@ def _asked_for(
 
 
 def _serving(requirement: Requirement) -> list[str]:
-    """The methods that satisfy a requirement, and the methods of its tree."""
+    """Returns the methods that satisfy a requirement, and the methods of its tree."""
     methods = list(requirement.satisfied_by)
     work = [requirement.tree] if requirement.tree else []
     while work:
@@ -163,7 +163,7 @@ def _serving(requirement: Requirement) -> list[str]:
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
-    """Whether a transition has the same state and event as another transition."""
+    """Returns whether a transition has the same state and event as another transition."""
     others = [
         (other.guard, place)
         for place, other in enumerate(machine.transitions)
@@ -236,7 +236,7 @@ def _operation(
 
 
 def _differs(row: Transition, change: Change) -> bool:
-    """Whether a change has a condition and its row has none, or the reverse.
+    """Returns whether a change has a condition and its row has none, or the reverse.
 
     The time of an event is also a condition; a guard on another machine is a condition of the
     caller.
@@ -260,10 +260,10 @@ def _asked(machine: StateMachine, row: Transition) -> set[str]:
 
 
 def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> set[str]:
-    """The conditions of the guards of a change and of the earlier ones in the operation."""
+    """Returns the conditions of the guards of a change, and of earlier guards of the operation."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
-    before += [other for other in changes if other.place == change.place]  # one call, two targets
+    before += [other for other in changes if other.place == change.place]  # a call with two targets
     evaluated = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
         made = matching(machine, row, code)
@@ -321,7 +321,7 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
 
 
 def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
-    """The calls that can precede a change: within one function, the calls above it."""
+    """Returns the calls that can precede a change: the calls above it in the same function."""
     return {
         call.target
         for change in changes
@@ -398,7 +398,7 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
-    """The numbers with a unit in a text that none of the requirements has."""
+    """Returns the numbers with a unit in a text that none of the requirements has."""
     numbers = {
         re.sub(r"\s+", " ", number) for r in requirements for number in _WITH_UNIT.findall(r.text)
     }

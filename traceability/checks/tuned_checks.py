@@ -65,7 +65,7 @@ def _unknown(model: Model, constants: dict[str, Written]) -> Iterator[Finding]:
 
 
 def _read_by(constant: Written) -> set[str]:
-    """The constants of the same file in the initialiser."""
+    """Returns the constants of the same file in the initialiser."""
     file = constant.name.split("::", maxsplit=1)[0]
     return {f"{file}::{name}" for name in re.findall(r"\bk[A-Z]\w*", constant.code)}
 

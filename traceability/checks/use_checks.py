@@ -78,7 +78,8 @@ def _forbidden(model: Model) -> list[Finding]:
 
 def _extensions(model: Model) -> list[Finding]:
     """The robot never names an extension; an extension may name the extensions that it needs."""
-    # An extension may use another one if the design has the reason; the robot never does.
+    # An extension may use another extension if the design has the reason. The robot never uses an
+    # extension.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     return [
         Finding(
@@ -122,7 +123,7 @@ def _numbers_of_extensions(facts: Facts) -> list[Finding]:
 
 
 def _extension(logic: str) -> list[str]:
-    """The extension of a logic module; modules of the robot have none."""
+    """Returns the extension of a logic module; modules of the robot have none."""
     return logic.split("/")[:2] if is_extension(logic) else []
 
 
@@ -176,7 +177,7 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
 
 
 def _apart(facts: Facts) -> list[Finding]:
-    """Finds pairs of separated modules in which a module names the other."""
+    """Finds pairs of separated modules in which a module names the other module."""
     pairs = {
         (user, other): rule
         for rule in facts.declared.apart
@@ -256,7 +257,7 @@ def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
 
 
 def _reached(graph: dict[str, set[str]], start: str) -> set[str]:
-    """The start and all that it uses, directly or not."""
+    """Returns the start and all that it uses, directly or not."""
     reached, work = {start}, [start]
     while work:
         for target in graph.get(work.pop(), set()):

@@ -27,7 +27,7 @@ def write_metrics(root: Path, model: Model, report: Report, measured: dict[str, 
 
 
 def site_figures(site: Path, findings: Iterable[Finding]) -> dict[str, Any]:
-    """The metrics of the built site, from the findings of its links."""
+    """Returns the metrics of the built site, from the findings of its links."""
     return {
         "site.pages": len(list(site.rglob("*.html"))),
         "site.dead_links": sum(1 for finding in findings if finding.check == "link-site"),

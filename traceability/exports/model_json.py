@@ -30,7 +30,9 @@ PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: 
 
 
 def model_text(model: Model, report: Report) -> str:
-    """The model with the verdicts as JSON. Places, names and texts equal those on the pages."""
+    """Returns the model with the verdicts as JSON. Places, names and texts equal those on the
+    pages.
+    """
 
     def fields(record: object) -> dict[str, Any]:
         return _fields(record) | _verdict(record, report)
@@ -43,7 +45,7 @@ def _fields(record: Any) -> dict[str, Any]:
 
 
 def _verdict(record: object, report: Report) -> dict[str, Any]:
-    """The fields that the report adds to a record."""
+    """Returns the fields that the report adds to a record."""
     fields: dict[str, Any] = {}
     match record:
         case Model():
@@ -70,7 +72,9 @@ def model_schema() -> dict[str, Any]:
 
 
 def schema_of(kind: type, title: str) -> dict[str, Any]:
-    """The schema of a file, derived from the class of its content and the classes of its parts."""
+    """Returns the schema of a file, derived from the class of its content and the classes of its
+    parts.
+    """
     definitions: dict[str, Any] = {}
     top = _class(kind, definitions)
     return {"$schema": DIALECT, "title": title} | top | {"$defs": dict(sorted(definitions.items()))}

@@ -34,7 +34,7 @@ NOT_IN_NAME = re.compile(r"[^\w.-]")
 
 
 def csv_text(model: Model, report: Report) -> str:
-    """A row for each requirement."""
+    """Returns a row for each requirement."""
     lines = io.StringIO()
     columns = ["id", "text", "state", *VALUES, "file", "line", "verified_by", "satisfied_by"]
     table = csv.DictWriter(lines, columns, lineterminator="\r\n")
@@ -61,7 +61,9 @@ def csv_text(model: Model, report: Report) -> str:
 
 
 def needs_text(model: Model, report: Report) -> str:
-    """The needs of sphinx-needs. A test has the link ``verifies``, a method has ``satisfies``."""
+    """Returns the needs of sphinx-needs. A test has the link ``verifies``, a method has
+    ``satisfies``.
+    """
     needs = {item.id: _need(item) for item in trace_items(model, report)}
     version = {"needs": needs, "needs_amount": len(needs), "filters": {}, "filters_amount": 0}
     content = {
@@ -184,7 +186,7 @@ def _add_values(objects: ET.Element, kind: str, name: str, values: dict[str, str
 
 
 def _sections(items: list[TraceItem]) -> Iterable[tuple[str, list[TraceItem]]]:
-    """The requirements of each section, in their order; a section may occur twice."""
+    """Returns the requirements of each section, in their order; a section may occur twice."""
     requirements = [item for item in items if item.kind == REQUIREMENT]
     for number, (section, group) in enumerate(
         groupby(requirements, lambda item: item.values["section"]), 1

@@ -1,4 +1,4 @@
-"""The state of one revision in few words, and the differences between two revisions."""
+"""The state of a revision in few words, and the differences between two revisions."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Revision:
 def revision_of(
     model: Model, commit: str, report: Report | None, metrics: Mapping[str, Any]
 ) -> Revision:
-    """The revision of a model; without a report, it has only the facts of the sources."""
+    """Returns the revision of a model; without a report, it has only the facts of the sources."""
     counts: dict[str, int] = {}
     for finding in report.findings if report else []:
         counts[finding.check] = counts.get(finding.check, 0) + 1
@@ -142,7 +142,9 @@ def _of_requirements(first: Revision, second: Revision) -> Iterator[Difference]:
 
 
 def changed_words(old: str, new: str) -> str:
-    """The words that changed, between [-removed-] and {+added+}, with some words around them."""
+    """Returns the words that changed, between [-removed-] and {+added+}, with some words around
+    them.
+    """
     before, after = old.split(), new.split()
     parts: list[str] = []
     for tag, i, j, k, m in difflib.SequenceMatcher(
@@ -178,8 +180,9 @@ def _numbers(
     second: Mapping[str, float | None],
     missing: float | None = None,
 ) -> list[Difference]:
-    """A value that only one revision has is shown as ``missing`` in the other; None was not
-    measured."""
+    """Compares numbers. A value that only one revision has is ``missing`` in the other revision.
+    None was not measured.
+    """
     changed = []
     for name in sorted(first.keys() | second.keys()):
         before, after = first.get(name, missing), second.get(name, missing)

@@ -9,7 +9,7 @@ from traceability.reading.register_table import Register, RegisterBlock, read_re
 
 NAME = "weeding_robot.svd"
 VERSION = "1.3"
-PAGE = 0x1000  # a block of registers is in one page
+PAGE = 0x1000  # size of a page of addresses, which contains a block of registers
 ACCESS = {
     "Read": "read-only",
     "Write": "write-only",
@@ -68,7 +68,7 @@ def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
 
 
 def _base(block: RegisterBlock) -> int:
-    """The beginning of the page; the blocks of GPIO are smaller and closer together."""
+    """Returns the beginning of the page; the blocks of GPIO are smaller and closer together."""
     step = min(PAGE, block.distance or PAGE)
     return min(register.address for register in block.registers) // step * step
 

@@ -20,9 +20,9 @@ class ToolFile:
     """A file of the portal for another tool."""
 
     name: str
-    text: str  # for the page Exports
+    text: str  # text for the page Exports
     make: Callable[[Path, Model, Report], str]
-    source: Path = Path()  # source file in the project, if there is one
+    source: Path = Path()  # source file in the project, if it exists
 
 
 def _ready(text: str, _root: Path, _model: Model, _report: Report) -> str:
@@ -73,5 +73,5 @@ FILES = (
 
 
 def available(root: Path) -> list[ToolFile]:
-    """The files whose source exists in the project."""
+    """Returns the files whose source exists in the project."""
     return [file for file in FILES if (root / file.source).exists()]

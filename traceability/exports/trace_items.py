@@ -35,7 +35,7 @@ VALUES = ("section", "rationale", "source", "priority", "level", "method", "prod
 
 
 def trace_items(model: Model, report: Report) -> list[TraceItem]:
-    """Requirements first, then the tests and the methods that are linked to them."""
+    """Returns requirements first, then the tests and the methods that are linked to them."""
     return [*_requirements(model, report), *_tests(model), *_methods(model)]
 
 

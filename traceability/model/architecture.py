@@ -26,14 +26,14 @@ def way_of(model: Model, facts: Facts, connection: Connection) -> list[str]:
 
 
 def is_outside(connection: Connection) -> bool:
-    """Whether one end is outside the microcontroller, or the connection is physical."""
+    """Returns whether one end is outside the microcontroller, or the connection is physical."""
     physical = connection.kind == "physical"
     outside = {"PC", "Remote control"} & {connection.source, connection.target}
     return physical or bool(outside)
 
 
 def pipe_between(model: Model, connection: Connection) -> list[str]:
-    """The methods that write and read a pipe of the two modules."""
+    """Returns the methods that write and read a pipe of the two modules."""
     for pipe in model.pipes:
         writers = [writer for writer in pipe.writers if writer.startswith(f"{connection.source}::")]
         readers = [reader for reader in pipe.readers if reader.startswith(f"{connection.target}::")]
@@ -43,8 +43,9 @@ def pipe_between(model: Model, connection: Connection) -> list[str]:
 
 
 def calls_between(facts: Facts, connection: Connection) -> list[str]:
-    """The shortest path of calls from one module to the other; the body of a thread follows its
-    post."""
+    """Returns the shortest path of calls from a module to another. The body of a thread follows its
+    post.
+    """
     begin = f"{connection.source}::"
     own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}
     constructor = begin + connection.source

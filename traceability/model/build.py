@@ -288,7 +288,7 @@ def _modules(facts: Facts) -> dict[str, Module]:
 
 
 def _for_heirs_only(fact: ClassFact) -> bool:
-    """Whether only subclasses can be constructed: all its constructors are protected."""
+    """Returns whether only subclasses can be constructed: all its constructors are protected."""
     made = [m.access for m in fact.methods if m.kind == "constructor" and not m.deleted]
     return bool(made) and set(made) == {"protected"}
 
@@ -322,7 +322,7 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 
 
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
-    """The body of this overload if the class contains it, else the first body."""
+    """Returns the body of this overload if the class contains it, else the first body."""
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
             return body
@@ -495,13 +495,14 @@ def _requirement(part: Comment, sections: dict[str, str]) -> Requirement:
 
 
 def logic_of(file: str) -> str:
-    """The id of the logic module of a file: its folder, without ``src/``."""
+    """Returns the id of the logic module of a file: its folder, without ``src/``."""
     return str(Path(file).parent).removeprefix(f"{SRC}/")
 
 
 def _uses(model: Model, facts: Facts) -> list[Use]:
     use_places: dict[tuple[str, str], list[Place]] = {}
-    others: dict[tuple[str, str], Place] = {}  # the first call or name, if there is no include
+    # place of the first call or name, if there is no include
+    others: dict[tuple[str, str], Place] = {}
     folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
     for include in facts.syntax.includes:
         pair = (logic_of(include.place.file), logic_of(include.target))
@@ -526,7 +527,9 @@ def _uses(model: Model, facts: Facts) -> list[Use]:
 
 
 def _declared_in(call: CallFact, facts: Facts) -> str:
-    """The file of a function outside classes; a declaration next to the call does not count."""
+    """Returns the file of a function outside classes; a declaration next to the call does not
+    count.
+    """
     written = {body.place.file for body in facts.bodies.get(call.target, [])}
     if call.declared.endswith(".cpp") and written and call.declared not in written:
         return min(written)
@@ -571,7 +574,7 @@ def _covered(module: Module, coverage: Coverage) -> Module:
 
 
 def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:
-    """The lines of the drivers, which this machine does not run."""
+    """Returns the lines of the drivers, which this machine does not run."""
     if model.stale_on(VIRTUAL_K64) or not coverage.recordings:
         return None
     covered = coverage.all

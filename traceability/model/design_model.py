@@ -127,12 +127,12 @@ class Model:
     files: Sequence[str] = field(default_factory=list)  # sources that get a source page
 
     def stale_on(self, binding: str) -> bool:
-        """Whether the results of a target are missing or older than the sources."""
+        """Returns whether the results of a target are missing or older than the sources."""
         return self.results_hashes.get(binding) != self.sources_hash
 
     @property
     def results_stale(self) -> bool:
-        """Whether the results of any target are missing or older."""
+        """Returns whether the results of any target are missing or older."""
         return any(self.stale_on(binding) for binding in self.results_hashes)
 
     def mutants_of(self, requirement: str) -> list[Mutant]:

@@ -38,7 +38,7 @@ def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
 
 
 def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, str]]:
-    """The texts below a table, each with the path of tables to it.
+    """Yields the texts below a table, each with the path of tables to it.
 
     The numbers of an entry belong to its texts, which give the reason for them.
     """
@@ -62,7 +62,7 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
 
 
 def _label(item: Mapping[str, Any]) -> str:
-    """The name of an entry: its id, or the first of the names that it lists."""
+    """Returns the name of an entry: its id, or the first of the names that it lists."""
     names = [item[key] for key in LABELS if isinstance(item.get(key), str)]
     lists = [item[key] for key in LISTS if isinstance(item.get(key), list)]
     names += [str(listed[0]) for listed in lists if listed]
@@ -78,7 +78,7 @@ def _is_prose(text: str) -> bool:
 
 
 def _line_of(text: str, source: str) -> int:
-    """The line of the file in which the text begins."""
+    """Returns the line of the file in which the text begins."""
     first = text.split("\n", maxsplit=1)[0].replace('"', '\\"')
     return source.count("\n", 0, max(source.find(first), 0)) + 1
 

@@ -43,7 +43,7 @@ def with_dictionary(model: Model, facts: Facts) -> Model:
 
 
 def parts_of(name: str, facts: Facts) -> list[FieldFact]:
-    """The public members of a class, or the values of an enumeration."""
+    """Returns the public members of a class, or the values of an enumeration."""
     fact = facts.classes.get(name)
     return (
         [field for field in fact.fields if field.access == "public"] + fact.values if fact else []
@@ -58,7 +58,7 @@ def unit_text(kind: str, model: Model) -> str:
 
 
 def module_of(body: BodyFact, model: Model) -> str:
-    """The module of a body; a free function belongs to the module of its file."""
+    """Returns the module of a body; a free function belongs to the module of its file."""
     owner = body.owner.split("::")[0] or Path(body.place.file).stem
     return owner if owner in model.modules else ""
 
@@ -79,7 +79,7 @@ def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]
 
 
 def message_fields(model: Model, facts: Facts) -> list[MessageField]:
-    """The fields of the messages, in the order in which they are declared."""
+    """Returns the fields of the messages, in the order in which they are declared."""
     parts = parts_of(FIELDS, facts)
     widths: dict[str, str] = {}
     users: dict[tuple[str, str], dict[str, None]] = {}  # field, "write" or "read" -> modules

@@ -55,7 +55,7 @@ def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
 
 
 def reasons(evidence: Evidence, value: float | None) -> list[str]:
-    """The reason why the evidence does not verify its requirement; empty when it does."""
+    """Returns the reason why the evidence does not verify its requirement; empty when it does."""
     if not evidence.relation:
         return [f"its evidence cannot be read: {evidence.figure}"]
     if value is None:

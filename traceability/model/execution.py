@@ -60,7 +60,7 @@ def with_execution(model: Model, facts: Facts) -> Model:
 
 
 def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
-    """The methods of modules with which a context begins. Builders only pass the module."""
+    """Returns the methods of modules with which a context begins. Builders only pass the module."""
     if context.body:
         return [context.body]
     begin = [m for m, caller in reached.items() if caller in context.handlers]
@@ -134,7 +134,9 @@ def _enabling(facts: Facts) -> dict[int, str]:
 
 
 def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
-    """Each pipe of the robot, with the methods that write and read it, and their contexts."""
+    """Returns each pipe of the robot, with the methods that write and read it, and their
+    contexts.
+    """
     members = {
         member.name
         for places in facts.references.known.values()
@@ -165,7 +167,9 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
-    """The method itself; for a function outside classes, the methods that call it with the pipe."""
+    """Returns the method itself; for a function outside classes, the methods that call it with the
+    pipe.
+    """
     if user.owner.split("::")[0] in model.modules:
         return [user.id]
     return sorted(
@@ -183,7 +187,7 @@ def contexts_of(method: str, code: Code) -> list[str]:
 
 
 def place_of(name: str, facts: Facts) -> tuple[Place, str]:
-    """The place at which an object is declared, and its type."""
+    """Returns the place at which an object is declared, and its type."""
     fact = facts.syntax.variables.get(name)
     if fact is None:
         owner, _, member = name.rpartition("::")
@@ -197,7 +201,7 @@ def place_of(name: str, facts: Facts) -> tuple[Place, str]:
 
 
 def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]:
-    """The members that one context changes and another one uses.
+    """Returns the members that a context changes and another context uses.
 
     Values inside a member count as the member; a reference is set only once, at the start.
     """
@@ -261,7 +265,7 @@ def shared_member(
 
 
 def way_to(method: str, reached: dict[str, str]) -> list[str]:
-    """The calls that lead to a method, from the handler."""
+    """Returns the calls that lead to a method, from the handler."""
     way = [method]
     while reached.get(way[0]):
         way.insert(0, reached[way[0]])

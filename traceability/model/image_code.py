@@ -52,7 +52,7 @@ class ImageCode:
 
 
 def read_image_code(root: Path) -> ImageCode | None:
-    """The code; nothing when the image was not built from the present sources."""
+    """Returns the code; nothing when the image was not built from the present sources."""
     elf = root / BUILD / f"{PRODUCT}.elf"
     if read_image(root) is None or not elf.exists():
         return None

@@ -50,7 +50,7 @@ class UnknownSubjectError(Exception):
 
 
 class Impacts:
-    """Answers for one model; the edges between modules are collected once."""
+    """Computes impacts in a model. The edges between modules are collected once."""
 
     def __init__(self, model: Model) -> None:
         self.model = model
@@ -63,7 +63,7 @@ class Impacts:
         }
 
     def _next(self, name: str) -> dict[str, str]:
-        """The modules that a change of a module may affect directly, with the reason."""
+        """Returns the modules that a change of a module may affect directly, with the reason."""
         module = self.model.modules[name]
         reasons: dict[str, str] = {}
         for heir in module.heirs:
@@ -86,7 +86,7 @@ class Impacts:
         return self.model.modules[name].bases if name in self.model.modules else []
 
     def _calls(self, owner: str, method: str) -> bool:
-        """Whether a module calls this method, and not only its abstraction."""
+        """Returns whether a module calls this method, and not only its abstraction."""
         calls = (call for method in self.model.modules[owner].methods for call in method.calls)
         return any(call.target == method for call in calls)
 
@@ -149,8 +149,9 @@ class Impacts:
         return self._from(impact, start)
 
     def of_files(self, subject: str, paths: Sequence[str]) -> Impact:
-        """The effects of a change of several files. Files without an effect in the model are in
-        ``unfollowed``."""
+        """Returns the effects of a change of several files. Files without an effect in the model
+        are in ``unfollowed``.
+        """
         joined = Impact(subject, "commits" if ".." in subject else "file", "")
         parts = [self._of_file(path) for path in paths if path in self.model.files]
         followed = {part.subject for part in parts if not part.is_empty()}
@@ -191,7 +192,7 @@ class Impacts:
         return list(requirements.values())
 
     def _goals(self, impact: Impact) -> list[Reached]:
-        """The safety goals that the requirements serve."""
+        """Returns the safety goals that the requirements serve."""
         goals: dict[str, Reached] = {}
         for item in impact.requirements:
             requirement = self.model.requirements.get(item.id)
@@ -208,7 +209,7 @@ class Impacts:
         return list(patterns.values())
 
     def _tests(self, impact: Impact) -> list[Reached]:
-        """The tests of the requirements, and the tests that execute a changed module."""
+        """Returns the tests of the requirements, and the tests that execute a changed module."""
         tests = {test.id: test for test in impact.tests}
         for requirement in impact.requirements:
             found_requirement = self.model.requirements.get(requirement.id)

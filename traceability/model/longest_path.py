@@ -36,7 +36,9 @@ class Problem:
     apart: Mapping[str, int] = field(default_factory=dict)  # counted callee -> its cost
 
     def solve(self) -> int | None:
-        """The greatest cost of a path; nothing when it has no bound, or no path has an end."""
+        """Returns the greatest cost of a path; nothing when it has no bound, or no path has an
+        end.
+        """
         solver = highspy.Highs()  # type: ignore[no-untyped-call]
         solver.silent()
         entry = next(iter(self.code.blocks))

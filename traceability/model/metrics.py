@@ -60,7 +60,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
 
 
 def changes(model: Model) -> dict[str, Any]:
-    """The likely changes that were made, once their tests ran with the present sources."""
+    """Returns the likely changes that were made, once their tests ran with the present sources."""
     made = [change.made for change in model.changes.values()]
     ran = all(test.result for change in made if change for test in change.tests)
     return {"changes.proven": sum(map(proven, made))} if ran else {}
@@ -75,7 +75,7 @@ def coverage(root: Path) -> dict[str, Any]:
 
 
 def drift(model: Model) -> dict[str, Any]:
-    """The seeded faults, when they were seeded in the present state of the project."""
+    """Returns the seeded faults, when they were seeded in the present state of the project."""
     if model.outcomes is None:
         return {}
     return {
@@ -85,7 +85,7 @@ def drift(model: Model) -> dict[str, Any]:
 
 
 def image(root: Path) -> dict[str, Any]:
-    """The bytes of the image, when it was built from the present sources."""
+    """Returns the bytes of the image, when it was built from the present sources."""
     record = read_image(root)
     if record is None:
         return {}
@@ -105,7 +105,7 @@ def forbidden(model: Model) -> dict[str, Any]:
 
 
 def metrics(model: Model, report: Report) -> dict[str, Any]:
-    """All metrics: the metrics of the model, and the verdicts of this run."""
+    """Returns all metrics: the metrics of the model, and the verdicts of this run."""
     fresh = not model.results_stale
     states = Counter(verdict.state for verdict in report.requirements.values())
     return {
@@ -116,7 +116,7 @@ def metrics(model: Model, report: Report) -> dict[str, Any]:
 
 
 def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, Any]:
-    """The metrics that do not depend on verdicts of requirements."""
+    """Returns the metrics that do not depend on verdicts of requirements."""
     written = [module for module in model.modules.values() if not module.datatype]
     designs = [module for module in written if not module.extension]
     requirements = list(model.requirements.values())
@@ -176,7 +176,7 @@ def figures(model: Model, clauses: Mapping[str, Sequence[Clause]]) -> dict[str, 
 
 
 def recorded_metric(proofs: Proofs) -> dict[str, Any]:
-    """The metric of proofs that this build took from the record of an earlier run."""
+    """Returns the metric of proofs that this build took from the record of an earlier run."""
     if not proofs.recorded:
         return {}
     first = proofs.recorded[0]
@@ -185,7 +185,9 @@ def recorded_metric(proofs: Proofs) -> dict[str, Any]:
 
 
 def _proven_times(model: Model) -> dict[str, Any]:
-    """The bounds with noise and of the paths, and the ratios of the bounds to the longest runs."""
+    """Returns the bounds with noise and of the paths, and the ratios of the bounds to the longest
+    runs.
+    """
     proof = model.times if model.times and model.times.proven else None
     drives = model.campaigns.get(LOADS)
     outcomes = drives.result["outcomes"] if drives else {}
@@ -212,7 +214,7 @@ def _proven_times(model: Model) -> dict[str, Any]:
 
 
 def _is_executed(requirement: Requirement) -> bool:
-    """Whether a run contains the whole tree. A tree of one node has no call to record."""
+    """Returns whether a run contains the whole tree. A tree of one node has no call to record."""
     tree = requirement.tree
     return bool(requirement.runs and tree is not None and tree.children)
 
@@ -231,8 +233,9 @@ def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
 
 
 def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
-    """The verification of each requirement, and the number of requirements that a person has
-    reviewed."""
+    """Returns the verification of each requirement, and the number of requirements that a person
+    has reviewed.
+    """
     listed = list(requirements)
     counts = Counter(item.method for item in listed)
     return {
@@ -243,6 +246,6 @@ def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
 
 
 def _executed(files: Mapping[str, dict[int, bool]] | None) -> float | None:
-    """In per cent, with one digit."""
+    """Returns the share of the executed lines in per cent, with one digit."""
     hits = [hit for lines in (files or {}).values() for hit in lines.values()]
     return round(100 * sum(hits) / len(hits), 1) if hits else None

@@ -45,7 +45,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
 
 
 def by_method(model: Model, report: Report) -> str:
-    """The methods of verification, in words."""
+    """Returns the methods of verification, in words."""
     words = {"test": "by tests", "analysis": "by analysis", "measurement": "by measurement"}
     states = report.requirements
     counts = {
@@ -130,7 +130,9 @@ def _times(model: Model) -> Iterator[tuple[str, str]]:
 
 
 def _share(model: Model, name: str, paper: Paper) -> float:
-    """The average or the longest measured time relative to its target, whichever is worse."""
+    """Returns the average or the longest measured time relative to its target, whichever is
+    worse.
+    """
     measured = (model.bench or {}).get(name)
     if measured is None:
         return 0

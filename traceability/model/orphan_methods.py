@@ -13,7 +13,7 @@ JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # the checks compare these with the 
 
 
 def serving_methods(model: Model) -> set[str]:
-    """Returns the methods that are tagged with a requirement or are in a tree, and related ones.
+    """Returns the methods that are tagged with a requirement or are in a tree, and related methods.
 
     An operation of an abstraction serves the requirements of the methods that override it; a
     constructor serves the requirements of its module.
@@ -37,7 +37,7 @@ def serving_methods(model: Model) -> set[str]:
 
 
 def methods_without(model: Model) -> list[tuple[Module, Method]]:
-    """Public methods of design modules that serve no requirement."""
+    """Returns public methods of design modules that serve no requirement."""
     serving = serving_methods(model)
     return [
         (module, method)

@@ -46,7 +46,7 @@ def prices(
 
 
 def sites(program: Program, prover: Prover) -> Iterator[Site]:
-    """The virtual calls, with the classes of the methods that they can reach."""
+    """Yields the virtual calls, with the classes of the methods that they can reach."""
     for symbol, code in program.codes.items():
         function = prover.graph.get(symbol)
         for block in code.blocks.values():

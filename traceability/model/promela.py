@@ -37,7 +37,7 @@ def name_of(machine: StateMachine) -> str:
 
 
 def guards_of(machine: StateMachine) -> list[str]:
-    """The variables of the guards: the inputs of the process."""
+    """Returns the variables of the guards: the inputs of the process."""
     guards = dict.fromkeys(step.guard for step in machine.transitions if step.guard)
     return [f"{name_of(machine)}_if_{slug(guard)}" for guard in guards]
 
@@ -115,7 +115,9 @@ def _grouped(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
 
 
 def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list[str]:
-    """The transitions of a state at an event: the guards are evaluated from top to bottom."""
+    """Returns the transitions of a state at an event: the guards are evaluated from top to
+    bottom.
+    """
     name, first = name_of(machine), steps[0]
     effects = [f"{name} = {name}_{first.target}"]
     if first.action:
@@ -136,7 +138,7 @@ def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list
 
 
 def proofs_of(root: Path, declared: Declared) -> Proofs:
-    """The properties, with their results and the model for which they are proven."""
+    """Returns the properties, with their results and the model for which they are proven."""
     path = root / COMPOSITION
     if not path.exists():
         return Proofs()

@@ -125,7 +125,7 @@ class LinkTexts:
         self.support = SupportFiles(facts.root)
 
     def of(self, requirement: Requirement) -> list[LinkText]:
-        """All texts of a requirement, as they are now."""
+        """Returns all texts of a requirement, as they are now."""
         return [
             *self._own(requirement),
             *(text for name in requirement.goals for text in self._goal(name)),
@@ -137,7 +137,7 @@ class LinkTexts:
         ]
 
     def of_design(self, covered: set[str]) -> list[LinkText]:
-        """The reasons, and the functions and specifications that are not in ``covered``."""
+        """Returns the reasons, and the functions and specifications that are not in ``covered``."""
         texts: dict[str, LinkText] = {}
         for place, end, text in self._uncovered(covered):
             name = f"{text.splitlines()[0]} in {place.file}"
@@ -224,7 +224,7 @@ class LinkTexts:
                 yield LinkText("justification", item.names[0], item.place, item.why)
 
     def _methods(self, requirement: Requirement) -> set[str]:
-        """The methods that satisfy it or have a node in its tree."""
+        """Returns the methods that satisfy it or have a node in its tree."""
         nodes = nodes_of(requirement.tree) if requirement.tree else []
         accepted_names = {method for node in nodes for method in accepted(node, self.facts)}
         return accepted_names.union(requirement.satisfied_by)
@@ -279,7 +279,7 @@ def _offset(text: str, line: int) -> int:
 
 
 def state_of(texts: Iterable[LinkText]) -> str:
-    """One hash of all texts: a review is valid as long as it does not change."""
+    """Returns a hash of all texts. A review is valid as long as the hash does not change."""
     return hash_of_text(" ".join(sorted(f"{text.kind} {text.name} {text.hash}" for text in texts)))
 
 
@@ -317,7 +317,7 @@ def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterabl
 
 
 def read_reviews(root: Path, entries: Entries | None = None) -> list[Review]:
-    """The complete reviews."""
+    """Returns the complete reviews."""
     entries = entries or Entries(root)
     reviews = []
     for entry, place in entries.tables(root / REVIEWS, "review", NEEDS):
@@ -345,7 +345,7 @@ def _order(name: str) -> tuple[str, int]:
 
 
 def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterator[str]:
-    """The reason why a record is not a valid review of these texts."""
+    """Yields the reason why a record is not a valid review of these texts."""
     if len(review.reviewer.split()) < 2 or "@" not in review.email:
         yield "a review needs the first and the last name of a person, and an address"
     if len(review.remark.strip()) < LEAST_REMARK:
@@ -397,7 +397,7 @@ def with_reviews(model: Model, facts: Facts) -> Model:
 
 
 def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
-    """A record, and whether it is a valid review."""
+    """Returns a record, and whether it is a valid review."""
     current = review.state == state_of(texts)
     return replace(review, current=current, objections=list(objections(root, review, texts)))
 
@@ -405,7 +405,7 @@ def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
 def suspicions(
     requirement: Requirement, baseline: Baseline, texts: list[LinkText], model: Model
 ) -> Iterator[Suspicion]:
-    """The texts that differ from the baseline."""
+    """Yields the texts that differ from the baseline."""
     linked = baseline.links.get(requirement.id)
     if linked is None:
         yield Suspicion("requirement", requirement.id, requirement.place, "has no baseline")
@@ -418,7 +418,9 @@ def suspicions(
 
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
-    """The earlier place of a text, and the reason why the requirement no longer depends on it."""
+    """Returns the earlier place of a text, and the reason why the requirement no longer depends on
+    it.
+    """
     module = model.modules.get(name.split("::", maxsplit=1)[0])
     methods = [text for text in module.methods if text.id == name] if module else []
     if kind == "method" and methods:
@@ -443,7 +445,7 @@ def _changed(
 
 
 def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> Iterator[Suspicion]:
-    """The texts without a requirement that differ from the baseline.
+    """Yields the texts without a requirement that differ from the baseline.
 
     A text that a requirement has gained or lost is a finding of the requirement.
     """
@@ -463,6 +465,6 @@ def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> 
 
 
 def _is_in(keys: Container[str], name: str) -> bool:
-    """Whether the body, the specification or the constants of this name are in the keys."""
+    """Returns whether the body, the specification or the constants of this name are in the keys."""
     code, _, file = name.rpartition(" in ")
     return any(key in keys for key in (f"body {code}", f"method {code}", f"constants {file}"))

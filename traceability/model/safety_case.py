@@ -50,13 +50,13 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
 
 
 def _playing(path: Path) -> str:
-    """The text of a file of tests that may play scenarios; empty for another file."""
+    """Returns the text of a file of tests that may play scenarios; empty for another file."""
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     return text if "scenario" in text.lower() else ""
 
 
 def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
-    """Whether a test names a scenario in its body, or has a test instance with its name."""
+    """Returns whether a test names a scenario in its body, or has a test instance with its name."""
     named = re.search(rf'"(?:[\w/.]*/)?{re.escape(scenario)}(?:\.scenario)?"', body)
     return named is not None or any(run.endswith(f".{case}_{scenario}") for run in runs)
 
@@ -67,7 +67,7 @@ def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
 def safety_verdicts(
     model: Model, requirements: Mapping[str, Verdict]
 ) -> tuple[dict[str, str], dict[str, Verdict]]:
-    """The states of the fault scenarios, and the verdicts of the goals."""
+    """Returns the states of the fault scenarios, and the verdicts of the goals."""
     scenarios = {
         name: scenario_state(model, scenario) for name, scenario in model.safety.scenarios.items()
     }
@@ -103,15 +103,16 @@ def scenario_state(model: Model, scenario: FaultScenario) -> str:
 
 
 def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str | None:
-    """The result of the test instance that plays a scenario; without such an instance, the result
-    of the whole test."""
+    """Returns the result of the test instance that plays a scenario. Without this instance, returns
+    the result of the whole test.
+    """
     end = f".{test.name}_{scenario.name}"
     own = [result for name, result in run.instances.items() if name.endswith(end)]
     return next(iter(own), run.result)
 
 
 def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Iterable[str]:
-    """The reasons why a goal is not verified in this run."""
+    """Returns the reasons why a goal is not verified in this run."""
     yield from (f"known exception: {case}" for case in goal.exceptions)
     if not goal.requirements:
         yield "no requirement serves this goal"

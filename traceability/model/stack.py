@@ -64,7 +64,9 @@ def read_declared(root: Path) -> Declared:
 
 
 def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> StackProof | None:
-    """The proof for the image of the robot; nothing when it was not built from these sources."""
+    """Returns the proof for the image of the robot; nothing when it was not built from these
+    sources.
+    """
     if image is None or not model.contexts:
         return None
     frame = FRAME_WITH_FLOATS if uses_floats(image.elf) else FRAME

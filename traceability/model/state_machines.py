@@ -48,7 +48,7 @@ class MachineCode:
         return [c for c in self.changes if (c.source, c.operation) == (source, operation)]
 
     def stays(self, source: str, operation: str) -> bool:
-        """Whether the state can remain when the operation runs."""
+        """Returns whether the state can remain when the operation runs."""
         return all(change.sometimes for change in self.of(source, operation))
 
 
@@ -79,7 +79,9 @@ def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
 
 
 def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
-    """The Contexts with a member that refers to the State, and the method that assigns it."""
+    """Returns the Contexts with a member that refers to the State, and the method that assigns
+    it.
+    """
     holders: dict[str, str] = {}
     for context in contexts:
         fields = {
@@ -95,12 +97,12 @@ def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
 
 
 def _operations(base: str, facts: Facts) -> list[str]:
-    """The operations of the State that its subclasses may override."""
+    """Returns the operations of the State that its subclasses may override."""
     return [m.name for m in facts.classes[base].methods if m.virtual and "~" not in m.name]
 
 
 def _composition(machine: StateMachine, facts: Facts) -> str:
-    """The class of the robot that contains all states by value."""
+    """Returns the class of the robot that contains all states by value."""
     for fact in facts.classes.values():
         kinds = {kind for member in fact.fields if not member.refers for kind in member.classes}
         if set(machine.states.values()) <= kinds and fact.place.file.startswith("src/"):
@@ -143,8 +145,9 @@ class _Changes:
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
     ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
-        """The changes, each with target, place, path, whether it is conditional, and its
-        conditions."""
+        """Yields the changes, each with target, place, path, whether it is conditional, and its
+        conditions.
+        """
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [
@@ -161,8 +164,7 @@ class _Changes:
                         yield target, place, way, rarely or call.sometimes, call.asked + conditions
 
     def _is_own(self, call: CallFact, file: str) -> bool:
-        """A call of the state on itself, of a method that no subclass overrides, or of a function
-        in its file."""
+        """Returns whether the callee is a final method of the state, or a function in its file."""
         beside = self.references.own_bodies(call.target)
         if beside and all(not body.owner and body.place.file == file for body in beside):
             return True
@@ -179,7 +181,7 @@ class _Changes:
         return sorted(methods) or [""]
 
     def initial(self) -> set[str]:
-        """The states that the composition passes to an object that is not a state."""
+        """Returns the states that the composition passes to an object that is not a state."""
         members = {
             f"field {self.code.composition}::{member.name}": self.names[kind]
             for fact in [self.facts.classes.get(self.code.composition)]
@@ -318,7 +320,7 @@ class _Run:
 def machines_of(
     model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path
 ) -> dict[str, StateMachine]:
-    """Each transition with its places in the code and the passing tests that show it."""
+    """Returns each transition with its places in the code and the passing tests that show it."""
     machines: dict[str, StateMachine] = {}
     for name, machine in facts.declared.machines.items():
         code = read_machine(machine, facts)
@@ -329,8 +331,9 @@ def machines_of(
 
 
 def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
-    """The changes in the code that a transition declares: the first row declares the first
-    change."""
+    """Returns the changes in the code that a transition declares: the first row declares the first
+    change.
+    """
     operation = machine.events.get(step.event, "")
     changes = [c for c in code.of(step.source, operation) if c.target == step.target]
     rows = [
@@ -385,7 +388,7 @@ def _family(machine: StateMachine, facts: Facts) -> set[str]:
 
 
 def _shown(machine: StateMachine, code: MachineCode, seen: list[tuple[str, Seen]]) -> StateMachine:
-    """The machine with its changes in the code, and the tests that make its transitions."""
+    """Returns the machine with its changes in the code, and the tests that make its transitions."""
     changes = [matching(machine, step, code) for step in machine.transitions]
     tests: list[dict[str, None]] = [{} for _ in changes]
     undeclared: dict[str, list[str]] = {}

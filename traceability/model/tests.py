@@ -23,7 +23,9 @@ BOARD_TESTS = "tests/sim/emulator/"
 
 
 def with_tests(model: Model, facts: Facts) -> Model:
-    """Each test with its results. A target with tests must have results of these sources."""
+    """Returns each test with its results. A target with tests must have results of these
+    sources.
+    """
     results = {binding: read_results(facts.root, binding) for binding in BINDINGS}
     cases = written_tests(facts.root)
     tested = {binding for file in cases for binding in bindings_of(file)}
@@ -88,7 +90,9 @@ def written_tests(root: Path) -> dict[str, list[Case]]:
 
 
 def with_board_findings(model: Model, facts: Facts) -> Model:
-    """A test of the virtual board counts as a test of a finding when its text contains the id."""
+    """A test of the virtual board counts as a test of a finding when its text contains the
+    id.
+    """
     making: dict[str, list[str]] = {}
     lines: dict[str, list[str]] = {}
     tests = [test for test in model.tests.values() if test.place.file.startswith(BOARD_TESTS)]

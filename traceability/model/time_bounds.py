@@ -21,7 +21,8 @@ from traceability.reading.loop_bounds import Bound, Bounds, Place
 from traceability.reading.machine_code import VENEER, Block, Code, Instruction, Loop
 from traceability.schema import Place as SourcePlace
 
-# Functions that never return: a path that calls one ends the firmware and is not part of a bound.
+# Functions that never return. A path that calls such a function ends the firmware, and is not part
+# of a bound.
 ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
 COPIES = ("memcpy", "memmove", "memset")
 UNALIGNED = 2  # additional cycles of an unaligned access
@@ -137,7 +138,7 @@ class Times:
         return 2 * costs[0] - costs[1], costs[1] - costs[0]
 
     def _each(self, method: str) -> int:
-        """The cycles of a call of a method with a limited number of calls."""
+        """Returns the cycles of a call of a method with a limited number of calls."""
         rest = {name: one for name, one in self.limited.items() if name != method}
         self.limited, kept = rest, self.limited
         found = max((self.of(one) for one in self.prover.symbols.get(method, [])), default=0)
@@ -145,7 +146,7 @@ class Times:
         return found
 
     def copy(self, symbol: str, count: int) -> int:
-        """The bound of a function that copies or fills a number of bytes."""
+        """Returns the bound of a function that copies or fills a number of bytes."""
         if (symbol, count) not in self.copies:
             self.copies[symbol, count] = self._copy(symbol, count)
         return self.copies[symbol, count]
@@ -168,8 +169,9 @@ class Times:
         return longest + UNALIGNED * (count // 4 + 2)
 
     def _home(self, symbol: str) -> str:
-        """The symbol with the code: a veneer jumps to another symbol, and equal functions share one
-        symbol."""
+        """Returns the symbol with the code. A veneer jumps to another symbol, and equal functions
+        share a symbol.
+        """
         veneer = VENEER.match(symbol)
         name = veneer["name"] if veneer else symbol
         return self.shared.get(name, name)
@@ -208,7 +210,8 @@ class Times:
         return self.prover.targets(function, SourcePlace(*place))
 
     def _never(self, code: Code, block: Block) -> bool:
-        """Whether a block only calls a method that the compiler has also inlined at this place.
+        """Returns whether a block only calls a method that the compiler has also inlined at this
+        place.
 
         The compiler compares the target of the call with the method that it expects. When no other
         method is possible, the call behind the comparison is never executed.
@@ -230,8 +233,9 @@ class Times:
         return False
 
     def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
-        """Whether a function contains the code of another function, inlined at a call: at the place
-        of the call, and at the places of the enclosing functions that are inlined too."""
+        """Returns whether a function contains the code of another function, inlined at a call: at
+        the place of the call, and at the places of the enclosing functions that are inlined too.
+        """
         other = self.codes.get(self._home(target))
         if other is None or other is code:
             return False
@@ -308,7 +312,9 @@ class Times:
         return longest or 0
 
     def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[FlowFact]:
-        """The declared facts about the marked lines of a function, as facts about its blocks."""
+        """Returns the declared facts about the marked lines of a function, as facts about its
+        blocks.
+        """
         marked: dict[str, list[list[int | str]]] = {one: [[one]] for one in apart}
         for name, copies in self._marked(code).items():
             marked.setdefault(name, []).extend([*copy] for copy in copies)
@@ -318,8 +324,9 @@ class Times:
     def _facts_of(
         self, code: Code, one: Inequality, marked: Mapping[str, Sequence[Sequence[int | str]]]
     ) -> Iterator[FlowFact]:
-        """A counter on the left side counts any one block of each copy of its line: it is not
-        executed more often than the line. On the right side it counts all blocks."""
+        """A counter on the left side counts any one block of each copy of its line: it is
+        not executed more often than the line. On the right side it counts all blocks.
+        """
         most = one.most - one.factors.get(ENTRIES, 0)
         right: dict[int | str, int] = {}
         left: list[list[tuple[int | str, int]]] = []
@@ -359,8 +366,9 @@ class Times:
         }
 
     def _bound(self, code: Code, loop: Loop, method: str) -> Bound:
-        """The bound of a loop: the bound of the innermost line with a bound, or a bound for all
-        rounds."""
+        """Returns the bound of a loop: the bound of the innermost line with a bound, or a bound for
+        all rounds.
+        """
         if self.rounds is not None and any(method == name for _, name in self.spread):
             return Bound(self.rounds, False)
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
@@ -397,7 +405,7 @@ class Times:
 
 
 def _stored(code: Code, loop: Loop) -> int:
-    """The bytes that a round of a loop stores."""
+    """Returns the bytes that a round of a loop stores."""
     return sum(
         1 if one.name.startswith("strb") else 4
         for start in loop.blocks

@@ -1,5 +1,6 @@
-"""Reduces recorded calls to the level of modules: only calls from one module into another
-remain."""
+"""Reduces recorded calls to the level of modules. Only calls from a module into another module
+remain.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +26,7 @@ def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
     end = 0
     for first in firsts:
         if first < end and rows[first].activation == rows[firsts[0]].activation:
-            continue  # it is within the previous one
+            continue  # the call is within the previous call
         end = max(end, rows[first].end)
         _fold_one(rows, first, edges, paths)
     numbers = {path: number for number, path in enumerate(paths)}

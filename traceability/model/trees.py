@@ -82,8 +82,9 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
-    """The tree with, for each target, whether its nodes belong to the part of the tree that was
-    found."""
+    """Returns the tree with, for each target, whether its nodes belong to the part of the tree that
+    was found.
+    """
     numbers = itertools.count()
 
     def marked(node: TreeNode) -> TreeNode:
@@ -97,8 +98,9 @@ def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
-    """The methods whose calls match the node: its own method or, if this has no body, the
-    overriding methods."""
+    """Returns the methods whose calls match the node: its own method or, if this has no body, the
+    overriding methods.
+    """
     if node.resolved is None:
         return set()
     if node.resolved in facts.bodies:
@@ -107,7 +109,7 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """The methods that exist on a target: methods of the K64 do not exist on the host."""
+    """Returns the methods that exist on a target: methods of the K64 do not exist on the host."""
     return {
         method
         for method in accepted(node, facts)
@@ -124,8 +126,9 @@ def _reached(tree: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _below(node: TreeNode, facts: Facts) -> TreeNode:
-    """The node, with the possibility, the number and the order of the calls of its children in the
-    code."""
+    """Returns the node, with the possibility, the number and the order of the calls of its children
+    in the code.
+    """
     bodies = _bodies_of(node, facts)
     targets = {
         target
@@ -164,7 +167,7 @@ def _calls_of(body: BodyFact, callees: set[str], facts: Facts) -> list[CallFact]
 
 
 def _often(calls: list[list[CallFact]]) -> str:
-    """The number of times that each body makes its calls: see ``TreeNode.often``."""
+    """Returns the number of times that each body makes its calls: see ``TreeNode.often``."""
     sure = [sum(not call.sometimes for call in own) for own in calls]
     if max(sure) > 1 or any(call.repeated for own in calls for call in own):
         return "*"
@@ -172,8 +175,8 @@ def _often(calls: list[list[CallFact]]) -> str:
 
 
 def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: Facts) -> str:
-    """The previous node, if the body makes all calls of this node after all calls of the previous
-    node.
+    """Returns the previous node, if the body makes all calls of this node after all calls of the
+    previous node.
 
     A loop over objects of different classes may call a method of each in turn.
     """
@@ -206,7 +209,7 @@ def _is_activated(callees: set[str], facts: Facts) -> bool:
 
 
 def declared_edges(trees: Mapping[str, TreeNode], facts: Facts) -> Edges:
-    """The requirements whose trees contain a call from one module into another."""
+    """Returns the requirements whose trees contain a call from one module into another."""
     edges: Edges = {}
     for requirement, tree in trees.items():
         for node in nodes_of(tree):
@@ -243,7 +246,7 @@ class Run:
 
 
 def _passing(model: Model, requirement: Requirement, run: Run) -> dict[str, str]:
-    """The recordings of the passing tests of a requirement, each with its test."""
+    """Returns the recordings of the passing tests of a requirement, each with its test."""
     return {
         recording: name
         for name in requirement.verified_by
@@ -271,8 +274,9 @@ class Search:
         return node.label, node.kind, sorted(self.run.accepts(node)), below
 
     def find(self) -> tuple[TreeRun | None, int]:
-        """The first run of the whole tree, the shortest recordings first; and the number of its
-        nodes that were found in order."""
+        """Returns the first run of the whole tree, the shortest recordings first; and the number of
+        its nodes that were found in order.
+        """
         nodes = nodes_of(self.tree)
         order = {id(node): number for number, node in enumerate(nodes)}
         furthest = 0

@@ -38,7 +38,7 @@ def requirement_verdict(
 
 
 def _sound_state(requirement: Requirement) -> str:
-    """The state of a requirement with passed tests and met evidence."""
+    """Returns the state of a requirement with passed tests and met evidence."""
     if requirement.suspicions:
         return "suspect"
     return "partly" if requirement.partly else "verified"
@@ -47,7 +47,7 @@ def _sound_state(requirement: Requirement) -> str:
 def _reasons(
     model: Model, requirement: Requirement, measured: Mapping[str, float | None]
 ) -> list[str]:
-    """The reasons why a requirement is not verified."""
+    """Returns the reasons why a requirement is not verified."""
     reasons: list[str] = []
     for evidence in requirement.evidence:
         reasons += reasons_of_evidence(evidence, measured.get(evidence.figure))

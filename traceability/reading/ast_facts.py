@@ -101,7 +101,7 @@ class BodyFact:
     calls: list[CallFact] = field(default_factory=list)
     assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
-    floats: int = 0  # the first line with a floating-point number; 0 without such a line
+    floats: int = 0  # first line with a floating-point number; 0 if there is none
     branches: bool = False  # whether it has a condition or a loop
     loops: list[int] = field(default_factory=list)  # lines of loops that count no rounds
 
@@ -141,7 +141,7 @@ class IncludeFact:
 
 @dataclass
 class ConstantFact:
-    """A constant, or an operation that returns one, under a name that texts can use."""
+    """A constant, or an operation that returns a constant, under a name that texts can use."""
 
     name: str
     number: int

@@ -1,4 +1,4 @@
-"""Walks the syntax tree of one unit and records the facts of its files."""
+"""Walks the syntax tree of a unit and records the facts of its files."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ _CONSTANTS = {
 
 
 class Reader:
-    """Walks one unit and keeps the facts of the requested files."""
+    """Walks a unit and stores the facts of the requested files."""
 
     def __init__(self, root: Path, files: set[str]) -> None:
         self.root = f"{root}/"
@@ -101,7 +101,7 @@ class Reader:
         self.facts = Syntax()
         self.flow = flow.FlowReader(self.place)
         self.facts.flows = self.flow.flows
-        self.function = ""  # the last entered one
+        self.function = ""  # the function that was entered last
         self.chances = 0  # conditions around the statement
         self.loops = 0
         self.initialised = ""  # the constant or member whose first value is read
@@ -226,7 +226,7 @@ class Reader:
                     self.facts.values.append(fact)
 
     def silence(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """A declaration without a comment that others can use.
+        """Records a declaration without a comment, if other files can use the declaration.
 
         An enumerator needs a comment if another enumerator of the type has one.
         """
@@ -362,7 +362,7 @@ class Reader:
             body.calls += [CallFact(f"{ANY_CLASS}::{part}", False, place) for part in name]
 
     def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """A variable that is not a reference is an object of its class, or contains one."""
+        """Records a variable. If it is not a reference, it constructs objects of its classes."""
         member = self.field_fact(cursor, place)
         if not member.refers and not cursor.type.is_const_qualified():
             inner = owner.split("::", maxsplit=1)[0]
@@ -484,7 +484,7 @@ class Reader:
             body.assigns.append((changed, place.line))
 
     def left_side(self, cursor: Cursor) -> Cursor | None:
-        """The member that an assignment changes."""
+        """Returns the member that an assignment changes."""
         operator = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "operator="
         if not operator and cursor.kind != CursorKind.BINARY_OPERATOR:
             return None
@@ -497,7 +497,9 @@ class Reader:
         return left if left is not None and left.kind == CursorKind.MEMBER_REF_EXPR else None
 
     def other_name_of(self, variable: Cursor) -> Cursor | None:
-        """The member that a variable refers to: it can be changed by the name of the variable."""
+        """Returns the member that a variable refers to: it can be changed by the name of the
+        variable.
+        """
         kind = variable.type.get_canonical()
         meant = kind.get_pointee()
         if kind.kind not in _REFERRING or meant.is_const_qualified():
@@ -543,7 +545,7 @@ class Reader:
         return fact
 
     def type_fact(self, cursor: Cursor, place: Place) -> ClassFact:
-        """An enumeration or an alias."""
+        """Returns an enumeration or an alias."""
         kind = "enum" if cursor.kind == CursorKind.ENUM_DECL else "alias"
         end, comment = cursor.extent.end.line, comment_line(cursor)
         fact = ClassFact(cursor.spelling, qualified_name(cursor), kind, place, end, comment=comment)
@@ -647,7 +649,7 @@ def expressions_in(cursors: Iterable[Cursor]) -> Iterator[Cursor]:
 
 
 def register_of(call: Cursor) -> int | None:
-    """The address of the register from which a call reaches another register."""
+    """Returns the address of the register from which a call reaches another register."""
     if call.kind != CursorKind.CALL_EXPR or call.spelling != "at":
         return None
     base = next(call.get_children(), None)
@@ -718,7 +720,7 @@ def is_local(cursor: Cursor) -> bool:
 
 
 def aliased(cursor: Cursor) -> Iterator[Cursor]:
-    """The classes behind an alias: its class, and the classes of its parameters."""
+    """Yields the classes behind an alias: its class, and the classes of its parameters."""
     if cursor.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         meant = cursor.underlying_typedef_type.get_canonical()
         count = max(0, meant.get_num_template_arguments())
@@ -727,7 +729,7 @@ def aliased(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def unaliased(cursor: Cursor) -> Cursor | None:
-    """The class of a base specifier."""
+    """Returns the class of a base specifier."""
     named = cursor.referenced
     if named is not None and named.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         return cursor.type.get_canonical().get_declaration()
@@ -764,14 +766,18 @@ def _operator_after(cursor: Cursor, left: Cursor) -> str:
 
 
 def comment_line(cursor: Cursor) -> int:
-    """The line where the comment of a declaration begins; 0 without a comment in the same file."""
+    """Returns the line where the comment of a declaration begins; 0 without a comment in the same
+    file.
+    """
     start = _library().clang_Cursor_getCommentRange(cursor).start
     same = start.file is not None and start.file.name == cursor.location.file.name
     return int(start.line) if same else 0
 
 
 def _is_open(cursor: Cursor) -> bool:
-    """Whether other files can use a declaration: a member of public classes, or no member."""
+    """Returns whether other files can use a declaration: a member of public classes, or no
+    member.
+    """
     if cursor.access_specifier not in (AccessSpecifier.PUBLIC, AccessSpecifier.INVALID):
         return False
     above = cursor.lexical_parent
@@ -804,7 +810,7 @@ def _is_dynamic(cursor: Cursor) -> bool:
 
 
 def _overridden(cursor: Cursor) -> Cursor | None:
-    """The first method that this one overrides, of the nearest base."""
+    """Returns the first method that this method overrides, of the nearest base."""
     overridden = ctypes.POINTER(Cursor)()
     count = ctypes.c_uint()
     library = _library()

@@ -91,12 +91,12 @@ def patch_of(change: str, design: str) -> Path:
 
 
 def changes_of(root: Path) -> list[str]:
-    """The likely changes: each is a folder with a patch for each design, and a test."""
+    """Returns the likely changes: each is a folder with a patch for each design, and a test."""
     return sorted(path.name for path in (root / CHANGES).glob("*") if path.is_dir())
 
 
 def read_comparison(root: Path) -> dict[str, Any] | None:
-    """The numbers, when they were measured with the present sources."""
+    """Returns the numbers, when they were measured with the present sources."""
     record = read_json(root / RESULT)
     return record if isinstance(record, dict) and is_fresh(root, BASELINE) else None
 
@@ -114,7 +114,7 @@ def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
 
 
 def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[str, Any]]:
-    """The functions of both designs, with the greatest difference first.
+    """Returns the functions of both designs, with the greatest difference first.
 
     A function whose numbers differ by less than a limit in both designs is left out.
     """

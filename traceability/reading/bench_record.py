@@ -125,20 +125,18 @@ def orders_in(text: str) -> list[Order]:
 def measured_orders(text: str) -> list[Order]:
     """The order of each measured cycle: the last cycles of the scenario."""
     each = [
-        order
-        for order in orders_in(text)
-        for _ in range(order.first, order.last + 1, PERIOD_MS)
+        order for order in orders_in(text) for _ in range(order.first, order.last + 1, PERIOD_MS)
     ]
     return each[-CYCLES:]
 
 
 def read_bench(root: Path, path: Path = BENCH) -> Record | None:
-    """The record of the last run, when it belongs to the present sources."""
+    """Returns the record of the last run, when it belongs to the present sources."""
     return read_record(root / path, Record) if is_fresh(root, task_record.BENCH) else None
 
 
 def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, Any]] | None:
-    """The times of each scenario for build/metrics.json."""
+    """Returns the times of each scenario for build/metrics.json."""
     if record is None:
         return None
     return [
@@ -157,7 +155,7 @@ def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, 
 
 
 def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
-    """Returns the numbers of one run, from the measurements of the board program."""
+    """Returns the numbers of a run, from the measurements of the board program."""
     if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
         raise ValueError(f"{sum(raw['reported'])} cycles with a report, not {CYCLES}")
     per_ms = raw["clock_hz"] / 1000
@@ -246,7 +244,9 @@ def profile_of(counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]) ->
 
 
 def owner(frames: Frames) -> tuple[str, str]:
-    """Module and function of an instruction: the innermost function of the project at its place."""
+    """Returns module and function of an instruction: the innermost function of the project at its
+    place.
+    """
     for function, file in frames:
         if {"src", "extensions", "tests"}.intersection(Path(file).parts):
             return Path(file).name.split(".")[0], function
@@ -254,7 +254,7 @@ def owner(frames: Frames) -> tuple[str, str]:
 
 
 def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
-    """The functions of each instruction, the innermost inlined function first."""
+    """Returns the functions of each instruction, the innermost inlined function first."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-f", "-i", "-C"]
     text = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=text, capture_output=True, text=True, check=True).stdout

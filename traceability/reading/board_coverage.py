@@ -27,7 +27,9 @@ Stretch = tuple[str, int, int, int]  # file, line, first address, address after 
 
 
 def read_stretches(root: Path) -> list[Stretch]:
-    """The code of the image in ranges of one source line each; none without an image."""
+    """Returns the code of the image in ranges, each from a single source line. Returns none without
+    an image.
+    """
     listing = subprocess.run(
         ["arm-none-eabi-objdump", "--dwarf=decodedline", root / ELF],
         capture_output=True, text=True, check=False,
@@ -51,13 +53,13 @@ def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict
 
 
 def _half(address: int) -> int:
-    """The number of the bit of an address."""
+    """Returns the number of the bit of an address."""
     place = address - LOWER_RAM if address >= LOWER_RAM else RAM_SIZE + address
     return place // 2
 
 
 def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
-    """The code of the design as linked, in ranges of one source line each."""
+    """Yields the code of the design as linked, in ranges from a single source line each."""
     file = ""
     before: tuple[str, int, int] | None = None
     dropped = False

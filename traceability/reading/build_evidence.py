@@ -57,7 +57,7 @@ def _versions() -> list[tuple[str, str]]:
 
 
 def program_version(name: str) -> str:
-    """The first number with a point that the program prints; else "not installed"."""
+    """Returns the first number with a point that the program prints; else "not installed"."""
     try:
         run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
     except OSError:
@@ -74,7 +74,9 @@ def _package(name: str) -> str:
 
 
 def read_run(root: Path, name: str) -> TestRun | None:
-    """The date of the first test and the seeds of a run; nothing when there are no results."""
+    """Returns the date of the first test and the seeds of a run; nothing when there are no
+    results.
+    """
     record = read_json(root / RESULTS / f"{name}.json")
     suites = record["testsuites"] if isinstance(record, dict) else []
     cases = [case for suite in suites for case in suite["testsuite"]]

@@ -41,7 +41,7 @@ class Function:
     name: str
     frame: int
     dynamic: bool = False
-    measured: bool = False  # from the instructions, not from the compiler
+    measured: bool = False  # facts from the instructions, not from the compiler
     blind: bool = False  # its instructions call a function that only the compiler's graph contains
     calls: list[str] = field(default_factory=list)  # symbols
     indirect: list[Place] = field(default_factory=list)
@@ -83,13 +83,13 @@ def short_name(name: str) -> str:
 
 
 def uses_floats(elf: Path) -> bool:
-    """Whether the image has instructions of the floating-point unit."""
+    """Returns whether the image has instructions of the floating-point unit."""
     listing = _run("arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf))
     return re.search(r"^\s*[0-9a-f]+:\tv[a-z]+", listing, re.MULTILINE) is not None
 
 
 def symbol_value(elf: Path, name: str) -> int:
-    """The value of a symbol, 0 when there is none."""
+    """Returns the value of a symbol, 0 when there is none."""
     match = re.search(rf"^([0-9a-f]+) . {name}$", _run("arm-none-eabi-nm", str(elf)), re.MULTILINE)
     return int(match[1], 16) if match else 0
 
@@ -112,8 +112,9 @@ def _symbol(title: str) -> str:
 
 
 def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
-    """Functions of several units that share a name count as one function, with the greater
-    frame."""
+    """Records the frame of a function. Functions of several units that share a name count as a
+    single function, with the greater frame.
+    """
     function = reported.setdefault(symbol, Function(symbol, "", 0))
     function.frame = max(function.frame, int(frame["bytes"]))
     function.dynamic |= "dynamic" in frame["kind"] and "bounded" not in frame["kind"]
@@ -142,7 +143,7 @@ def _read_listing(listing: str) -> dict[str, Function]:
 
 
 def names_of_addresses(elf: Path) -> list[list[str]]:
-    """The names of each function: the compiler gives equal functions one address."""
+    """Returns the names of each function. The compiler gives equal functions the same address."""
     symbols: dict[str, list[str]] = {}
     for line in _run("arm-none-eabi-nm", str(elf)).splitlines():
         address, kind, name = (*line.split(), "", "")[:3]
@@ -152,14 +153,15 @@ def names_of_addresses(elf: Path) -> list[list[str]]:
 
 
 def table_bytes(elf: Path) -> dict[str, int]:
-    """The bytes of the table of methods of each class."""
+    """Returns the bytes of the table of methods of each class."""
     listed = _run("arm-none-eabi-nm", "--print-size", "--demangle", str(elf))
     return {name: int(size, 16) for size, name in TABLE.findall(listed)}
 
 
 def _pushed(line: str) -> int:
-    """The number of bytes that an instruction subtracts from the stack pointer. The instructions of
-    a function are added."""
+    """Returns the number of bytes that an instruction subtracts from the stack pointer. The
+    instructions of a function are added.
+    """
     if push := PUSH.search(line):
         names = [part.strip() for part in push["names"].split(",")]
         return 4 * sum(_width(name) for name in names)
@@ -168,14 +170,16 @@ def _pushed(line: str) -> int:
 
 
 def _width(names: str) -> int:
-    """The words of a register or of a range of registers, as ``r4-r7`` or ``d8``."""
+    """Returns the words of a register or of a range of registers, as ``r4-r7`` or ``d8``."""
     first, _, last = names.partition("-")
     count = int(last[1:]) - int(first[1:]) + 1 if last and last[1:].isdigit() else 1
     return count * (2 if first.startswith("d") else 1)
 
 
 def _alias(symbol: str, functions: dict[str, Function]) -> str:
-    """A constructor or destructor has several symbols for one body."""
+    """Returns the symbol in the functions. A constructor or destructor has several symbols for its
+    body.
+    """
     if symbol in functions:
         return symbol
     for kind, other in (("C1E", "C2E"), ("C2E", "C1E"), ("D1E", "D2E"), ("D2E", "D1E")):

@@ -54,7 +54,7 @@ class Activation:
 
     @property
     def line(self) -> int:
-        """Line of the interrupt controller; negative for the program itself."""
+        """Returns the line of the interrupt controller; negative for the program itself."""
         return self.exception - FIRST_LINE
 
 
@@ -87,11 +87,11 @@ class Recording:
     events: list[BoardEvent] = field(default_factory=list)
 
     def pulses(self, line: int) -> list[int]:
-        """The instants at which an interrupt line was raised and then entered."""
+        """Returns the instants at which an interrupt line was raised and then entered."""
         return [activation.raised for activation in self.activations if activation.line == line]
 
     def between(self, begin: int, end: int) -> Iterator[int]:
-        """The calls that begin between two instants."""
+        """Yields the calls that begin between two instants."""
         for number, span in enumerate(self.spans):
             if begin <= span.begin < end:
                 yield number
@@ -112,7 +112,7 @@ def declared_recordings(root: Path, entries: Entries | None = None) -> list[Wind
 
 
 def read_recordings(root: Path) -> dict[str, Recording] | None:
-    """The recordings of the present sources; None when they were not made."""
+    """Returns the recordings of the present sources; None when they were not made."""
     content = read_json(root / RECORD)
     if not isinstance(content, dict) or not is_fresh(root, CALLS):
         return None
@@ -123,7 +123,7 @@ def read_recordings(root: Path) -> dict[str, Recording] | None:
 
 
 class _Reader:
-    """Nests the calls of one file into the activations of interrupts and threads."""
+    """Nests the calls of a file into the activations of interrupts and threads."""
 
     def __init__(self, symbols: Mapping[int, str]) -> None:
         self.symbols = symbols
@@ -201,7 +201,9 @@ class _Reader:
 
 
 def recording_of(lines: Iterable[str], symbols: Mapping[int, str]) -> Recording:
-    """The recording in the lines that the board program wrote; the first line is the head."""
+    """Returns the recording in the lines that the board program wrote; the first line is the
+    head.
+    """
     reader, at = _Reader(symbols), 0
     for line in lines:
         time, event, number, value = line.strip().split(",")
@@ -215,7 +217,7 @@ def recording_of(lines: Iterable[str], symbols: Mapping[int, str]) -> Recording:
 
 
 def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
-    """The recording without the activations of these handlers."""
+    """Returns the recording without the activations of these handlers."""
     dropped = {
         span.activation for span in recording.spans if span.depth == 0 and span.method in handlers
     }
@@ -242,7 +244,9 @@ def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
 
 
 def packed(recording: Recording) -> dict[str, Any]:
-    """A recording as small columns: begins are stored as differences, methods as numbers."""
+    """Returns a recording as small columns: begins are stored as differences, methods as
+    numbers.
+    """
     names = list(dict.fromkeys(span.method for span in recording.spans))
     numbers = {name: number for number, name in enumerate(names)}
     begins = [0, *(span.begin for span in recording.spans)]

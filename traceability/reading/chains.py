@@ -60,7 +60,7 @@ def declared_chains(root: Path, entries: Entries | None = None) -> list[Chain]:
 
 
 def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
-    """The whole frames that a line carried, in their order."""
+    """Yields the whole frames that a line carried, in their order."""
     pending: list[BoardEvent] = []
     for event in recording.events:
         if event.kind != direction or event.number != 0:
@@ -82,7 +82,7 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
 
 
 def follow(chain: Chain, recording: Recording) -> list[Step] | None:
-    """The steps of a chain; None when the recording does not contain them in this order."""
+    """Returns the steps of a chain; None when the recording does not contain them in this order."""
     places = list(_places(chain.steps[0], recording, 0, None))
     for first in reversed(places) if chain.last else places:
         if steps := _from(first, chain, recording):
@@ -91,7 +91,7 @@ def follow(chain: Chain, recording: Recording) -> list[Step] | None:
 
 
 def first_missing(chain: Chain, recording: Recording) -> str:
-    """The first step of a chain that is missing in the recording."""
+    """Returns the first step of a chain that is missing in the recording."""
     for number in range(1, len(chain.steps) + 1):
         part = Chain(chain.name, "", "", "", chain.steps[:number], chain.last, chain.place)
         if follow(part, recording) is None:
@@ -125,7 +125,9 @@ def _contains(recording: Recording, outer: Step, name: str, after: int) -> bool:
 
 
 def _places(name: str, recording: Recording, after: int, outer: Step | None) -> Iterator[Step]:
-    """The calls or events of a step that begin after an instant, within a call if one is given."""
+    """Yields the calls or events of a step that begin after an instant, within a call if one is
+    given.
+    """
     kind, _, rest = name.partition(" ")
     if kind in BYTES:
         yield from _field_places(name, recording, kind, rest, after)
@@ -149,7 +151,7 @@ def _places(name: str, recording: Recording, after: int, outer: Step | None) -> 
 def _field_places(
     field_name: str, recording: Recording, direction: str, named: str, after: int
 ) -> Iterator[Step]:
-    """The first byte of a field in each frame of its type."""
+    """Yields the first byte of a field in each frame of its type."""
     kind, _, name = named.partition(".")
     field_ = LAYOUTS[kind].of(name)
     number = HEAD + field_.offset
@@ -167,7 +169,7 @@ def _field_places(
 
 
 def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:
-    """The unit of a set-point: the unit of the quantity in the same frame."""
+    """Returns the unit of a set-point: the unit of the quantity in the same frame."""
     quantity = LAYOUTS[kind].of(f"{BY_QUANTITY}{field_.wheel}")
     shown = frame.values[quantity.name]
     entries = quantity.values.entries if quantity.values else ()

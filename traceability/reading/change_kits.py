@@ -1,4 +1,4 @@
-"""Reads the kits of ``changes/``, each of which makes one likely change, and their results."""
+"""Reads the kits of ``changes/`` and their results. Each kit makes a likely change."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class KitRecord:
 
 
 def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
-    """Application -> its kit. The folders are the list of kits."""
+    """Returns the kit of each application. Each folder with a declaration is a kit."""
     kits = {}
     for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
         kit = _kit(root, path, entries)
@@ -143,7 +143,7 @@ def target_of(test: str) -> str:
 
 
 def read_record(root: Path) -> KitRecord | None:
-    """The record, when it is of the present sources."""
+    """Returns the record, when it is of the present sources."""
     data = read_json(root / RESULT)
     if not isinstance(data, dict) or not is_fresh(root, CHANGES):
         return None
@@ -151,5 +151,5 @@ def read_record(root: Path) -> KitRecord | None:
 
 
 def images_of(kits: Iterable[Kit]) -> list[str]:
-    """The images of the kits, and the images that they are compared with."""
+    """Returns the images of the kits, and the images that they are compared with."""
     return sorted({image for kit in kits for image in (kit.image, kit.base)})

@@ -13,9 +13,9 @@ FILE = Path("design/changes.toml")
 
 @dataclass
 class Recipe:
-    """The steps that change an application of one pattern. Roles are those of the pattern."""
+    """The steps that change an application of a pattern. The roles are the roles of the pattern."""
 
-    alters: list[str]  # roles whose modules each hide one variant
+    alters: list[str]  # roles whose modules each hide a variant
     adds: str = ""  # role of a new class
     derives: str = ""  # role from which a new class derives
     steps: list[str] = field(default_factory=list)
@@ -24,7 +24,7 @@ class Recipe:
 
 @dataclass
 class Particular:
-    """The data of one application."""
+    """The data of a single application."""
 
     derives: list[str] = field(default_factory=list)
     examples: list[str] = field(default_factory=list)

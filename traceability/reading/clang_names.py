@@ -42,7 +42,7 @@ def class_name(cursor: Cursor | None) -> str:
 
 
 def namespace_of(cursor: Cursor | None) -> str:
-    """The namespaces around a cursor, without the namespace of the project."""
+    """Returns the namespaces around a cursor, without the namespace of the project."""
     parts: list[str] = []
     while cursor is not None and cursor.kind != CursorKind.TRANSLATION_UNIT:
         if cursor.kind == CursorKind.NAMESPACE and not cursor.is_anonymous():

@@ -47,7 +47,7 @@ Points = list[tuple[float, float]]
 
 
 def csv_of(scenario: str, binding: str) -> Path:
-    """The file to which the reports of a run are written."""
+    """Returns the file to which the reports of a run are written."""
     return FOLDER / f"{scenario}-{SHORT[binding]}.csv"
 
 
@@ -69,7 +69,7 @@ def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]
 
 
 def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
-    """The scenarios; they have curves and values if they ran with the present sources."""
+    """Returns the scenarios; they have curves and values if they ran with the present sources."""
     outcomes = read_json(root / OUTCOMES)
     fresh = isinstance(outcomes, dict) and is_fresh(root, CLOSED_LOOP)
     runs = outcomes["runs"] if fresh else {}
@@ -144,7 +144,7 @@ def time_column(name: str) -> str:
 
 
 def is_valid(row: dict[str, str], name: str) -> bool:
-    """A report marks a value that is missing; all others are valid."""
+    """Returns a report marks a value that is missing; all others are valid."""
     wheel = int(name[-1]) if name[-1].isdigit() else 0
     bits = {
         f"velocity{wheel}": ("measured", 3 * wheel),
@@ -207,8 +207,9 @@ def settling(points: Points, start: float, target: float, band: float) -> float 
 
 
 def means(points: Points) -> Sequence[float]:
-    """The mean of each second that begins at a point; the mean of all points when there is no
-    complete second."""
+    """Returns the mean of each second that begins at a point; the mean of all points when there is
+    no complete second.
+    """
     last = points[-1][0]
     averages: list[float] = []
     for at, _ in points:

@@ -71,18 +71,18 @@ class Comment:
         return [tag for tag in self.tags if tag.name == name]
 
     def all(self, name: str) -> list[str]:
-        """The texts of a tag, or the text in its braces."""
+        """Returns the texts of a tag, or the text in its braces."""
         return [tag.argument if name in IN_BRACES else tag.text for tag in self.of(name)]
 
     def one(self, name: str) -> str:
         return next(iter(self.all(name)), "")
 
     def words(self, name: str) -> list[str]:
-        """The words of a tag, without duplicates."""
+        """Returns the words of a tag, without duplicates."""
         return list(dict.fromkeys(tag.argument for tag in self.of(name)))
 
     def texts(self, name: str) -> dict[str, str]:
-        """Word -> text, of a tag such as ``@param``."""
+        """Returns the text of each word of a tag such as ``@param``."""
         return {tag.argument: tag.text for tag in self.of(name)}
 
     def parts(self, name: str) -> Iterator[Comment]:
@@ -94,19 +94,19 @@ class Comment:
 
     @cached_property
     def brief(self) -> str:
-        """The text of ``@brief``; without a brief the first paragraph."""
+        """Returns the text of ``@brief``; without a brief the first paragraph."""
         return self.one("brief") or self.one("")
 
     @cached_property
     def details(self) -> str:
-        """The paragraphs outside of tags."""
+        """Returns the paragraphs outside of tags."""
         first = [self.one("")] if self.of("brief") else []
         return "\n\n".join(
             filter(None, [*first, *(text for tag in self.tags for text in tag.more)])
         )
 
     def source(self, without: tuple[str, ...] = ()) -> str:
-        """The comment as written, a line for each paragraph, without some tags."""
+        """Returns the comment as written, a line for each paragraph, without some tags."""
         written = (tag.source for tag in self.tags if tag.name not in without)
         paragraphs = (text for tag in written for text in BLANK_LINE.split(tag))
         return "\n".join(filter(None, (" ".join(text.split()) for text in paragraphs)))
@@ -130,7 +130,7 @@ class Comments:
         return self.files[file]
 
     def at(self, file: str, line: int) -> Comment:
-        """The comment on a line; an empty one where there is none."""
+        """Returns the comment on a line; an empty one where there is none."""
         if not line:
             return NO_COMMENT
         if file not in self.lines:
@@ -142,26 +142,26 @@ class Comments:
         return self.lines[file].get(line, NO_COMMENT)
 
     def below(self, names: Iterable[str]) -> Iterator[Comment]:
-        """All comments of some folders."""
+        """Yields all comments of some folders."""
         for path in files_below(self.root, names, SUFFIXES):
             yield from self.of_file(str(path.relative_to(self.root)))
 
 
 def code_of(text: str) -> str:
-    """The code without comments and empty lines."""
+    """Returns the code without comments and empty lines."""
     bare = TOKENS.sub(lambda match: " " if match["comment"] else match[0], text)
     return "\n".join(line.rstrip() for line in bare.splitlines() if line.strip())
 
 
 def comment_blanked(text: str) -> str:
-    """The text without the words of its comments; each line keeps its number."""
+    """Returns the text without the words of its comments; each line keeps its number."""
     return TOKENS.sub(
         lambda match: "\n" * match[0].count("\n") if match["comment"] else match[0], text
     )
 
 
 def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
-    """Each ``//`` and ``/* */``: its line, whether code is before it, and the comment."""
+    """Yields each ``//`` and ``/* */``: its line, whether code is before it, and the comment."""
     line, at = 1, 0
     for token in TOKENS.finditer(text):
         written = token["comment"]
@@ -172,7 +172,7 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 
 
 def read_comments(file: str, text: str) -> Iterator[Comment]:
-    """The comments of a file that are documentation."""
+    """Yields the comments of a file that are documentation."""
     block: list[str] = []
     start, behind = 0, False  # line of the block, and whether the comment follows the declaration
     for line, after_code, written in comment_tokens(text):
@@ -227,6 +227,6 @@ def _paragraphs(text: str) -> list[str]:
 
 
 def plain(text: str) -> str:
-    """A text on one line, except that each item of a list starts a line."""
+    """Returns a text on one line, except that each item of a list starts a line."""
     parts = re.split(r"\n(?=\s*- )", text.replace("\\,", ","))
     return "\n".join(" ".join(part.split()) for part in parts).strip()

@@ -92,6 +92,6 @@ def _entries(root: Path, entries: Entries) -> list[PaperElement]:
 
 
 def _line(lines: list[str], name: str, start: int) -> int:
-    """The number of the line with a name, at or after a line."""
+    """Returns the number of the line with a name, at or after a line."""
     pattern = re.compile(rf'"{re.escape(name)}"')
     return next((n + 1 for n in range(start, len(lines)) if pattern.search(lines[n])), start + 1)

@@ -35,7 +35,7 @@ def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
 
 
 def _local(cursor: Cursor) -> Cursor | None:
-    """The initialiser of the local variable that an expression names."""
+    """Returns the initialiser of the local variable that an expression names."""
     while cursor.kind in (CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR):
         inner = list(cursor.get_children())
         if len(inner) != 1:

@@ -19,8 +19,9 @@ INTEGER = 1  # kind of an evaluated expression
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """The names that a text can use: with the class, or with the file for a constant of a
-    namespace."""
+    """Returns the names that a text can use: with the class, or with the file for a constant of a
+    namespace.
+    """
     owner = class_name(cursor.semantic_parent)
     if owner:
         return [f"{owner}::{cursor.spelling}"]
@@ -66,7 +67,9 @@ def last_expression(cursor: Cursor) -> Cursor | None:
 
 
 def number_of(value: Cursor) -> tuple[int, str] | None:
-    """The number of an expression, and its unit if its type or its factory function has one."""
+    """Returns the number of an expression, and its unit if its type or its factory function has
+    one.
+    """
     if value.type.get_canonical().kind != TypeKind.RECORD:
         number = evaluated(value)
         return None if number is None else (number, "")
@@ -82,7 +85,7 @@ def number_of(value: Cursor) -> tuple[int, str] | None:
 
 
 def members_of(value: Cursor) -> Iterator[tuple[Cursor, Cursor]]:
-    """The named members of an initialiser."""
+    """Yields the named members of an initialiser."""
     while value.kind == CursorKind.UNEXPOSED_EXPR and len(list(value.get_children())) == 1:
         value = next(value.get_children())
     for part in value.get_children() if value.kind == CursorKind.INIT_LIST_EXPR else ():
@@ -92,19 +95,21 @@ def members_of(value: Cursor) -> Iterator[tuple[Cursor, Cursor]]:
 
 
 def unit_of_function(function: Cursor) -> str:
-    """The unit of the parameter of an operation that makes a quantity."""
+    """Returns the unit of the parameter of an operation that makes a quantity."""
     if function.kind != CursorKind.FUNCTION_DECL:
         return ""
     return unit_in(function.raw_comment)
 
 
 def unit_of_type(value: Cursor) -> str:
-    """The unit of a type, as the comment above it states it."""
+    """Returns the unit of a type, as the comment above it states it."""
     return unit_in(value.type.get_declaration().raw_comment)
 
 
 def unit_beside(cursor: Cursor) -> str:
-    """The unit in the comment above a constant, or in the comment at the end of its line."""
+    """Returns the unit in the comment above a constant, or in the comment at the end of its
+    line.
+    """
     if stated := unit_in(cursor.raw_comment):
         return stated
     unit, file, line = cursor.translation_unit, cursor.location.file, cursor.extent.end.line
@@ -121,7 +126,7 @@ def unit_in(comment: str | None) -> str:
 
 
 def evaluated(expression: Cursor) -> int | None:
-    """The value of an expression that the compiler can compute."""
+    """Returns the value of an expression that the compiler can compute."""
     library = _library()
     result = library.clang_Cursor_Evaluate(expression)
     if not result:

@@ -35,7 +35,7 @@ class Coverage:
 
     @property
     def branched(self) -> bool:
-        """Whether branches are recorded."""
+        """Returns whether branches are recorded."""
         return any(self.whole.branches.values())
 
     def of(self, recordings: list[str]) -> Covered:
@@ -53,7 +53,7 @@ class Coverage:
 
 
 def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
-    """The coverage of each target, from the last run of its tests."""
+    """Returns the coverage of each target, from the last run of its tests."""
     readers = {HOST: _read_host, VIRTUAL_K64: _read_board}
     coverages: dict[str, Coverage] = {}
     for binding, reader in readers.items():

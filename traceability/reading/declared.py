@@ -285,7 +285,7 @@ def _uses(path: Path, entries: Entries, declared: Declared) -> None:
 
 
 def _allowed(path: Path, entries: Entries) -> list[AllowedUse]:
-    """The tables ``[uses."user"]``, whose lines are ``"used" = "reason"``."""
+    """Returns the tables ``[uses."user"]``, whose lines are ``"used" = "reason"``."""
     tables = entries.value(path, "uses", {})
     begin = Place(str(path.relative_to(entries.root)), 1)
     uses: list[AllowedUse] = []

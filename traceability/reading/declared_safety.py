@@ -53,7 +53,7 @@ OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
 
 
 def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
-    """The case as it is declared, with its scenarios; empty without the file."""
+    """Returns the case as it is declared, with its scenarios; empty without the file."""
     path = root / FILE
     if not path.exists():
         return SafetyCase()
@@ -98,7 +98,9 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
 
 
 def linked(case: SafetyCase) -> SafetyCase:
-    """The case with levels, times and the links from goals and assumptions back to hazards."""
+    """Returns the case with levels, times and the links from goals and assumptions back to
+    hazards.
+    """
     hazards = {
         name: replace(
             hazard, level=level_of(case, hazard.severity, hazard.exposure, hazard.avoidance)
@@ -122,8 +124,9 @@ def linked(case: SafetyCase) -> SafetyCase:
 
 
 def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> str:
-    """The performance level that the risk graph requires; empty when the graph has no such
-    entry."""
+    """Returns the performance level that the risk graph requires; empty when the graph has no such
+    entry.
+    """
     rows = case.graph.get(severity, [])
     if exposure not in ROWS or avoidance not in COLUMNS or len(rows) != len(ROWS):
         return ""
@@ -137,7 +140,7 @@ def highest(case: SafetyCase, levels: Iterable[str]) -> str:
 
 
 def evaluate(formula: str) -> float | None:
-    """The value of a formula of numbers; ``None`` when it is invalid."""
+    """Returns the value of a formula of numbers; ``None`` when it is invalid."""
     try:
         return _value(ast.parse(formula, mode="eval").body)
     except (SyntaxError, ValueError, ZeroDivisionError):
@@ -153,13 +156,14 @@ def _value(node: ast.expr) -> float:
 
 
 def words_of(texts: Iterable[str]) -> list[str]:
-    """The names in texts such as "SG-1, SG-2"."""
+    """Returns the names in texts such as "SG-1, SG-2"."""
     return [word for text in texts for word in re.split(r"[\s,]+", text.strip(" .")) if word]
 
 
 def read_sources(text: str) -> list[SourceReference]:
-    """The references of a text such as "goal: SG-2; paper: Section VII"; other texts have no
-    kind."""
+    """Returns the references of a text such as "goal: SG-2; paper: Section VII"; other texts have
+    no kind.
+    """
     sources: list[SourceReference] = []
     for part in filter(None, (reference.strip() for reference in text.split(";"))):
         kind, colon, name = part.partition(":")

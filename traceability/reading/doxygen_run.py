@@ -106,7 +106,7 @@ def start_doxygen(root: Path, build: Path) -> DoxygenRun:
 
 
 def _warnings(root: Path, lines: list[str]) -> Iterator[tuple[Place, str]]:
-    """Each warning with the indented lines below it."""
+    """Yields each warning with the indented lines below it."""
     for line in re.sub(r"\n +", " ", "\n".join(lines)).splitlines():
         match = re.match(r"(.+?):(\d+): (?:warning|error): (.*)", line)
         if match is not None and not NOT_OURS.search(match[3]):

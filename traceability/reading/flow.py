@@ -60,7 +60,7 @@ class FlowReader:
     # ---- names of places ------------------------------------------------------
 
     def node(self, cursor: Cursor | None) -> str:
-        """The place of a declaration; empty when it is outside of the project."""
+        """Returns the place of a declaration; empty when it is outside of the project."""
         at = self.place(cursor) if cursor is not None else None
         parent = cursor.semantic_parent if cursor is not None else None
         if cursor is None or at is None or parent is None or cursor.spelling.startswith("__"):
@@ -185,7 +185,7 @@ class FlowReader:
     # ---- members that a body uses -------------------------------------------
 
     def written(self, cursor: Cursor) -> list[str]:
-        """The members that a statement changes."""
+        """Returns the members that a statement changes."""
         kind = cursor.kind
         if kind in ASSIGNMENTS:
             left = next(cursor.get_children(), None)
@@ -203,13 +203,13 @@ class FlowReader:
         return []
 
     def referred(self, variable: Cursor) -> list[str]:
-        """The member that a reference may be used to change."""
+        """Returns the member that a reference may be used to change."""
         value = next(reversed(list(variable.get_children())), None)
         constant = variable.type.get_pointee().is_const_qualified()
         return [] if constant or value is None else self.members(value)
 
     def changed_by(self, call: Cursor) -> list[str]:
-        """A member that is changed by a call of a method that is not const."""
+        """Returns a member that is changed by a call of a method that is not const."""
         target = call.referenced
         if target.kind not in (CursorKind.CXX_METHOD, CursorKind.FUNCTION_TEMPLATE):
             return []
@@ -221,7 +221,7 @@ class FlowReader:
         return self.members(first) if first is not None else []
 
     def members(self, cursor: Cursor) -> list[str]:
-        """The members by value that contain an expression, as ``Class::name``."""
+        """Returns the members by value that contain an expression, as ``Class::name``."""
         members: list[str] = []
         at: Cursor | None = cursor
         while at is not None:
@@ -238,8 +238,9 @@ class FlowReader:
 
 
 def branches_on(cursor: Cursor) -> Iterator[Cursor]:
-    """The classes whose addresses a statement compares, and the enumerations whose numbers it
-    uses."""
+    """Yields the classes whose addresses a statement compares, and the enumerations whose numbers
+    it uses.
+    """
     children = list(cursor.get_children())
     if cursor.kind == CursorKind.BINARY_OPERATOR and len(children) == 2:
         if operator_of(cursor, children[0]) in COMPARISONS:
@@ -254,7 +255,7 @@ def branches_on(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def numbered(cursor: Cursor) -> Iterator[Cursor]:
-    """The enumerations whose number an expression uses."""
+    """Yields the enumerations whose number an expression uses."""
     for part in cursor.walk_preorder():
         if part.kind in CASTS or part.spelling == "to_underlying":
             given = list(part.get_children())[-1:]
@@ -263,7 +264,9 @@ def numbered(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def sure_parts(cursor: Cursor) -> int:
-    """The number of first children of a statement that are executed in each execution of it."""
+    """Returns the number of first children of a statement that are executed in each execution of
+    it.
+    """
     children = list(cursor.get_children())
     if cursor.kind in CHANCES:
         return 1 + bool(children and children[0].kind in DECLARATIONS)
@@ -287,7 +290,7 @@ def is_method_name(cursor: Cursor) -> bool:
 
 
 def method_in_template(call: Cursor) -> Cursor | None:
-    """The method of a class template to which a call by name in another template refers."""
+    """Returns the method of a class template to which a call by name in another template refers."""
     callee = next(call.get_children(), None) if call.kind == CursorKind.CALL_EXPR else None
     if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
         return None

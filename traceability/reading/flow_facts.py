@@ -20,7 +20,7 @@ class Inequality:
 
 
 def read_inequality(text: str, counters: Iterable[str], value: Callable[[str], int]) -> Inequality:
-    """An inequality of sums: ``value`` returns the number of a constant expression."""
+    """Returns an inequality of sums: ``value`` returns the number of a constant expression."""
     left, sign, right = text.partition("<=")
     if not sign:
         raise ValueError(f"no inequality: {text}")
@@ -46,7 +46,7 @@ def _terms(node: ast.expr) -> list[ast.expr]:
 def _split(
     term: ast.expr, names: frozenset[str], value: Callable[[str], int]
 ) -> tuple[str | None, int]:
-    """The counter of a term, if it has one, and its factor."""
+    """Returns the counter of a term, if it has one, and its factor."""
     if isinstance(term, ast.Name) and term.id in names:
         return term.id, 1
     if isinstance(term, ast.BinOp) and isinstance(term.op, ast.Mult):

@@ -32,7 +32,7 @@ class Case:
 
     @property
     def code(self) -> str:
-        """The body without comments and empty lines."""
+        """Returns the body without comments and empty lines."""
         return code_of(self.body)
 
 
@@ -45,7 +45,7 @@ def read_tests(text: str) -> Iterator[Case]:
 
 
 def unknown_macros(text: str) -> Iterator[tuple[int, str]]:
-    """Line and name of each macro that looks like a test macro and is unknown."""
+    """Yields line and name of each macro that looks like a test macro and is unknown."""
     for match in MACRO.finditer(text):
         if match[1] not in (*MACROS, *LISTS):
             yield text.count("\n", 0, match.start()) + 1, match[1]

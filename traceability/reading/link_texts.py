@@ -45,12 +45,12 @@ def hash_of_text(text: str) -> str:
 
 
 def hash_of(kind: str, text: str) -> str:
-    """The hash of a text of a kind. In code the names of local variables do not matter."""
+    """Returns the hash of a text of a kind. In code the names of local variables do not matter."""
     return hash_of_text(numbered(text) if kind in CODE else text)
 
 
 def numbered(code: str) -> str:
-    """Code with a number in place of each local variable and parameter."""
+    """Returns code with a number in place of each local variable and parameter."""
     declared = [match[2] for match in LOCAL.finditer(code) if match[1] not in NO_TYPES]
     names = list(dict.fromkeys(name for name in declared if name not in BUILT_IN))
     if not names:
@@ -62,7 +62,7 @@ def numbered(code: str) -> str:
 
 @functools.cache
 def requirements(text: str) -> list[tuple[str, str]]:
-    """The id of each requirement, and the complete text below it."""
+    """Returns the id of each requirement, and the complete text below it."""
     return [
         (part.tags[0].argument, part.source())
         for comment in read_comments("", text)
@@ -78,7 +78,7 @@ def specifications(text: str) -> list[tuple[range, str, str]]:
 
 @functools.cache
 def tests(text: str) -> list[tuple[str, str]]:
-    """The id of each test, and its body without comments."""
+    """Returns the id of each test, and its body without comments."""
     return [(case.id, case.code) for case in read_tests(text)]
 
 
@@ -114,12 +114,12 @@ def _specifications(text: str) -> Iterator[tuple[range, str, str]]:
 
 
 def texts_of_requirement(text: str, name: str) -> Iterator[str]:
-    """The complete text below a requirement."""
+    """Yields the complete text below a requirement."""
     return (source for identifier, source in requirements(text) if identifier == name)
 
 
 def texts_of_tree(text: str, name: str) -> Iterator[str]:
-    """The nodes of the tree of a requirement."""
+    """Yields the nodes of the tree of a requirement."""
     return (without_remarks(match[2]) for match in TREE.finditer(text) if match[1] == name)
 
 
@@ -130,7 +130,9 @@ def texts_of_method(text: str, name: str) -> Iterator[str]:
 
 
 def texts_of_body(text: str, name: str) -> Iterator[str]:
-    """The code of each function of this name, from its first line to the brace that ends it."""
+    """Yields the code of each function of this name, from its first line to the brace that ends
+    it.
+    """
     begins = re.compile(rf"^( *)[^\n/#]*?\b{re.escape(_last(name))}\(", re.MULTILINE)
     for match in begins.finditer(text):
         end = re.compile(rf"}}\s*$|^{match[1]}}}", re.MULTILINE).search(text, match.end())
@@ -138,18 +140,18 @@ def texts_of_body(text: str, name: str) -> Iterator[str]:
 
 
 def code_with_bounds(text: str) -> str:
-    """Code without comments, except the declared bounds of loops."""
+    """Returns code without comments, except the declared bounds of loops."""
     return code_of(BOUND.sub(r"\1(\2);", text))
 
 
 def texts_of_constants(text: str, _file: str) -> Iterator[str]:
-    """The constants, tables and constant-initialised objects of a file."""
+    """Yields the constants, tables and constant-initialised objects of a file."""
     code = STRING.sub(lambda match: match[0].replace(";", ","), code_of(text))
     yield "\n".join(match[0] for match in CONSTANT.finditer(code))
 
 
 def texts_of_test(text: str, name: str) -> Iterator[str]:
-    """The body of the test ``Suite.Name``, without comments."""
+    """Yields the body of the test ``Suite.Name``, without comments."""
     return (code for test, code in tests(text) if test == name)
 
 

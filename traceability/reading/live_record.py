@@ -20,6 +20,6 @@ def read_live(root: Path) -> dict[str, Any] | None:
 
 
 def live_metrics(root: Path) -> dict[str, Any]:
-    """The metrics of the module; null where nothing was measured."""
+    """Returns the metrics of the module; null where nothing was measured."""
     record = read_live(root) or {}
     return {f"live.{key}": record.get(key) for key in KEYS}

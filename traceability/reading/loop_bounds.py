@@ -39,7 +39,7 @@ class Bounds:
         self.lines: dict[str, list[str]] = {}
 
     def at(self, place: Place) -> Bound | None:
-        """The bound of the loop, or of the call, in a line."""
+        """Returns the bound of the loop, or of the call, in a line."""
         lines = self._lines(place[0])
         if not 0 < place[1] <= len(lines):
             return None
@@ -63,14 +63,14 @@ class Bounds:
         return self.value(match[1]) if match else None
 
     def counter(self, place: Place) -> str | None:
-        """The name by which flow facts count the executions of a line."""
+        """Returns the name by which flow facts count the executions of a line."""
         lines = self._lines(place[0])
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
         match = COUNTS.match(before)
         return match[1] if match else None
 
     def value(self, text: str) -> int:
-        """The number of a constant expression."""
+        """Returns the number of a constant expression."""
         return self._of(ast.parse(text.replace("::", "__"), mode="eval").body)
 
     def _lines(self, file: str) -> list[str]:

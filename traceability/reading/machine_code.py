@@ -105,7 +105,9 @@ def read_code(elf: Path) -> dict[str, Code]:
 
 
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
-    """File and line of each instruction: first where it was written, then where it was inlined."""
+    """Returns file and line of each instruction: first where it was written, then where it was
+    inlined.
+    """
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
     request = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=request, capture_output=True, text=True, check=True).stdout
@@ -167,7 +169,7 @@ def _cycles(address: int, name: str, operands: str) -> int:
 
 
 def _registers(operands: str) -> int:
-    """The words of a list of registers."""
+    """Returns the words of a list of registers."""
     count = 0
     for part in operands.partition("{")[2].partition("}")[0].split(","):
         first, _, last = part.strip().partition("-")
@@ -203,7 +205,7 @@ def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
 
 
 def _loops(code: Code) -> list[Loop]:
-    """The natural loops: jumps back to a block that is on every path to the jump."""
+    """Returns the natural loops: jumps back to a block that is on every path to the jump."""
     entry = next(iter(code.blocks))
     before: dict[int, list[int]] = {start: [] for start in code.blocks}
     for block in code.blocks.values():
@@ -226,8 +228,9 @@ def _loops(code: Code) -> list[Loop]:
 
 
 def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
-    """The loops that a path can enter at more than one block, so that they have no head that is on
-    every path. Each gets a block for its head that is part of each of its rounds."""
+    """Returns the loops that a path can enter at more than one block, so that they have no head
+    that is on every path. Each gets a block for its head that is part of each of its rounds.
+    """
     entered_loops: list[Loop] = []
     while True:
         ways = {

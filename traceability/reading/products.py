@@ -31,7 +31,7 @@ class Product:
 
 
 def listed(root: Path) -> list[Product]:
-    """The products of the list, in its sequence."""
+    """Returns the products of the list, in its sequence."""
     table = tomllib.loads((root / LIST).read_text(encoding="utf-8"))
     parts = table["parts"]
     return [
@@ -57,35 +57,37 @@ SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+
 
 
 def intruders(modules: Iterable[str], has: set[str]) -> set[str]:
-    """The modules in an image that its product must not contain."""
+    """Returns the modules in an image that its product must not contain."""
     return (set(modules) & DIFFERENT) - has
 
 
 def image_of(product: str, suffix: str) -> Path:
-    """The released image, which is flashed, measured and tested."""
+    """Returns the released image, which is flashed, measured and tested."""
     return Path("build/k64") / f"{product}{suffix}"
 
 
 def recorded_image_of(product: str, suffix: str) -> Path:
-    """The image of the same sources with less inlining: each call can be recorded."""
+    """Returns the image of the same sources with less inlining: each call can be recorded."""
     return Path("build/k64_calls") / f"{product}{suffix}"
 
 
 def module_names(root: Path) -> set[str]:
-    """The design modules: each has a header of its name, with its secret."""
+    """Returns the design modules: each has a header of its name, with its secret."""
     headers = files_below(root, DESIGN, (".hpp",))
     return {path.stem for path in headers if "@secret" in path.read_text(encoding="utf-8")}
 
 
 def modules_in(elf: Path, modules: Iterable[str]) -> list[str]:
-    """The modules of this list whose code or constants an image contains, by its symbols."""
+    """Returns the modules of this list whose code or constants an image contains, by its
+    symbols.
+    """
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     return sorted(modules_of(listed).intersection(modules))
 
 
 def modules_of(listed: str) -> set[str]:
-    """The classes of the project in a list of symbols."""
+    """Returns the classes of the project in a list of symbols."""
     return {match[1] for match in map(SYMBOL.match, listed.splitlines()) if match}
 
 

@@ -55,7 +55,7 @@ def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:
 
 
 def read_proofs(root: Path) -> dict[str, ProofResult] | None:
-    """The results, when they belong to the present machines, composition and properties."""
+    """Returns the results, when they belong to the present machines, composition and properties."""
     if not is_fresh(root, TASK):
         return None
     return read_record(root / PROOFS, dict[str, ProofResult])

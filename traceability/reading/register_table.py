@@ -31,7 +31,7 @@ class RegisterBlock:
 
 
 def read_registers(root: Path) -> list[RegisterBlock]:
-    """The blocks, in the order of the table."""
+    """Returns the blocks, in the order of the table."""
     text = (root / TABLE).read_text(encoding="utf-8")
     return [_block(*match.groups()) for match in BLOCK.finditer(text)]
 

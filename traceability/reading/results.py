@@ -46,7 +46,7 @@ class Result:
 
 
 def read_json(path: Path) -> Any:
-    """The content, or None when the file is missing or incomplete."""
+    """Returns the content, or None when the file is missing or incomplete."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -54,14 +54,18 @@ def read_json(path: Path) -> Any:
 
 
 def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:
-    """The numbers that tests of a target report about an image, as a property with this name."""
+    """Returns the numbers that tests of a target report about an image, as a property with this
+    name.
+    """
     content = read_json(root / RESULTS / f"{RUNS[binding]}.json") or {}
     tests = (test for suite in content.get("testsuites", []) for test in suite["testsuite"])
     return [int(test[name]) for test in tests if name in test and test.get("image") == image]
 
 
 def read_record(path: Path, kind: type[T]) -> T | None:
-    """The content as typed records, or None when it is missing, incomplete or has another form."""
+    """Returns the content as typed records, or None when it is missing, incomplete or has another
+    form.
+    """
     content = read_json(path)
     try:
         return RECORDS.structure(content, kind) if isinstance(content, dict) else None
@@ -70,7 +74,7 @@ def read_record(path: Path, kind: type[T]) -> T | None:
 
 
 def bindings_of(file: str) -> list[str]:
-    """The targets that a test of the firmware is built for, by its folder."""
+    """Returns the targets that a test of the firmware is built for, by its folder."""
     if file.startswith(COMPARED):
         return []
     if file.startswith(BOARD_ONLY):
@@ -81,12 +85,14 @@ def bindings_of(file: str) -> list[str]:
 
 
 def cost_of(root: Path, run_name: str) -> Path:
-    """The file with the processor time of a run of the tests."""
+    """Returns the file with the processor time of a run of the tests."""
     return root / RESULTS / f"{run_name}.cost.json"
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """The duration of the tests with all records, and without records, both with these sources."""
+    """Returns the duration of the tests with all records, and without records, both with these
+    sources.
+    """
     costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
         return None
@@ -113,7 +119,9 @@ def count_totals(root: Path) -> dict[str, float] | None:
 
 
 def read_results_hash(root: Path, binding: str) -> str | None:
-    """The hash of the present sources when the results belong to them; else another text."""
+    """Returns the hash of the present sources when the results belong to them; else another
+    text.
+    """
     if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
         return None
     return source_hash(root) if task_record.is_fresh(root, TASKS[binding]) else "other sources"
@@ -125,7 +133,7 @@ def read_results(root: Path, binding: str) -> dict[str, Result]:
 
 
 def results_in(data: dict[str, Any]) -> dict[str, Result]:
-    """The same, of the content of a file of results."""
+    """Returns the same, of the content of a file of results."""
     results: dict[str, Result] = {}
     for suite in data.get("testsuites", []):
         for test in suite.get("testsuite", []):
@@ -140,7 +148,9 @@ def results_in(data: dict[str, Any]) -> dict[str, Result]:
 
 
 def _together(earlier: Result, result: Result) -> Result:
-    """The result of several instances, and of a test with several images: one failure fails all."""
+    """Returns the result of several instances, and of a test with several images: one failure fails
+    all.
+    """
     worst = earlier if earlier.result == "failed" else result
     failed = {
         name: instance for name, instance in earlier.instances.items() if instance == "failed"
@@ -176,7 +186,7 @@ def _result(test: dict[str, Any]) -> Result:
 
 
 def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:
-    """The faults that were seeded in the drivers of these sources."""
+    """Returns the faults that were seeded in the drivers of these sources."""
     data = read_json(root / RESULTS / "driver_faults.json")
     if not isinstance(data, dict) or data.get("sources") != sources:
         return None

@@ -19,7 +19,9 @@ SAFETY = "extensions/safety"
 
 
 def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
-    """The counts from the base to the present commit; ``None`` when git does not have the base."""
+    """Returns the counts from the base to the present commit; ``None`` when git does not have the
+    base.
+    """
     base = _git(root, "rev-parse", "--verify", f"{case.base}^{{commit}}")
     head = _git(root, "rev-parse", "--short=10", "HEAD")
     if not (root / ".git").exists() or not case.base or not base or not head:
@@ -46,7 +48,7 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
 
 
 def contents(root: Path, names: list[str]) -> list[str]:
-    """The texts of files of commits; a missing file has no text."""
+    """Returns the texts of files of commits; a missing file has no text."""
     words = ["git", "-C", str(root), "cat-file", "--batch"]
     requests = "".join(f"{name}\n" for name in names).encode()
     answer = subprocess.run(words, input=requests, capture_output=True, check=True).stdout
@@ -64,7 +66,7 @@ def contents(root: Path, names: list[str]) -> list[str]:
 
 
 def edits_of_code(file: str, before: str, after: str) -> TouchedFile:
-    """The lines of code of a file that were added and removed between two versions."""
+    """Returns the lines of code of a file that were added and removed between two versions."""
     old, new = code_of(before.strip()).splitlines(), code_of(after.strip()).splitlines()
     edits = SequenceMatcher(None, old, new, autojunk=False).get_opcodes()
     changed = [edit for edit in edits if edit[0] != "equal"]
@@ -74,7 +76,7 @@ def edits_of_code(file: str, before: str, after: str) -> TouchedFile:
 
 
 def numstat(text: str) -> list[TouchedFile]:
-    """The files of ``git diff --numstat``; a binary file has no lines."""
+    """Returns the files of ``git diff --numstat``; a binary file has no lines."""
     rows = [line.split("\t") for line in text.splitlines()]
     return [
         TouchedFile(file, int(added) if added != "-" else 0, int(removed) if removed != "-" else 0)
@@ -83,7 +85,9 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """The entry with the longest path that is the file itself or a folder that contains it."""
+    """Returns the entry with the longest path that is the file itself or a folder that contains
+    it.
+    """
     matching = [
         (len(path), correction)
         for correction in corrections

@@ -68,7 +68,7 @@ class Fault:
 
 
 def read_faults(root: Path) -> list[Fault]:
-    """All faults, in the order of their files."""
+    """Returns all faults, in the order of their files."""
     faults: list[Fault] = []
     for path in sorted((root / FAULTS).glob("*.toml")):
         entries = tomllib.loads(path.read_text(encoding="utf-8"))["fault"]

@@ -52,18 +52,18 @@ class Facts:
 
     @property
     def modules(self) -> set[str]:
-        """The design modules, as they are named in the design."""
+        """Returns the design modules, as they are named in the design."""
         return {name for names in self.declared.names.values() for name in names}
 
     @property
     def with_role(self) -> set[str]:
-        """The modules with a role in the design."""
+        """Returns the modules with a role in the design."""
         applications = self.declared.applications.values()
         return {name for item in applications for names in item.roles.values() for name in names}
 
     @property
     def builders(self) -> set[str]:
-        """The builder modules."""
+        """Returns the builder modules."""
         return {
             name
             for item in self.declared.applications.values()
@@ -71,23 +71,24 @@ class Facts:
         }
 
     def user(self, owner: str, place: Place) -> str:
-        """The class to which code belongs: other code in the file of a class is part of the
-        class."""
+        """Returns the class to which code belongs: other code in the file of a class is part of the
+        class.
+        """
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
 
     def comment(self, fact: ClassFact | MethodFact | FieldFact) -> Comment:
-        """The comment of a declaration."""
+        """Returns the comment of a declaration."""
         return self.comments.at(fact.place.file, fact.comment)
 
     def comment_of(self, name: str) -> Comment:
-        """The comment of a class."""
+        """Returns the comment of a class."""
         fact = self.classes.get(name)
         return self.comment(fact) if fact else NO_COMMENT
 
     @functools.cached_property
     def folders(self) -> dict[str, Comment]:
-        """Folder -> its comment with ``@dir``."""
+        """Returns for each folder its comment with ``@dir``."""
         comments = self.comments.below(DESIGN)
         return {comment.of("dir")[0].argument: comment for comment in comments if comment.of("dir")}
 
@@ -98,7 +99,7 @@ class Facts:
 
     @functools.cached_property
     def with_file(self) -> set[str]:
-        """The classes with the name of a file."""
+        """Returns the classes with the name of a file."""
         return set(self.written_in.values())
 
     @functools.cached_property
@@ -109,11 +110,11 @@ class Facts:
         return (self.root / file).read_text(encoding="utf-8").splitlines()
 
     def targets(self, method: str, virtual: bool) -> list[str]:
-        """The methods that a call can reach."""
+        """Returns the methods that a call can reach."""
         return [method, *self.overriders.get(method, [])] if virtual else [method]
 
     def method(self, owner: str, name: str) -> MethodFact | None:
-        """The method that ``owner`` has or inherits."""
+        """Returns the method that ``owner`` has or inherits."""
         fact = self.classes.get(owner)
         if fact is None:
             return None
@@ -246,7 +247,9 @@ class References:
         return {item for item in reachable if not kind or item.kind in family}
 
     def targets(self, call: CallFact) -> list[str]:
-        """The methods that a call may reach: the methods of the objects on which it is called."""
+        """Returns the methods that a call may reach: the methods of the objects on which it is
+        called.
+        """
         owner, _, name = call.target.rpartition("::")
         if not call.virtual:
             return [call.target]
@@ -278,6 +281,6 @@ class References:
         return callers
 
     def own_bodies(self, method: str) -> list[BodyFact]:
-        """The bodies in the robot itself."""
+        """Returns the bodies in the robot itself."""
         bodies = self.facts.bodies.get(method, [])
         return [body for body in bodies if body.place.file.startswith(f"{SRC}/")]

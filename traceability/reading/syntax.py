@@ -37,7 +37,9 @@ READERS = (
 
 
 def read_syntax(root: Path, cache: Path) -> Syntax:
-    """The facts of all files of the design. Only the units whose files changed are parsed."""
+    """Returns the facts of all files of the design. Only the units whose files changed are
+    parsed.
+    """
     cache.mkdir(parents=True, exist_ok=True)
     hashes: dict[str, str] = {}
     units = translation_units(root)
@@ -90,12 +92,12 @@ def _is_stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bo
 
 
 def own_files(unit: str) -> tuple[str, str]:
-    """The files whose facts may be read from a unit."""
+    """Returns the files whose facts may be read from a unit."""
     return unit, unit.removesuffix(".cpp") + ".hpp"
 
 
 def code_hash(path: Path) -> str:
-    """The SHA-256 of the code of a file, or the empty string when there is none."""
+    """Returns the SHA-256 of the code of a file, or the empty string when there is none."""
     try:
         return hashlib.sha256(code_of(path.read_text(encoding="utf-8")).encode()).hexdigest()
     except OSError:
@@ -128,7 +130,7 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
 
 
 def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax, set[str]]:
-    """The facts of the files, and all files of the project that the unit includes."""
+    """Returns the facts of the files, and all files of the project that the unit includes."""
     arguments = [*clang_arguments(is_board(unit)), *include_options(root)]
     if header.exists():
         arguments += ["-include-pch", str(header)]
@@ -158,7 +160,7 @@ INCLUDE = re.compile(
 
 
 def includes_of(root: Path, file: str) -> list[IncludeFact]:
-    """The files of the project that a file includes, as written.
+    """Returns the files of the project that a file includes, as written.
 
     The compiler's list lacks a header that was included before: such a header is read only once.
     """

@@ -36,7 +36,7 @@ class Entries:
     _asked: dict[Path, set[str]] = field(default_factory=dict)
 
     def whole(self, path: Path) -> dict[str, Any]:
-        """The content of a file; empty when it does not exist or is not TOML."""
+        """Returns the content of a file; empty when it does not exist or is not TOML."""
         if path not in self._read:
             text = path.read_text(encoding="utf-8") if path.exists() else ""
             try:
@@ -55,14 +55,16 @@ class Entries:
         self.problems.append(Problem(place, f"{place.file} is no TOML: {said}", "correct the line"))
 
     def value(self, path: Path, name: str, missing: Any) -> Any:
-        """The value of a name."""
+        """Returns the value of a name."""
         self._asked.setdefault(path, set()).add(name)
         return self.whole(path).get(name, missing)
 
     def tables(
         self, path: Path, name: str, needs: Keys, may: Keys | None = None, own: str = ""
     ) -> list[Entry]:
-        """The entries ``[[name]]``. Two entries never have the same value of the key ``own``."""
+        """Returns the entries ``[[name]]``. Two entries never have the same value of the key
+        ``own``.
+        """
         listed = self.value(path, name, [])
         places = self._places(path, name, len(listed))
         entries: list[Entry] = []
@@ -87,7 +89,7 @@ class Entries:
         return [Place(str(path.relative_to(self.root)), number) for number in numbers[:count]]
 
     def fits(self, item: dict[str, Any], place: Place, needs: Keys, may: Keys) -> bool:
-        """Whether an entry has the keys that it needs; unknown keys are a problem."""
+        """Returns whether an entry has the keys that it needs; unknown keys are a problem."""
         keys = {*needs, *may}
         missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
         for key in missing:
@@ -133,7 +135,7 @@ class Entries:
             self.problems.append(Problem(place, text, fix))
 
     def place_of(self, path: Path, name: str) -> Place:
-        """The first place of a name."""
+        """Returns the first place of a name."""
         begins = re.compile(rf"\s*(\[\[?\s*)?{re.escape(name)}\b")
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         line = next((n for n, line in enumerate(lines, 1) if begins.match(line)), 1)

@@ -76,7 +76,8 @@ class Traces:
     def calls(
         self, test: str, names: dict[int, str], turning: Set[int] = frozenset()
     ) -> Iterator[tuple[str, bool]]:
-        """The calls of the named functions in order, each with whether it is entered or left.
+        """Yields the calls of the named functions in order, each with whether it is entered or
+        left.
 
         Repeated calls that contain no call of ``turning`` are listed again only after such a call.
         """
@@ -103,18 +104,18 @@ class Traces:
             yield from calls[event]
 
     def functions(self, test: str) -> set[str]:
-        """The methods and the other functions that ran in a test."""
+        """Returns the methods and the other functions that ran in a test."""
         return {self.symbols[at] for at in set(self.events(test)) if at in self.symbols}
 
     def methods(self, test: str) -> set[str]:
-        """The methods that ran in a test."""
+        """Returns the methods that ran in a test."""
         return {name for name in self.functions(test) if "::" in name}
 
     def addresses(self, methods: Set[str]) -> set[int]:
         return {address for address, name in self.symbols.items() if name in methods}
 
     def rows(self, test: str, shown: Set[int]) -> list[Row]:
-        """The calls of the methods at these addresses, in order."""
+        """Returns the calls of the methods at these addresses, in order."""
         rows: list[Row] = []
         addresses = shown | self.addresses(self.vectors)
         addresses |= {at | EXIT for at in addresses}
@@ -144,7 +145,7 @@ class Traces:
 
 
 def _outermost(events: array[int], begin: int) -> Iterator[int]:
-    """The events of a call and of all that it calls."""
+    """Yields the events of a call and of all that it calls."""
     depth = 0
     for event in events[begin:]:
         yield event
@@ -287,8 +288,9 @@ def nodes_of(tree: TreeNode) -> list[TreeNode]:
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
-    """The calls around the rows of the tree: at most ``SHOWN``, with the new number of each
-    remaining row."""
+    """Returns the calls around the rows of the tree: at most ``SHOWN``, with the new number of each
+    remaining row.
+    """
     first = placed[0]
     last = max(rows[index].end for index in placed)
     while rows[first].parent >= 0 and rows[rows[first].parent].end - rows[first].parent <= SHOWN:

@@ -155,7 +155,7 @@ def motion(**values: Any) -> Motion:
 @pytest.mark.parametrize(
     ("values", "finding"),
     [
-        ({"counts": 0, "others": ("rear left",)}, "not this wheel moved, but rear left"),
+        ({"counts": 0, "others": ("rear left",)}, "the wrong wheel moved: rear left"),
         ({"others": ("rear left",)}, "also moved: rear left"),
         ({"saw_forward": None}, "did not see this wheel turn"),
         ({"counts": 2, "saw_forward": None}, "no motion"),

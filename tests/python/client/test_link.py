@@ -171,7 +171,7 @@ def test_a_robot_of_version_1_is_found_out(mcu: Any) -> None:
         assert serve_until(link, lambda: link.incompatible, 5.0)
         assert not link.connected
         assert link.incompatible == (
-            "The robot speaks version 1 of the PC protocol, this client speaks version 2. "
+            "The robot uses version 1 of the PC protocol, this client uses version 2. "
             "Flash the robot (./wr flash), and connect again."
         )
     assert not mcu.of_kind(CONFIRM)
@@ -181,7 +181,7 @@ def test_a_robot_of_later_versions_asks_for_a_newer_client(mcu: Any) -> None:
     mcu.versions = (3, 4)
     with Link(mcu.path) as link:
         assert serve_until(link, lambda: link.incompatible, 5.0)
-        assert "speaks versions 3 to 4" in str(link.incompatible)
+        assert "uses versions 3 to 4" in str(link.incompatible)
         assert "Update this client" in str(link.incompatible)
 
 

@@ -132,7 +132,7 @@ def test_report_of_the_worked_example_with_conditions() -> None:
     assert (report.report_cycles, report.awake_cycles, report.start_cycles) == (27354, 158211, 1043)
 
 
-# The report, field by field as the protocol lists it: name, offset, form.
+# The report in the order of the protocol. Each field has a name, an offset and a format.
 FIELDS = {
     "cycle": (0, "<I"),
     "flags": (11, "<B"),

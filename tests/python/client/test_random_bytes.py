@@ -1,5 +1,6 @@
-"""Random bytes and random scripts never end the client: each is a message, or causes an error that
-the client shows."""
+"""Random bytes and random scripts never end the client. The client accepts a message or shows an
+error.
+"""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ ENTERED_TWICE = """
     bne 1b
     bx lr
 """
-# The condition is between two parts of a round; the first part has a way around an addition.
+# The condition is between two parts of an iteration. The first part can skip an addition.
 MIDDLE = """
     movs r0, #10
 1:  cbnz r2, 2f
@@ -66,7 +66,7 @@ MIDDLE = """
     b 1b
 3:  bx lr
 """
-# A round begins with an assertion, and ends with the condition.
+# An iteration begins with an assertion, and ends with the condition.
 ASSERTED = """
     movs r0, #10
 1:  cmp r2, #0
@@ -77,7 +77,7 @@ ASSERTED = """
 2:  udf #0
     bx lr
 """
-# A copy of four registers, a load and a store of one.
+# A copy of four registers, and a load and a store of one register.
 MEMORY = """
     ldm r0, {r1, r2, r3, r4}
     ldr r5, [r0]

@@ -55,7 +55,7 @@ class Recorded(Traces):
 
 
 def random_calls(chance: random.Random) -> list[int]:
-    """Random calls; sometimes the record has the exit of a call without its entry."""
+    """Returns random calls. Sometimes the record contains the exit of a call, but not its entry."""
     found: list[int] = []
     open_calls: list[int] = []
     for _ in range(chance.randrange(4, 60)):
