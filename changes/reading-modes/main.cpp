@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array<FieldPoint, 2> kWay{{{300, 0}, {600, 50}}};
 
-K64Uart gpsPort(K64Uart::Port::Uart4, platform::timebase);
+K64Uart gpsPort(K64Uart::Port::Uart4, platform::timebase, K64Uart::ZeroBytes::All);
 MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .cycleTimer = platform::cycleTimer,
                                          .timebase = platform::timebase,

@@ -43,7 +43,8 @@ constexpr std::size_t kFifo = 8;
 
 // The constructor is not in the header. Otherwise the compiler would initialise the object, and its
 // empty buffers would be in flash.
-K64Uart::K64Uart(Port port, const Timebase& clock) : port_(port), clock_(clock) {}
+K64Uart::K64Uart(Port port, const Timebase& clock, ZeroBytes zeros)
+    : port_(port), zeros_(zeros), clock_(clock) {}
 
 void K64Uart::start() {
   uart::C2.at(offset()).write({0});
@@ -104,8 +105,11 @@ bool K64Uart::store(std::uint8_t byte) {
     return false;
   }
   if (byte == 0) {
-    if (lastStored_ == 0) {
-      return true;  // it ends no frame
+    if (lastStored_ == 0 && zeros_ == ZeroBytes::Ends) {
+      return true;
+    }
+    if (endings_.free() == 0) {
+      return false;
     }
     endings_.put(clock_.now());
   }

@@ -26,10 +26,15 @@ class K64Uart final : public SerialPort {
   /// @brief A serial port that the firmware uses.
   enum class Port : std::uint8_t { Uart0 = 0, Uart4 = 1 };
 
+  /// @brief Zero bytes that the port stores: all, or only those that follow another byte and can end
+  /// a frame.
+  enum class ZeroBytes : std::uint8_t { All, Ends };
+
   /// @brief Constructs a port that is switched off.
   /// @param port the port; nothing else uses it
   /// @param clock returns the time at which a zero byte is received
-  K64Uart(Port port, const Timebase& clock);
+  /// @param zeros zero bytes that the port stores
+  K64Uart(Port port, const Timebase& clock, ZeroBytes zeros = ZeroBytes::Ends);
 
   /// @brief Switches the port on, port 0 with its FIFOs.
   /// @pre The core runs at its full clock, and the clock of the port runs.
@@ -115,10 +120,11 @@ class K64Uart final : public SerialPort {
   [[nodiscard]] std::uint32_t offset() const;
 
   Port port_;
+  ZeroBytes zeros_;
   const Timebase& clock_;
   // 115200 baud transfer 1152 bytes in one cycle.
   Ring<std::uint8_t, 2048> received_;
-  // Times of the zero bytes; at most every second stored byte is zero.
+  // Times of the zero bytes. If the port stores only the ends, at most every second byte is zero.
   Ring<Instant, 1024> endings_;
   Ring<std::uint8_t, 512> toSend_;
   std::atomic<std::uint32_t> lost_{0};
