@@ -105,7 +105,7 @@ class _Site:
         return self.away(folder, link)
 
     def _away(self, folder: str, link: str) -> str:
-        """The result is equal for each page of a folder, so it is computed once."""
+        """The result is the same for all pages of a folder, so it is computed once."""
         path, _, fragment = link.partition("#")
         path = path.partition("?")[0]
         if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
@@ -167,22 +167,21 @@ def _others(links: list[tuple[str, str]]) -> str:
 
 
 def dead_clicks(site: Path) -> list[Finding]:
-    """Finds pages between the first page and the answer of a question that the site does not
-    have."""
+    """Finds clicks of questions that lead to no page of the site."""
     path = site.resolve().parent.parent / QUESTIONS
     lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
     findings: list[Finding] = []
     for number, line in enumerate(lines, 1):
         for click in CLICK.findall(line) if line.startswith("clicks") else ():
             if not has_page(site, click):
-                text = f"the site has no page {click}, to which a question leads"
+                text = f"a question leads to {click}, but the site has no such page"
                 fix = "name the page with the answer"
                 findings.append(Finding(Place(QUESTIONS, number), "link-site", text, fix))
     return findings
 
 
 def has_page(site: Path, name: str) -> bool:
-    """Whether the site has a page, and on it the anchor behind a #."""
+    """Whether the site has a page, and the page has the anchor behind a #."""
     page, _, anchor = name.partition("#")
     path = site / page
     if not path.is_file():
@@ -198,7 +197,7 @@ class Texts:
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """The place of a link; no place when the text contains only parts of the link."""
+        """Returns the place of a link, or None when the text contains only parts of the link."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""
@@ -223,7 +222,7 @@ class Texts:
 
 
 def missing_paths(root: Path) -> list[Finding]:
-    """Finds files and folders that a page or a text of the design names and that do not exist."""
+    """Finds missing files and folders that a page or a text of the design names."""
     findings: list[Finding] = []
     for path in files_below(root, ("README.md", "docs", "design"), (".md", ".rst", ".toml")):
         file = str(path.relative_to(root))
@@ -241,7 +240,7 @@ def missing_paths(root: Path) -> list[Finding]:
 
 
 def missing_commands(root: Path) -> list[Finding]:
-    """Finds commands of ./wr and options that a page or the README names and that do not exist."""
+    """Finds missing commands of ./wr and missing options that a page or the README names."""
     code = "".join(
         path.read_text(encoding="utf-8") for path in files_below(root, PROGRAMS, (".py",))
     )
@@ -259,7 +258,7 @@ def missing_commands(root: Path) -> list[Finding]:
 
 
 def missing_parts(root: Path) -> list[Finding]:
-    """Finds products, programs and pins that a page names and that do not exist."""
+    """Finds missing products, programs and pins that a page names."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     targets, keys = _targets(root), _keys(root)
@@ -302,7 +301,7 @@ def _targets(root: Path) -> set[str]:
 
 
 def _sources(model: Model) -> dict[str, Place]:
-    """Page -> the place that it was generated from."""
+    """Page -> the place of its source."""
     places = {f"modules/{module.name}.html": module.place for module in model.modules.values()}
     places |= {f"patterns/{item.id}.html": item.place for item in model.patterns.values()}
     places |= {f"requirements/{item.id}.html": item.place for item in model.requirements.values()}

@@ -1,6 +1,6 @@
 """req-*, suspect-*: each requirement is satisfied by code and verified by tests that passed.
 
-The texts of its links are as in its baseline, and each review is valid.
+Its texts are as in its baseline, and each review is valid.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
         if requirement.method not in METHODS:
             wrong.append(f"no @method ({', '.join(METHODS)})")
         elif not _has_way(requirement):
-            wrong.append(f"the @method {requirement.method} and no test or evidence for it")
+            wrong.append(f"the @method {requirement.method} but no test and no evidence")
         if not requirement.products:
             wrong.append("no @product (all, or names of products)")
         unknown = set(requirement.products) - {"all", *PRODUCTS}
@@ -228,7 +228,7 @@ def _unneeded(model: Model) -> list[Finding]:
         Finding(
             item.place,
             "req-justified",
-            f"no {item.kind} needs this: {', '.join(spare)}",
+            f"no {item.kind} needs this justification: {', '.join(spare)}",
             "remove the names, or correct them",
         )
         for item in model.justified
@@ -237,7 +237,7 @@ def _unneeded(model: Model) -> list[Finding]:
 
 
 def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Entries of design/mutants.toml that name a line or a mutant that does not exist."""
+    """Finds entries of design/mutants.toml that name a missing line or a missing mutant."""
     bodies: dict[tuple[str, str], list[BodyFact]] = {}
     for body in facts.syntax.bodies:
         bodies.setdefault((body.place.file, body.id), []).append(body)
@@ -250,11 +250,19 @@ def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
     for entry in facts.declared.equivalents:
         held = bodies.get((entry.file, entry.method), [])
         if not any(entry.line in _lines_of(facts.root, body) for body in held):
-            text = f"no line of {entry.method} in {entry.file} is: {entry.line}"
-            yield Finding(entry.place, "req-justified", text, "quote the line, or remove the entry")
+            text = f"{entry.method} in {entry.file} does not contain the line: {entry.line}"
+            yield Finding(
+                entry.place,
+                "req-justified",
+                text,
+                "quote a line of the method, or remove the entry",
+            )
         for change in entry.changes if whole else []:
             if (entry.file, entry.method, change) not in missed:
-                text = f"a test finds this change of {entry.method}, or it does not exist: {change}"
+                text = (
+                    f"a test finds this change of {entry.method}, or no mutant makes the change: "
+                    f"{change}"
+                )
                 yield Finding(entry.place, "req-justified", text, "correct or remove the change")
 
 
@@ -291,16 +299,17 @@ def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
 
 
 def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place:
-    """The first requirement that a finding concerns, because results are no source to open."""
+    """Returns the place of the first requirement of a finding, because nobody can edit results."""
     ordered = sorted(model.requirements.values(), key=lambda one: not concerns(one))
     return ordered[0].place if ordered else Place("requirements", 1)
 
 
 def _old_image(model: Model, facts: Facts) -> list[Finding]:
-    """The checks of the image and of its stack do not run while it is older than the sources."""
+    """Finds an image that is older than the sources: its checks and those of its stack do not
+    run."""
     if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
         return []
-    text = "the image is older than the sources, so its size and its stack are not compared"
+    text = "the image is older than the sources, so no check compares its size and its stack"
     place = _first_place(model, lambda one: bool(one.evidence))
     return [Finding(place, "req-stale", text, "run ./wr firmware")]
 
@@ -335,7 +344,7 @@ def unmet(
     """Evidence that is missing or beyond its bound.
 
     ``others`` are the findings of the other checks. Evidence that counts these findings, or that is
-    not measured because results are stale, is not reported a second time.
+    not measured because results are stale, is not reported again.
     """
     checks = {finding.check for finding in others}
     return [
@@ -368,7 +377,7 @@ def _results(model: Model) -> list[Finding]:
             test.place,
             "req-passed",
             f"{test.id} {words[result.result]} on the {binding}"
-            + (f", and it verifies {', '.join(test.verifies)}" if test.verifies else ""),
+            + (f", but it verifies {', '.join(test.verifies)}" if test.verifies else ""),
             "correct the code or the test, then run ./wr test",
         )
         for test in model.tests.values()
@@ -400,7 +409,7 @@ def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _built(folder: Path, words: set[str]) -> bool:
-    """Whether the folder, or one above it, is named."""
+    """Whether the build names the folder, or a folder above it."""
     above = [folder, *folder.parents]
     return any(str(folder.relative_to("tests")) in words for folder in above if folder.parts[1:])
 
@@ -421,7 +430,7 @@ def _unknown(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
-    """A tag names one requirement that exists: a text after the id would be ignored."""
+    """Each tag names one requirement that exists, and no other text, which no tool would read."""
     for comment in facts.comments.below(TAGGED):
         for tag in comment.tags:
             if tag.name in _VERBS.values():
@@ -430,7 +439,9 @@ def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
                     yield Finding(tag.place, "req-unknown", text, "correct the id")
                 if tag.text:
                     text = f"this @{tag.name} names more than one requirement"
-                    yield Finding(tag.place, "req-unknown", text, "write a tag for each")
+                    yield Finding(
+                        tag.place, "req-unknown", text, "write a tag for each requirement"
+                    )
 
 
 def _twice(facts: Facts) -> Iterator[Finding]:
@@ -445,7 +456,7 @@ def _twice(facts: Facts) -> Iterator[Finding]:
 
 
 def _tags(model: Model) -> list[Finding]:
-    """A test that is named after a requirement verifies it."""
+    """A test with the id of a requirement in its name verifies this requirement."""
     findings: list[Finding] = []
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
@@ -497,8 +508,8 @@ def _suspects(model: Model) -> list[Finding]:
             f"suspect-{_LINKS[suspicion.kind]}",
             f"{', '.join(ids)}: {NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} "
             f"{suspicion.text}",
-            f"review it: ./wr review {ids[0]}; or accept the change, without a review: "
-            f"./wr review --baseline {' '.join(ids)}",
+            f"review it: ./wr review {ids[0]}; or accept the change without a review: ./wr review "
+            f"--baseline {' '.join(ids)}",
         )
         for suspicion, ids in asking.items()
     ]
@@ -529,7 +540,12 @@ def _reviews(model: Model) -> Iterator[Finding]:
         for review in requirement.reviews:
             for objection in review.objections:
                 text = f"the record for {requirement.id} is no review: {objection}"
-                yield Finding(review.place, "req-review", text, "remove it, and review again")
+                yield Finding(
+                    review.place,
+                    "req-review",
+                    text,
+                    "remove the record, and review the requirement again",
+                )
 
 
 def _macros(facts: Facts) -> Iterator[Finding]:
@@ -555,5 +571,5 @@ def _switched_off(model: Model, facts: Facts) -> Iterator[Finding]:
             disabled = DISABLED in case.id
             if disabled or (SKIPS in case.code and test.verifies):
                 said = "is disabled" if disabled else "skips itself"
-                fix = "let it run, or remove it"
+                fix = "let the test run, or remove it"
                 yield Finding(test.place, "req-test", f"{test.id} {said}", fix)

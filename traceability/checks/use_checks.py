@@ -67,7 +67,7 @@ def _forbidden(model: Model) -> list[Finding]:
         Finding(
             place,
             "uses-allowed",
-            f"{use.source} uses {use.target}, which design/uses.toml does not allow",
+            f"{use.source} uses {use.target}, but design/uses.toml does not allow this use",
             "remove the include or the call, or allow the use with a reason",
         )
         for use in model.uses
@@ -77,8 +77,8 @@ def _forbidden(model: Model) -> list[Finding]:
 
 
 def _extensions(model: Model) -> list[Finding]:
-    """The robot never names an extension; an extension may name the extensions that it needs."""
-    # An extension may use another one if the design has the reason; the robot never does.
+    """Finds uses of extensions by the robot, and by extensions without a reason in the design."""
+    # An extension may use another extension if the design has a reason. The robot uses none.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     return [
         Finding(
@@ -147,7 +147,7 @@ def _allowed_twice(model: Model) -> list[Finding]:
             "uses-unused",
             f"every module may use {allowed.target}, so the entry of {allowed.source} has no "
             "effect",
-            "remove one of the two",
+            "remove one of the two entries",
         )
         for allowed in model.allowed_uses
         if allowed.source != "*" and allowed.target in everybody
@@ -155,7 +155,7 @@ def _allowed_twice(model: Model) -> list[Finding]:
 
 
 def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
-    """Cycles of allowed uses; a use that is not allowed is already a finding."""
+    """Finds cycles of allowed uses. A use that is not allowed is already a finding."""
     declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
     findings: list[Finding] = []
     for use in uses:
@@ -176,7 +176,7 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
 
 
 def _apart(facts: Facts) -> list[Finding]:
-    """Finds pairs of separated modules in which a module names the other."""
+    """Finds modules that name a module from which the design separates them."""
     pairs = {
         (user, other): rule
         for rule in facts.declared.apart
@@ -198,7 +198,7 @@ def _apart(facts: Facts) -> list[Finding]:
         (place.file, place.line, user, target): Finding(
             place,
             "uses-apart",
-            f"{user} names {target}, and design/uses.toml keeps them apart",
+            f"{user} names {target}, but design/uses.toml separates the two modules",
             "pass the value through a pipe",
         )
         for user, target, place in named
@@ -214,7 +214,7 @@ def _apart(facts: Facts) -> list[Finding]:
 
 
 def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
-    """A declared cycle that the uses do not form."""
+    """Finds a declared cycle that the uses do not form."""
     graph = _graph(model.uses, depth=9)
     return [
         Finding(
@@ -256,7 +256,7 @@ def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
 
 
 def _reached(graph: dict[str, set[str]], start: str) -> set[str]:
-    """The start and all that it uses, directly or not."""
+    """Returns the start and everything that it uses, directly or indirectly."""
     reached, work = {start}, [start]
     while work:
         for target in graph.get(work.pop(), set()):

@@ -53,7 +53,7 @@ def test_faults_count_only_for_the_sources_they_were_seeded_in(tmp_path: Path) -
         path.write_text(json.dumps({"sources": sources, "faults": [fault]}), encoding="utf-8")
         model, facts = build(root)
         assert (model.driver_faults and len(model.driver_faults)) == known
-    assert any("'F' gave the finding other" in one.text for one in check(model, facts))
+    assert any("'F' caused the finding other" in one.text for one in check(model, facts))
 
 
 def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
