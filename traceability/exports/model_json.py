@@ -30,7 +30,7 @@ PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: 
 
 
 def model_text(model: Model, report: Report) -> str:
-    """The model with the verdicts as JSON. Places, names and texts equal those on the pages."""
+    """The model with the verdicts as JSON. Places, names and texts are the same as on the pages."""
 
     def fields(record: object) -> dict[str, Any]:
         return _fields(record) | _verdict(record, report)

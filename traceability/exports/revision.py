@@ -1,4 +1,4 @@
-"""The state of one revision in few words, and the differences between two revisions."""
+"""A summary of one revision, and the differences between two revisions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ WORDS = 8  # words of context around a change of a text
 
 @dataclass(frozen=True)
 class RequirementState:
-    """A requirement of a revision; ``state`` is empty where nothing was measured."""
+    """A requirement of a revision; ``state`` is empty if no step measured it."""
 
     text: str
     rationale: str
@@ -142,7 +142,7 @@ def _of_requirements(first: Revision, second: Revision) -> Iterator[Difference]:
 
 
 def changed_words(old: str, new: str) -> str:
-    """The words that changed, between [-removed-] and {+added+}, with some words around them."""
+    """Returns the changed words as [-removed-] and {+added+}, with some words around them."""
     before, after = old.split(), new.split()
     parts: list[str] = []
     for tag, i, j, k, m in difflib.SequenceMatcher(
@@ -178,8 +178,8 @@ def _numbers(
     second: Mapping[str, float | None],
     missing: float | None = None,
 ) -> list[Difference]:
-    """A value that only one revision has is shown as ``missing`` in the other; None was not
-    measured."""
+    """Yields the changed numbers. A value in only one revision is ``missing`` in the other; None
+    was not measured."""
     changed = []
     for name in sorted(first.keys() | second.keys()):
         before, after = first.get(name, missing), second.get(name, missing)

@@ -43,8 +43,8 @@ def pipe_between(model: Model, connection: Connection) -> list[str]:
 
 
 def calls_between(facts: Facts, connection: Connection) -> list[str]:
-    """The shortest path of calls from one module to the other; the body of a thread follows its
-    post."""
+    """Returns the shortest path of calls from one module to the other. The body of a thread follows
+    its post."""
     begin = f"{connection.source}::"
     own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}
     constructor = begin + connection.source

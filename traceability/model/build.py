@@ -73,7 +73,7 @@ DRIVERS = f"{SRC}/k64/"
 
 
 class Built(NamedTuple):
-    """The model for pages and exports, and its input facts, for the checks."""
+    """The model for pages and exports, and the facts behind it for the checks."""
 
     model: Model
     facts: Facts
@@ -165,7 +165,7 @@ def _assemble(
 
 
 def _last(root: Path, sources: str) -> dict[str, LastRecord]:
-    """Returns the last records of the commands that do not run in each build."""
+    """Returns the last record of each command that does not run in each build."""
     records = {
         "mutation": last_mutation(root, sources),
         "drift": last_seeded(root),
@@ -215,7 +215,8 @@ def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
 
 
 def _places(facts: Facts) -> list[Place]:
-    """Returns the places of classes and functions: a folder may contain functions only."""
+    """Returns the places of classes, and of functions, because a folder may contain only
+    functions."""
     classes = [fact.place for fact in facts.syntax.classes]
     return classes + [body.place for body in facts.syntax.bodies]
 
@@ -288,7 +289,7 @@ def _modules(facts: Facts) -> dict[str, Module]:
 
 
 def _for_heirs_only(fact: ClassFact) -> bool:
-    """Whether only subclasses can be constructed: all its constructors are protected."""
+    """Whether only subclasses can be constructed, because all constructors are protected."""
     made = [m.access for m in fact.methods if m.kind == "constructor" and not m.deleted]
     return bool(made) and set(made) == {"protected"}
 
@@ -322,7 +323,7 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 
 
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
-    """The body of this overload if the class contains it, else the first body."""
+    """Returns the body of this overload if the class contains it, or else the first body."""
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
             return body
@@ -501,7 +502,7 @@ def logic_of(file: str) -> str:
 
 def _uses(model: Model, facts: Facts) -> list[Use]:
     use_places: dict[tuple[str, str], list[Place]] = {}
-    others: dict[tuple[str, str], Place] = {}  # the first call or name, if there is no include
+    others: dict[tuple[str, str], Place] = {}  # without an include: the first call or name
     folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
     for include in facts.syntax.includes:
         pair = (logic_of(include.place.file), logic_of(include.target))
@@ -526,7 +527,8 @@ def _uses(model: Model, facts: Facts) -> list[Use]:
 
 
 def _declared_in(call: CallFact, facts: Facts) -> str:
-    """The file of a function outside classes; a declaration next to the call does not count."""
+    """Returns the file of a function outside classes. A declaration next to the call does not
+    count."""
     written = {body.place.file for body in facts.bodies.get(call.target, [])}
     if call.declared.endswith(".cpp") and written and call.declared not in written:
         return min(written)
@@ -571,7 +573,7 @@ def _covered(module: Module, coverage: Coverage) -> Module:
 
 
 def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:
-    """The lines of the drivers, which this machine does not run."""
+    """Returns the lines of the drivers, which do not run on this machine."""
     if model.stale_on(VIRTUAL_K64) or not coverage.recordings:
         return None
     covered = coverage.all

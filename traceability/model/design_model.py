@@ -1,4 +1,4 @@
-"""The model: everything that is the source of checks, pages, charts and exports.
+"""The model: the source of all checks, pages, charts and exports.
 
 It is built once per run (``traceability.model.build``) from the comments, the syntax tree, the
 declarations in ``design/``, test results, traces, coverage and sizes.
@@ -97,7 +97,7 @@ class Model:
     statements: Sequence[PaperStatement] = field(default_factory=list)
     paper_places: Sequence[PaperPlace] = field(default_factory=list)
     changes: Mapping[str, LikelyChange] = field(default_factory=dict)  # by application
-    ports: Mapping[str, Port] = field(default_factory=dict)  # to other devices, by folder
+    ports: Mapping[str, Port] = field(default_factory=dict)  # ports to other devices, by folder
     comparison: Comparison | None = None  # the last comparison of two commits
     board_findings: Mapping[str, BoardFinding] = field(default_factory=dict)
     beliefs: Sequence[BoardBelief] = field(default_factory=list)
@@ -108,17 +108,17 @@ class Model:
     line_gaps: Sequence[LineGap] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)  # of texts without a requirement
     reviews_of_nothing: Sequence[str] = field(default_factory=list)  # removed requirements
-    # The elements that the design demands, whether the code has them or not.
+    # The elements that the design demands. The code may lack some of them.
     designed_modules: Sequence[str] = field(default_factory=list)
     designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: Sequence[LoopScenario] = field(default_factory=list)
     safety: SafetyCase = field(default_factory=SafetyCase)
     proofs: Proofs = field(default_factory=Proofs)
-    # Records of other steps; ``None`` when they are not of the present sources.
+    # Records of other steps; ``None`` when the sources have changed since.
     bench: Mapping[str, BenchScenario] | None = None
     bench_paper: Mapping[str, BenchScenario] | None = None  # without safety functions
     products: Mapping[str, ProductImage] | None = None
-    faults: Sequence[Fault] = field(default_factory=list)  # that are seeded to test the checks
+    faults: Sequence[Fault] = field(default_factory=list)  # seeded to test the checks
     outcomes: Sequence[Outcome] | None = None  # their results
     last: Mapping[str, LastRecord] = field(default_factory=dict)  # by test of the tests
     campaigns: Mapping[str, Published] = field(default_factory=dict)  # the published records

@@ -1,4 +1,4 @@
-"""Sentences of the design, and facts in pages, that no check can compare with the code."""
+"""Sentences of the design and facts of pages that no check can compare with the code."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ WORDS = 3  # a shorter text is a name, which checks compare with the code
 
 
 def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Name, place and text of each sentence in the files of the design and of the changes."""
+    """Returns name, place and text of each sentence in the files of the design and of the
+    changes."""
     files = [*(root / "design").glob("*.toml"), *(root / "changes").glob("*/change.toml")]
     for path in sorted(files):
         file = str(path.relative_to(root))
@@ -31,17 +32,15 @@ def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
         try:
             content = tomllib.loads(source)
         except tomllib.TOMLDecodeError:
-            continue  # the check of the file reports it
+            continue  # the check of the file reports this error
         for name, text in _sentences(content):
             if not f"{file} {name}".startswith(OF_REQUIREMENTS):
                 yield f"{file} {name}", Place(file, _line_of(text, source)), text
 
 
 def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, str]]:
-    """The texts below a table, each with the path of tables to it.
-
-    The numbers of an entry belong to its texts, which give the reason for them.
-    """
+    """Yields the texts below a table, each with the path of tables to it. The numbers of an entry
+    belong to its texts, because the texts give the reason for the numbers."""
     numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
     for key, value in table.items():
         path = f"{above}{key}"
@@ -62,7 +61,7 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
 
 
 def _label(item: Mapping[str, Any]) -> str:
-    """The name of an entry: its id, or the first of the names that it lists."""
+    """Returns the name of an entry: its id, or its first listed name."""
     names = [item[key] for key in LABELS if isinstance(item.get(key), str)]
     lists = [item[key] for key in LISTS if isinstance(item.get(key), list)]
     names += [str(listed[0]) for listed in lists if listed]
@@ -78,13 +77,14 @@ def _is_prose(text: str) -> bool:
 
 
 def _line_of(text: str, source: str) -> int:
-    """The line of the file in which the text begins."""
+    """Returns the line in which the text begins."""
     first = text.split("\n", maxsplit=1)[0].replace('"', '\\"')
     return source.count("\n", 0, max(source.find(first), 0)) + 1
 
 
 def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Name, place and facts of each section of a page: its numbers, pins and names, in order.
+    """Returns name, place and facts of each section of a page. Facts are numbers, pins and names,
+    in order.
 
     Other words of a section may change freely.
     """

@@ -58,7 +58,7 @@ def unit_text(kind: str, model: Model) -> str:
 
 
 def module_of(body: BodyFact, model: Model) -> str:
-    """The module of a body; a free function belongs to the module of its file."""
+    """Returns the module of a body. A free function belongs to the module of its file."""
     owner = body.owner.split("::")[0] or Path(body.place.file).stem
     return owner if owner in model.modules else ""
 

@@ -1,9 +1,8 @@
-"""The execution contexts, the methods that each of them executes, and the members that two of them
+"""The execution contexts, the methods that each of them executes, and the members that two contexts
 share.
 
-A context is a handler that the hardware calls, or the command that a thread executes. The methods
-that it reaches are found in the syntax tree: a call of an abstraction reaches the objects that the
-builders passed.
+A context is a handler that the hardware calls, or the command that a thread executes. Its methods
+are found in the syntax tree. A call of an abstraction reaches the objects that the builders passed.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ ENABLE = "K64Thread::enable"  # line, priority
 
 @dataclass
 class Code:
-    """The facts of the code about the contexts, for the checks."""
+    """The facts about the contexts in the code, for the checks."""
 
     lines: dict[str, list[int]] = field(default_factory=dict)  # handler -> interrupt lines
     reached: dict[str, dict[str, str]] = field(default_factory=dict)  # context -> method -> caller
@@ -91,7 +90,7 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Interrupt line that has a handler, and that no call enables -> its handler."""
+    """Interrupt line with a handler that no call enables -> its handler."""
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
         constants[name]: handlers[0]
@@ -165,7 +164,8 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
-    """The method itself; for a function outside classes, the methods that call it with the pipe."""
+    """Returns the method. For a function outside classes, returns the methods that pass the pipe to
+    it."""
     if user.owner.split("::")[0] in model.modules:
         return [user.id]
     return sorted(
@@ -183,7 +183,7 @@ def contexts_of(method: str, code: Code) -> list[str]:
 
 
 def place_of(name: str, facts: Facts) -> tuple[Place, str]:
-    """The place at which an object is declared, and its type."""
+    """Returns the place at which an object is declared, and its type."""
     fact = facts.syntax.variables.get(name)
     if fact is None:
         owner, _, member = name.rpartition("::")
@@ -261,7 +261,7 @@ def shared_member(
 
 
 def way_to(method: str, reached: dict[str, str]) -> list[str]:
-    """The calls that lead to a method, from the handler."""
+    """Returns the calls that lead from the handler to a method."""
     way = [method]
     while reached.get(way[0]):
         way.insert(0, reached[way[0]])

@@ -44,7 +44,7 @@ def read_program(elf: Path) -> Program:
 
 @dataclass(frozen=True)
 class ImageCode:
-    """The functions of an image: as the compiler reports them, and their instructions."""
+    """The functions of an image: the reports of the compiler, and the instructions."""
 
     elf: Path
     graph: dict[str, Function]
@@ -52,7 +52,7 @@ class ImageCode:
 
 
 def read_image_code(root: Path) -> ImageCode | None:
-    """The code; nothing when the image was not built from the present sources."""
+    """Returns the code, or None when the image was not built from the present sources."""
     elf = root / BUILD / f"{PRODUCT}.elf"
     if read_image(root) is None or not elf.exists():
         return None

@@ -2,8 +2,8 @@
 affect.
 
 The additions of a change are declared for each pattern in ``design/changes.toml``. The modules that
-it edits, and the requirements and tests that it affects, are read from the code: a new class is
-registered only where the present ones are named.
+it edits, and the requirements and tests that it affects, are read from the code: the modules that
+name the present classes register a new class.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def _change(
 
 
 def _bound(application: PatternApplication, roles: list[str]) -> list[str]:
-    """The modules of the design that play one of the roles."""
+    """Returns the modules of the design that play one of the roles."""
     modules = [binding.module for binding in application.roles if binding.role in roles]
     return list(dict.fromkeys(modules))
 
@@ -65,7 +65,8 @@ def _designed(model: Model) -> list[str]:
 
 
 def _naming(model: Model, present: list[str]) -> list[str]:
-    """The other modules that name a present part; they must also name the new part."""
+    """Returns the other modules that name a present part, because they must also name the new
+    part."""
     kin = {base for name in present if name in model.modules for base in model.modules[name].bases}
     modules = {
         user

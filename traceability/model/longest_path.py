@@ -1,8 +1,8 @@
-"""The greatest cost of a path through a function, as a linear program (HiGHS).
+"""The maximum cost of a path through a function, as a linear program (HiGHS).
 
 The variable of each edge between two blocks is the number of times that a path uses it: the
-implicit path enumeration of Li and Malik. Its value need not be an integer: this can only make the
-bound greater.
+implicit path enumeration of Li and Malik. Its value may be a fraction, which can only increase the
+bound.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from traceability.reading.machine_code import REFILL, Code, Loop
 
 @dataclass(frozen=True)
 class FlowFact:
-    """A sum of executions of blocks, each with its factor, that does not exceed a number."""
+    """The upper limit of a weighted sum of executions of blocks."""
 
     factors: Mapping[int | str, int]  # block, or callee with a separate count -> factor
     most: int
@@ -31,12 +31,13 @@ class Problem:
     code: Code
     cost: Mapping[int, int]  # of each block
     rounds: Iterable[tuple[Loop, Bound]]
-    counted: Iterable[tuple[int, int]]  # block, and the greatest number of its executions
+    counted: Iterable[tuple[int, int]]  # block, and the maximum number of its executions
     facts: Iterable[FlowFact] = field(default_factory=list)
     apart: Mapping[str, int] = field(default_factory=dict)  # counted callee -> its cost
 
     def solve(self) -> int | None:
-        """The greatest cost of a path; nothing when it has no bound, or no path has an end."""
+        """Returns the maximum cost of a path, or None when it has no bound or no path has an
+        end."""
         solver = highspy.Highs()  # type: ignore[no-untyped-call]
         solver.silent()
         entry = next(iter(self.code.blocks))
@@ -66,7 +67,7 @@ class Problem:
             entries = [v for (b, e), v in ways.items() if e in loop.blocks and b not in loop.blocks]
             exits = self.code.blocks[loop.head].exits()
             leaves = loop.head not in loop.back and any(edge not in loop.blocks for edge in exits)
-            # A loop with its condition at the end has a round before its first jump back.
+            # A loop with its condition at the end executes one round before its first jump back.
             first = 0 if leaves else solver.qsum(outside)
             entered = 1 if bound.in_all else solver.qsum(entries)
             solver.addConstr(solver.qsum(inside) + first <= bound.rounds * entered)

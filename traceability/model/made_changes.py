@@ -51,7 +51,7 @@ def _made(model: Model, kit: Kit, record: KitRecord | None, classes: list[str]) 
 
 
 def _files_of(model: Model, kit: Kit, classes: list[str]) -> list[str]:
-    """The headers of the classes of an extension, and their sources."""
+    """Returns the headers and the sources of the classes of an extension."""
     headers = [model.modules[name].place.file for name in classes if name in model.modules]
     sources = [name.replace(".hpp", ".cpp") for name in headers]
     composition = [file for file in model.files if file.startswith(f"{kit.extension}/k64/main")]
@@ -77,8 +77,8 @@ def proven(change: MadeChange | None) -> bool:
 
 
 def unproven(change: MadeChange) -> str:
-    """The reason why a change is not proven. Empty when all its tests passed in this build, at
-    least one of them on each target."""
+    """Returns the reason why a change is not proven. It is empty when all tests of the change
+    passed in this build, with at least one test on each target."""
     results = {test.result for test in change.tests}
     missing = sorted({HOST, VIRTUAL_K64} - {test.target for test in change.tests})
     if failed := [test.id for test in change.tests if test.result not in ("passed", None)]:

@@ -27,7 +27,7 @@ from traceability.schema import HOST, Clause, Proofs, Requirement, SafetyCase
 from traceability.sources import file_hash
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # of verification
-OF_OTHER_STEPS = (  # metrics that are null until a step measures them
+OF_OTHER_STEPS = (  # metrics that are null before a step measures them
     *("coverage.line", "coverage.branch", "firmware.flash_bytes"),
     *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
     *("bench.scenarios", "bench.image_sha256", "sim.real_time_factor"),
@@ -60,7 +60,7 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
 
 
 def changes(model: Model) -> dict[str, Any]:
-    """The likely changes that were made, once their tests ran with the present sources."""
+    """Counts the likely changes that were made, if their tests ran with the present sources."""
     made = [change.made for change in model.changes.values()]
     ran = all(test.result for change in made if change for test in change.tests)
     return {"changes.proven": sum(map(proven, made))} if ran else {}
@@ -75,7 +75,7 @@ def coverage(root: Path) -> dict[str, Any]:
 
 
 def drift(model: Model) -> dict[str, Any]:
-    """The seeded faults, when they were seeded in the present state of the project."""
+    """Counts the seeded faults, if they were seeded in the present state of the project."""
     if model.outcomes is None:
         return {}
     return {
@@ -85,7 +85,7 @@ def drift(model: Model) -> dict[str, Any]:
 
 
 def image(root: Path) -> dict[str, Any]:
-    """The bytes of the image, when it was built from the present sources."""
+    """Returns the bytes of the image, if it was built from the present sources."""
     record = read_image(root)
     if record is None:
         return {}
@@ -93,7 +93,7 @@ def image(root: Path) -> dict[str, Any]:
 
 
 def forbidden(model: Model) -> dict[str, Any]:
-    """Counts the forbidden features of the images, and modules that their product does not have."""
+    """Counts forbidden features of the images, and modules that do not belong to the product."""
     products = model.products
     if products is None:
         return {}

@@ -1,4 +1,4 @@
-"""The reverse direction: the methods and tests that serve no requirement."""
+"""The methods and tests that serve no requirement."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Justified, Method, Module, Test
 
-JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # the checks compare these with the code
+JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # the checks compare these entries with the code
 
 
 def serving_methods(model: Model) -> set[str]:
-    """Returns the methods that are tagged with a requirement or are in a tree, and related ones.
+    """Returns the methods that have a tag or are in a tree, and the methods that serve the same
+    requirements.
 
     An operation of an abstraction serves the requirements of the methods that override it; a
     constructor serves the requirements of its module.
@@ -37,7 +38,7 @@ def serving_methods(model: Model) -> set[str]:
 
 
 def methods_without(model: Model) -> list[tuple[Module, Method]]:
-    """Public methods of design modules that serve no requirement."""
+    """Returns the public methods of design modules that serve no requirement."""
     serving = serving_methods(model)
     return [
         (module, method)

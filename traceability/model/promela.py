@@ -45,18 +45,15 @@ def guards_of(machine: StateMachine) -> list[str]:
 def whole(
     machines: Mapping[str, StateMachine], composition: str, proof: ProofProperty | None = None
 ) -> str:
-    """Returns the model that Spin reads: the machines, the composition, and one property.
-
-    Variables that only observe, and that the property does not need, are not part of the state
-    space.
-    """
+    """Returns the model that Spin reads: the machines, the composition, and one property. The state
+    space contains no variables that only observe and that the property does not need."""
     claim = f"ltl {proof.name} {{ {' '.join(proof.formula.split())} }}\n" if proof else ""
     text = without(composition, proof.formula) if proof else composition
     return "\n".join([HEAD, *map(step_of, machines.values()), text, claim])
 
 
 def observed(composition: str) -> dict[str, set[str]]:
-    """Returns each observed name with the variables from which its value is computed."""
+    """Returns each observed name, with the variables of its value."""
     body = composition.partition("inline observe() {")[2].partition("\n}")[0]
     values = re.findall(r"^    (\w+) = ([^;]+);", body, re.MULTILINE)
     return {name: set(WORD.findall(value)) for name, value in values}
@@ -115,7 +112,8 @@ def _grouped(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
 
 
 def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list[str]:
-    """The transitions of a state at an event: the guards are evaluated from top to bottom."""
+    """Returns the transitions of a state at an event. The guards are evaluated from top to
+    bottom."""
     name, first = name_of(machine), steps[0]
     effects = [f"{name} = {name}_{first.target}"]
     if first.action:
@@ -136,7 +134,7 @@ def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list
 
 
 def proofs_of(root: Path, declared: Declared) -> Proofs:
-    """The properties, with their results and the model for which they are proven."""
+    """Returns the properties, their results, and the model of the proofs."""
     path = root / COMPOSITION
     if not path.exists():
         return Proofs()

@@ -1,4 +1,4 @@
-"""The numbers with a unit that requirements state, and the constants of the code that have them."""
+"""The numbers with a unit in requirements, and the constants of the code with these numbers."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Quantity:
 
 
 def stated_numbers(text: str) -> dict[str, Quantity]:
-    """Each number with a unit in a text, as in ``200 ms``."""
+    """Returns each number with a unit in a text, such as ``200 ms``."""
     quantities: dict[str, Quantity] = {}
     for match in _STATED.finditer(re.sub(r"\s+", " ", text)):
         unit = match["unit"] or match["later"]

@@ -1,7 +1,7 @@
 """Upper bounds of the response times of the robot: of each interrupt, of the control cycle, and of
 paths from an input to its effect.
 
-A response time adds each interrupt as often as it can come until the response.
+A response time includes each interrupt as often as it can occur before the response.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from traceability.schema import Place as SourcePlace
 DECLARED_IN = Path("design/times.toml")
 ENTRY_AND_EXIT = 12 + 10 + 6  # cycles of the hardware for an interrupt, including the change to a
 # following one
-RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt causes to repeat
+RETRY = 12  # cycles of a loop with LDREX and STREX, which an interrupt can repeat
 CYCLE_TIMER, TICK_TIMER = "cycle-timer", "tick-timer"
 MOST_ROUNDS = 100
 CLOCK = 120_000  # cycles in a tick of 1 ms
@@ -39,7 +39,8 @@ NANOSECONDS = 1_000_000  # in a millisecond
 def prove_times(
     root: Path, model: Model, facts: Facts, image: ImageCode | None
 ) -> TimeProof | None:
-    """The bounds of the image of the robot; nothing when it was not built from these sources."""
+    """Returns the bounds of the image of the robot, or None when it was not built from these
+    sources."""
     if image is None or not (root / DECLARED_IN).exists():
         return None
     declared = tomllib.loads((root / DECLARED_IN).read_text(encoding="utf-8"))
@@ -103,7 +104,7 @@ def declared_times(
 def _flows(
     declared: Iterable[Mapping[str, Any]], bounds: Bounds
 ) -> tuple[dict[str, list[Inequality]], list[str]]:
-    """The facts about each method, and the methods with a fact that cannot be read."""
+    """Returns the facts about each method, and the methods with an unreadable fact."""
     flows: dict[str, list[Inequality]] = {}
     wrong = []
     for entry in declared:
@@ -122,10 +123,9 @@ def _of_context(
     arrivals: Mapping[str, Mapping[str, Any]],
     activations: Iterable[Iterable[str]],
 ) -> TimeBound | None:
-    """The sum over the handlers of a thread, which all run in a cycle; else the longest handler.
-
-    Each activation of a cycle has the methods that it does not call.
-    """
+    """Returns the sum over the handlers of a thread, which all run in a cycle. For an interrupt,
+    returns the longest handler. Each activation in a cycle has a list of methods that it does not
+    call."""
     arrival = arrivals.get(context.id)
     if arrival and not arrival["entries"]:
         return None  # the handler ends the firmware
@@ -151,8 +151,8 @@ def _of_context(
 
 
 def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
-    """The contexts, each interrupt with its response time: from its request to the end of its
-    handler, with all that its priority and higher ones execute meanwhile."""
+    """Returns the contexts, each interrupt with its response time from its request to the end of
+    its handler. The time includes all code of equal and higher priority."""
     all_bounds = list(contexts)
     waits = _waits(all_bounds, noise=False)
     return [
@@ -164,8 +164,8 @@ def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
 
 
 def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
-    """Cycles from the clock pulse to the end of the main thread, with all interrupts in this
-    time."""
+    """Returns the cycles from the clock pulse to the end of the main thread, with all
+    interrupts."""
     all_bounds = list(contexts)
     own = sum(bound.cycles for bound in all_bounds if bound.entries is None)
     interrupts = [bound for bound in all_bounds if bound.entries is not None]
@@ -173,7 +173,7 @@ def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
 
 
 def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, float]:
-    """Cycles for which an interrupt of each context may wait for its handler."""
+    """Returns the cycles for which an interrupt of each context may wait for its handler."""
     waits: dict[str, float] = {bound.context: 0 for bound in contexts if bound.entries is not None}
     for _ in range(MOST_ROUNDS):
         now = {
@@ -212,7 +212,7 @@ def _response(
 def _busy(
     own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, float], *, noise: bool
 ) -> float:
-    """Cycles that pass until a number of own cycles is executed, with all interrupts in between."""
+    """Returns the cycles that code needs, with all interrupts during its execution."""
     cycles = own
     for _ in range(MOST_ROUNDS):
         now = own
@@ -225,7 +225,7 @@ def _busy(
 
 
 def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noise: bool) -> int:
-    """The entries of an interrupt in a time, including requests that wait at its beginning.
+    """Returns the entries of an interrupt in a time, including requests that wait at the beginning.
 
     With noise an input gets its edges once more after each tick in this time, and the handler of
     the first edge may be late.
@@ -244,7 +244,8 @@ def _paths(
     cycle_ms: float,
     bounds: Bounds,
 ) -> list[PathBound]:
-    """The paths from an input to its effect: the sum of the parts, and the time of a recording."""
+    """Returns the paths from an input to its effect: the sum of the parts, and the recorded
+    time."""
     recordings = read_recordings(root) or {}
     chains = {chain.name: chain for chain in declared_chains(root)}
     responses = {bound.context: bound.response_ms for bound in contexts}
@@ -262,8 +263,8 @@ def _paths(
 
 
 def _seen_of(chain: Chain, recording: Any) -> float | None:
-    """The time of a chain in a recording, from the last byte of its frame if it begins with one
-    [ms]."""
+    """Returns the recorded time of a chain [ms]. A chain that begins with a frame starts at its
+    last byte."""
     steps = follow(chain, recording)
     if steps is None:
         return None
@@ -277,7 +278,8 @@ def _seen_of(chain: Chain, recording: Any) -> float | None:
 
 
 def _seen(root: Path, model: Model) -> float | None:
-    """The longest time to the report, in the runs of the bench and in tests of the image [ms]."""
+    """Returns the longest time to the report in the runs of the bench and in tests of the image
+    [ms]."""
     runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]
     times = [run.report_ms.maximum for run in runs]
     if not model.stale_on(VIRTUAL_K64):

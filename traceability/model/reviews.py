@@ -1,9 +1,8 @@
 """The changes since the baseline of a requirement, and its reviews.
 
-The baseline contains a hash of each text on which the verdict of a requirement depends, and so
-shows changes.
-A review is the judgement of a person who wrote none of these texts. Git stores the texts
-themselves.
+The baseline contains a hash of each text on which the verdict of a requirement depends. A different
+hash shows a change. A review is the judgement of a person who wrote none of these texts. Git stores
+the texts themselves.
 """
 
 from __future__ import annotations
@@ -70,7 +69,7 @@ NAMES_OF_TEXTS = {
     "function": "{}",
 }
 KINDS = tuple(NAMES_OF_TEXTS)
-DESIGN = "design"  # the name of the texts that belong to no requirement, in place of an id
+DESIGN = "design"  # replaces the id for texts that belong to no requirement
 OF_DESIGN = ("reason", "facts", "function")
 LINKS = "links"  # requirement -> its texts
 NEEDS: Keys = {
@@ -100,7 +99,7 @@ LEAST_REMARK = 20  # characters
 
 @dataclass(frozen=True)
 class LinkText:
-    """A text on which a link of a requirement depends. Its place has its last line, where known."""
+    """A text on which a link of a requirement depends. Its place has the last line, if known."""
 
     kind: str  # see NAMES_OF_TEXTS
     name: str
@@ -125,7 +124,7 @@ class LinkTexts:
         self.support = SupportFiles(facts.root)
 
     def of(self, requirement: Requirement) -> list[LinkText]:
-        """All texts of a requirement, as they are now."""
+        """Returns all present texts of a requirement."""
         return [
             *self._own(requirement),
             *(text for name in requirement.goals for text in self._goal(name)),
@@ -137,7 +136,7 @@ class LinkTexts:
         ]
 
     def of_design(self, covered: set[str]) -> list[LinkText]:
-        """The reasons, and the functions and specifications that are not in ``covered``."""
+        """Returns the reasons, and the functions and specifications that are not in ``covered``."""
         texts: dict[str, LinkText] = {}
         for place, end, text in self._uncovered(covered):
             name = f"{text.splitlines()[0]} in {place.file}"
@@ -204,7 +203,7 @@ class LinkTexts:
         return LinkText("method", name, specified[0][0], "\n".join(text for _, text in specified))
 
     def _bodies(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Yields the bodies of the methods that satisfy it or are in its tree; their constants."""
+        """Yields the bodies and the constants of the methods that satisfy it or are in its tree."""
         files: set[str] = set()
         for name in sorted(self._methods(requirement)):
             bodies = self.facts.bodies.get(name, [])
@@ -218,13 +217,13 @@ class LinkTexts:
                 yield LinkText("constants", file, Place(file, 1), text)
 
     def _justifications(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Reasons why tests do not execute some lines of its methods."""
+        """Yields the reasons why tests do not execute some lines of its methods."""
         for item in self.facts.declared.justified:
             if item.kind == "line" and set(item.names) & self._methods(requirement):
                 yield LinkText("justification", item.names[0], item.place, item.why)
 
     def _methods(self, requirement: Requirement) -> set[str]:
-        """The methods that satisfy it or have a node in its tree."""
+        """Returns the methods that satisfy the requirement or are in its tree."""
         nodes = nodes_of(requirement.tree) if requirement.tree else []
         accepted_names = {method for node in nodes for method in accepted(node, self.facts)}
         return accepted_names.union(requirement.satisfied_by)
@@ -265,7 +264,7 @@ class LinkTexts:
 
 
 def _effect(machine: StateMachine, step: Transition) -> str:
-    """Guard and action of a transition, with their conditions and calls in the code."""
+    """Returns guard and action of a transition, with their conditions and calls in the code."""
     conditions = machine.guards.get(step.guard or step.event, ())
     called = machine.actions.get(step.action, ())
     return f"{step.guard} = {', '.join(conditions)} / {step.action} = {', '.join(called)}"
@@ -279,7 +278,7 @@ def _offset(text: str, line: int) -> int:
 
 
 def state_of(texts: Iterable[LinkText]) -> str:
-    """One hash of all texts: a review is valid as long as it does not change."""
+    """Returns one hash of all texts. A review is valid until this hash changes."""
     return hash_of_text(" ".join(sorted(f"{text.kind} {text.name} {text.hash}" for text in texts)))
 
 
@@ -362,7 +361,8 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
 
 
 def authors(root: Path, place: Place) -> set[str]:
-    """Returns the names and addresses of the authors of the lines, by git, in lower case."""
+    """Returns names and addresses of the authors of the lines in lower case, as git records
+    them."""
     lines = ["-L", f"{place.line},{place.end}"] if place.end else []
     command = ["git", "-C", str(root), "blame", "-w", "--line-porcelain", *lines, "--", place.file]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -418,7 +418,8 @@ def suspicions(
 
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
-    """The earlier place of a text, and the reason why the requirement no longer depends on it."""
+    """Returns the earlier place of a text, and the reason why the requirement no longer needs
+    it."""
     module = model.modules.get(name.split("::", maxsplit=1)[0])
     methods = [text for text in module.methods if text.id == name] if module else []
     if kind == "method" and methods:
@@ -463,6 +464,6 @@ def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> 
 
 
 def _is_in(keys: Container[str], name: str) -> bool:
-    """Whether the body, the specification or the constants of this name are in the keys."""
+    """Whether the keys contain the body, the specification or the constants of this name."""
     code, _, file = name.rpartition(" in ")
     return any(key in keys for key in (f"body {code}", f"method {code}", f"constants {file}"))

@@ -24,10 +24,9 @@ from traceability.schema import (
 
 
 def safety_of(model: Model, facts: Facts) -> SafetyCase:
-    """Returns the case with the tests that play its scenarios, and the counts of git.
-
-    A parameterised test that names the folder may play each scenario in it; its results show which.
-    """
+    """Returns the case with the tests that play its scenarios, and the counts of git. A
+    parameterised test that names the folder may play each scenario in it. Its results show the
+    played scenarios."""
     case = facts.declared.safety
     if not case.goals:
         return case
@@ -50,13 +49,14 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
 
 
 def _playing(path: Path) -> str:
-    """The text of a file of tests that may play scenarios; empty for another file."""
+    """Returns the text of a file with tests that may play scenarios, or an empty text."""
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     return text if "scenario" in text.lower() else ""
 
 
 def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
-    """Whether a test names a scenario in its body, or has a test instance with its name."""
+    """Whether the body of a test names a scenario, or a test instance has the name of the
+    scenario."""
     named = re.search(rf'"(?:[\w/.]*/)?{re.escape(scenario)}(?:\.scenario)?"', body)
     return named is not None or any(run.endswith(f".{case}_{scenario}") for run in runs)
 
@@ -67,7 +67,7 @@ def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
 def safety_verdicts(
     model: Model, requirements: Mapping[str, Verdict]
 ) -> tuple[dict[str, str], dict[str, Verdict]]:
-    """The states of the fault scenarios, and the verdicts of the goals."""
+    """Returns the states of the fault scenarios, and the verdicts of the goals."""
     scenarios = {
         name: scenario_state(model, scenario) for name, scenario in model.safety.scenarios.items()
     }
@@ -103,8 +103,8 @@ def scenario_state(model: Model, scenario: FaultScenario) -> str:
 
 
 def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str | None:
-    """The result of the test instance that plays a scenario; without such an instance, the result
-    of the whole test."""
+    """Returns the result of the test instance that plays a scenario. Without this instance, returns
+    the result of the whole test."""
     end = f".{test.name}_{scenario.name}"
     own = [result for name, result in run.instances.items() if name.endswith(end)]
     return next(iter(own), run.result)

@@ -1,8 +1,8 @@
 """State machines: the changes that the code can make, and the changes that the tests make.
 
 A machine is declared in ``design/fsm``. Its states are the Concrete States of an application of the
-State pattern. This module finds the changes again in the bodies of the states, and in the recorded
-calls of the tests.
+State pattern. This module finds the changes in the bodies of the states, and in the recorded calls
+of the tests.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Change:
 
     source: str  # name of the state
     operation: str
-    target: str  # "" when the code does not show it
+    target: str  # "" when the code does not show the state
     place: Place
     path: tuple[str, ...]  # methods of the state between its operation and the change
     sometimes: bool
@@ -100,7 +100,7 @@ def _operations(base: str, facts: Facts) -> list[str]:
 
 
 def _composition(machine: StateMachine, facts: Facts) -> str:
-    """The class of the robot that contains all states by value."""
+    """Returns the class of the robot that contains all states by value."""
     for fact in facts.classes.values():
         kinds = {kind for member in fact.fields if not member.refers for kind in member.classes}
         if set(machine.states.values()) <= kinds and fact.place.file.startswith("src/"):
@@ -161,8 +161,8 @@ class _Changes:
                         yield target, place, way, rarely or call.sometimes, call.asked + conditions
 
     def _is_own(self, call: CallFact, file: str) -> bool:
-        """A call of the state on itself, of a method that no subclass overrides, or of a function
-        in its file."""
+        """Whether a state calls itself, a method that no subclass overrides, or a function in its
+        file."""
         beside = self.references.own_bodies(call.target)
         if beside and all(not body.owner and body.place.file == file for body in beside):
             return True
@@ -179,7 +179,7 @@ class _Changes:
         return sorted(methods) or [""]
 
     def initial(self) -> set[str]:
-        """The states that the composition passes to an object that is not a state."""
+        """Returns the states that the composition passes to an object that is not a state."""
         members = {
             f"field {self.code.composition}::{member.name}": self.names[kind]
             for fact in [self.facts.classes.get(self.code.composition)]
@@ -231,13 +231,13 @@ class Watcher:
         self.constructors = {f"{name}::{name}" for name in code.holders}
 
     def known(self) -> list[object]:
-        """Returns the inputs that the result depends on, for the key of the cache."""
+        """Returns the inputs on which the result depends, for the key of the cache."""
         runners = [(method, sorted(states)) for method, states in sorted(self.runners.items())]
         others = (self.foreign, self.helpers, self.changers, self.constructors)
         return [runners, self.code.runs, self.code.holders, *(sorted(item) for item in others)]
 
     def turns(self, method: str) -> bool:
-        """Returns whether its call may change the state."""
+        """Returns whether a call of the method may change the state."""
         return method in self.changers | self.constructors | self.foreign
 
     def concerns(self, method: str) -> bool:
@@ -329,7 +329,7 @@ def machines_of(
 
 
 def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
-    """The changes in the code that a transition declares: the first row declares the first
+    """Returns the changes in the code that a transition declares. The first row declares the first
     change."""
     operation = machine.events.get(step.event, "")
     changes = [c for c in code.of(step.source, operation) if c.target == step.target]
@@ -385,7 +385,7 @@ def _family(machine: StateMachine, facts: Facts) -> set[str]:
 
 
 def _shown(machine: StateMachine, code: MachineCode, seen: list[tuple[str, Seen]]) -> StateMachine:
-    """The machine with its changes in the code, and the tests that make its transitions."""
+    """Returns the machine with its changes in the code, and the tests that make its transitions."""
     changes = [matching(machine, step, code) for step in machine.transitions]
     tests: list[dict[str, None]] = [{} for _ in changes]
     undeclared: dict[str, list[str]] = {}

@@ -1,4 +1,4 @@
-"""The tests: the requirements, the result on each target and the executed modules of each."""
+"""The tests, each with its requirements, its result on each target, and its executed modules."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def _result_of(result: Result | None, model: Model, binding: str) -> BindingResu
 
 
 def written_tests(root: Path) -> dict[str, list[Case]]:
-    """File -> its tests, of the files that are built for a target."""
+    """File -> its tests, for the files that are built for a target."""
     files = {str(path.relative_to(root)): path for path in files_below(root, ("tests",), (".cpp",))}
     return {
         file: list(read_tests(path.read_text(encoding="utf-8")))
@@ -88,7 +88,8 @@ def written_tests(root: Path) -> dict[str, list[Case]]:
 
 
 def with_board_findings(model: Model, facts: Facts) -> Model:
-    """A test of the virtual board counts as a test of a finding when its text contains the id."""
+    """Adds findings to tests. A test of the virtual board tests a finding if its text contains the
+    id."""
     making: dict[str, list[str]] = {}
     lines: dict[str, list[str]] = {}
     tests = [test for test in model.tests.values() if test.place.file.startswith(BOARD_TESTS)]

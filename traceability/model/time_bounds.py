@@ -21,7 +21,7 @@ from traceability.reading.loop_bounds import Bound, Bounds, Place
 from traceability.reading.machine_code import VENEER, Block, Code, Instruction, Loop
 from traceability.schema import Place as SourcePlace
 
-# Functions that never return: a path that calls one ends the firmware and is not part of a bound.
+# Functions that never return. A path with such a call ends the firmware, and no bound includes it.
 ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
 COPIES = ("memcpy", "memmove", "memset")
 UNALIGNED = 2  # additional cycles of an unaligned access
@@ -29,7 +29,8 @@ UNALIGNED = 2  # additional cycles of an unaligned access
 
 @dataclass(frozen=True)
 class Limit:
-    """A method whose calls below another method are counted by the facts about that method."""
+    """A method with a limited number of calls below another method, by the facts about that
+    method."""
 
     method: str
     within: str
@@ -38,8 +39,8 @@ class Limit:
 
 @dataclass(frozen=True)
 class Spread:
-    """A method whose loop has a greatest number of rounds in all calls below another method: a
-    number, or a counter of the facts about that method."""
+    """A method with a maximum number of rounds of its loop in all calls below another method. The
+    maximum is a number, or a counter of the facts about that method."""
 
     method: str
     within: str
@@ -60,7 +61,7 @@ class DeclaredFacts:
 
 
 class Times:
-    """The bound of each function, with all that it calls [cycle]."""
+    """The bound of each function, including its calls [cycle]."""
 
     def __init__(
         self, program: Program, bounds: Bounds, prover: Prover, facts: DeclaredFacts
@@ -70,19 +71,21 @@ class Times:
         self.once = frozenset(facts.once)
         self.limited = {one.method: one for one in facts.limited}
         self.spread = {(one.within, one.method): one for one in facts.spread}
-        self.inside: frozenset[str] = frozenset()  # methods with facts that are now being entered
+        self.inside: frozenset[str] = (
+            frozenset()
+        )  # methods with facts whose bounds are being computed
         self.without: frozenset[str] = frozenset()  # methods that this activation does not call
         self.flows = facts.flows
         self.rounds: int | None = None  # of the loops of a method in ``spread``
         self.known: dict[tuple[object, ...], int] = {}
-        # The longest path of a function, for each cost of its blocks and of its counted calls.
+        # The longest path of a function, by the costs of its blocks and of its counted calls.
         self.paths: dict[tuple[object, ...], int] = {}
         self.copies: dict[tuple[str, int], int] = {}  # function and bytes -> cycles
         self.unbound: set[tuple[str, Place]] = set()  # loops without a bound: function and place
         self.unresolved: set[tuple[str, Place]] = set()  # calls without a known target
 
     def use_body(self, body: str, without: Iterable[str] = ()) -> None:
-        """The command that the next thread executes, and the methods that it does not call."""
+        """Sets the command that the next thread executes, and the methods that it does not call."""
         self.prover.body = body
         self.without = frozenset(without)
         self.known.clear()
@@ -119,11 +122,9 @@ class Times:
         return self.known[key]
 
     def _round(self, spread: Spread) -> tuple[int, int]:
-        """Two numbers: a call with N rounds needs at most the first, and N times the second.
-
-        The greatest cost of a call is concave in its number of rounds, as the optimum of a linear
-        program. The line through its values at one and at two rounds is therefore above it.
-        """
+        """Returns A and B: a call with N rounds needs at most A + N * B cycles. The maximum cost of
+        a call is concave in its number of rounds, because it is the optimum of a linear program.
+        The line through its values at one and at two rounds is therefore an upper bound."""
         costs = []
         for rounds in (1, 2):
             self.rounds = rounds
@@ -137,7 +138,7 @@ class Times:
         return 2 * costs[0] - costs[1], costs[1] - costs[0]
 
     def _each(self, method: str) -> int:
-        """The cycles of a call of a method with a limited number of calls."""
+        """Returns the cycles of a call of a method with a limited number of calls."""
         rest = {name: one for name, one in self.limited.items() if name != method}
         self.limited, kept = rest, self.limited
         found = max((self.of(one) for one in self.prover.symbols.get(method, [])), default=0)
@@ -145,7 +146,7 @@ class Times:
         return found
 
     def copy(self, symbol: str, count: int) -> int:
-        """The bound of a function that copies or fills a number of bytes."""
+        """Returns the bound of a function that copies or fills a number of bytes."""
         if (symbol, count) not in self.copies:
             self.copies[symbol, count] = self._copy(symbol, count)
         return self.copies[symbol, count]
@@ -168,8 +169,8 @@ class Times:
         return longest + UNALIGNED * (count // 4 + 2)
 
     def _home(self, symbol: str) -> str:
-        """The symbol with the code: a veneer jumps to another symbol, and equal functions share one
-        symbol."""
+        """Returns the symbol with the code. A veneer jumps to another symbol, and equal functions
+        share one symbol."""
         veneer = VENEER.match(symbol)
         name = veneer["name"] if veneer else symbol
         return self.shared.get(name, name)
@@ -208,7 +209,7 @@ class Times:
         return self.prover.targets(function, SourcePlace(*place))
 
     def _never(self, code: Code, block: Block) -> bool:
-        """Whether a block only calls a method that the compiler has also inlined at this place.
+        """Whether a block only calls a method that the compiler has also inlined here.
 
         The compiler compares the target of the call with the method that it expects. When no other
         method is possible, the call behind the comparison is never executed.
@@ -230,8 +231,8 @@ class Times:
         return False
 
     def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
-        """Whether a function contains the code of another function, inlined at a call: at the place
-        of the call, and at the places of the enclosing functions that are inlined too."""
+        """Whether a function contains inlined code of another function from the same call. The
+        places of all enclosing inlined functions must also match."""
         other = self.codes.get(self._home(target))
         if other is None or other is code:
             return False
@@ -249,7 +250,7 @@ class Times:
     def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
         home = self._home(symbol)
         if home in self.prover.graph and short_name(self.prover.graph[home].name) in self.limited:
-            return 0  # counted by the facts about the method that limits it
+            return 0  # the facts about the limiting method count it
         if home not in self.codes or self.prover.is_full(home, entered):
             return 0
         if home in self.prover.graph:
@@ -308,7 +309,8 @@ class Times:
         return longest or 0
 
     def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[FlowFact]:
-        """The declared facts about the marked lines of a function, as facts about its blocks."""
+        """Returns the declared facts about the marked lines of a function, as facts about its
+        blocks."""
         marked: dict[str, list[list[int | str]]] = {one: [[one]] for one in apart}
         for name, copies in self._marked(code).items():
             marked.setdefault(name, []).extend([*copy] for copy in copies)
@@ -318,8 +320,9 @@ class Times:
     def _facts_of(
         self, code: Code, one: Inequality, marked: Mapping[str, Sequence[Sequence[int | str]]]
     ) -> Iterator[FlowFact]:
-        """A counter on the left side counts any one block of each copy of its line: it is not
-        executed more often than the line. On the right side it counts all blocks."""
+        """Yields the facts about blocks. On the left side, a counter counts one block of each copy
+        of its line, which is not executed more often than the line. On the right side, it counts
+        all blocks."""
         most = one.most - one.factors.get(ENTRIES, 0)
         right: dict[int | str, int] = {}
         left: list[list[tuple[int | str, int]]] = []
@@ -359,7 +362,7 @@ class Times:
         }
 
     def _bound(self, code: Code, loop: Loop, method: str) -> Bound:
-        """The bound of a loop: the bound of the innermost line with a bound, or a bound for all
+        """Returns the bound of a loop: the bound of its innermost line with a bound, or of all
         rounds."""
         if self.rounds is not None and any(method == name for _, name in self.spread):
             return Bound(self.rounds, False)
@@ -397,7 +400,7 @@ class Times:
 
 
 def _stored(code: Code, loop: Loop) -> int:
-    """The bytes that a round of a loop stores."""
+    """Returns the number of bytes that a round of a loop stores."""
     return sum(
         1 if one.name.startswith("strb") else 4
         for start in loop.blocks

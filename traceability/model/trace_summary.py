@@ -1,5 +1,4 @@
-"""Reduces recorded calls to the level of modules: only calls from one module into another
-remain."""
+"""Reduces recorded calls to the calls from one module into another."""
 
 from __future__ import annotations
 

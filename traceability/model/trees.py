@@ -82,8 +82,8 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
-    """The tree with, for each target, whether its nodes belong to the part of the tree that was
-    found."""
+    """Returns the tree. For each target, each node shows whether it is in the recorded part of the
+    tree."""
     numbers = itertools.count()
 
     def marked(node: TreeNode) -> TreeNode:
@@ -97,8 +97,8 @@ def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
-    """The methods whose calls match the node: its own method or, if this has no body, the
-    overriding methods."""
+    """Returns the methods whose calls match the node: its method, or the overriding methods if this
+    method has no body."""
     if node.resolved is None:
         return set()
     if node.resolved in facts.bodies:
@@ -107,7 +107,7 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """The methods that exist on a target: methods of the K64 do not exist on the host."""
+    """Returns the methods that exist on a target. Methods of the K64 do not exist on the host."""
     return {
         method
         for method in accepted(node, facts)
@@ -124,8 +124,8 @@ def _reached(tree: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _below(node: TreeNode, facts: Facts) -> TreeNode:
-    """The node, with the possibility, the number and the order of the calls of its children in the
-    code."""
+    """Returns the node. Its children show whether, how often and in which order the code calls
+    them."""
     bodies = _bodies_of(node, facts)
     targets = {
         target
@@ -164,7 +164,7 @@ def _calls_of(body: BodyFact, callees: set[str], facts: Facts) -> list[CallFact]
 
 
 def _often(calls: list[list[CallFact]]) -> str:
-    """The number of times that each body makes its calls: see ``TreeNode.often``."""
+    """Returns how often each body makes the calls, as in ``TreeNode.often``."""
     sure = [sum(not call.sometimes for call in own) for own in calls]
     if max(sure) > 1 or any(call.repeated for own in calls for call in own):
         return "*"
@@ -175,7 +175,7 @@ def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: 
     """The previous node, if the body makes all calls of this node after all calls of the previous
     node.
 
-    A loop over objects of different classes may call a method of each in turn.
+    A loop over objects of different classes may alternate between their methods.
     """
     for body in bodies:
         first, second = (
@@ -193,7 +193,7 @@ def _last(calls: list[CallFact]) -> int:
 
 
 def _is_activated(callees: set[str], facts: Facts) -> bool:
-    """A thread executes a command: the body is a command, or a command calls it."""
+    """Whether a thread executes a body: the body is a command, or a command calls it."""
     commands = set(facts.overriders.get("Command::execute", []))
     called = {
         target
@@ -206,7 +206,7 @@ def _is_activated(callees: set[str], facts: Facts) -> bool:
 
 
 def declared_edges(trees: Mapping[str, TreeNode], facts: Facts) -> Edges:
-    """The requirements whose trees contain a call from one module into another."""
+    """Returns the requirements whose trees contain a call from one module into another."""
     edges: Edges = {}
     for requirement, tree in trees.items():
         for node in nodes_of(tree):
@@ -263,7 +263,7 @@ class Search:
     run: Run
 
     def asked(self) -> object:
-        """Returns the inputs that the result depends on, for the key of the cache."""
+        """Returns the inputs on which the result depends, for the key of the cache."""
         return self.requirement, self.run.binding, self.passing, self._shape(self.tree)
 
     def _shape(self, node: TreeNode) -> object:
@@ -271,8 +271,8 @@ class Search:
         return node.label, node.kind, sorted(self.run.accepts(node)), below
 
     def find(self) -> tuple[TreeRun | None, int]:
-        """The first run of the whole tree, the shortest recordings first; and the number of its
-        nodes that were found in order."""
+        """Returns the run of the whole tree in the shortest recording, and the number of nodes that
+        were found in order."""
         nodes = nodes_of(self.tree)
         order = {id(node): number for number, node in enumerate(nodes)}
         furthest = 0
