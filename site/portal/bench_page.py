@@ -61,7 +61,7 @@ def target(paper: Paper, run: Runs, kind: str) -> tuple[float, float]:
 
 @dataclass
 class Range:
-    """From the average to the maximum of a scenario, and both positions on the axis [per cent]."""
+    """The average and the maximum of a scenario, and their positions on the axis [per cent]."""
 
     words: str
     kind: str
@@ -80,7 +80,7 @@ def longest(runs: Mapping[str, Runs]) -> dict[str, float]:
 
 
 def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
-    """For each scenario the paper's range and ours, on one axis."""
+    """Returns for each scenario the range of the paper and our range, on one axis."""
     x = axis(0.0, max(paper.maximum for paper in SCENARIOS), rounded=True)
 
     def shown(words: str, kind: str, average: float, maximum: float) -> Range:
@@ -101,7 +101,7 @@ def comparison(runs: Mapping[str, Runs]) -> dict[str, Any]:
 
 
 def bands(run: Runs) -> Drawing:
-    """Cycle by cycle: the mean of a few cycles, between their minimum and maximum."""
+    """Returns the mean, minimum and maximum of each few cycles."""
     times = {kind: run[kind].times_us for kind in CLASSES if kind in run}
     count = max(len(values) for values in times.values())
     x = axis(0.0, float(count), rounded=False)
@@ -123,7 +123,8 @@ def bands(run: Runs) -> Drawing:
 
 
 def set_points(portal: Portal, name: str) -> list[Drawing]:
-    """The set-points of the measured cycles: of the wheels, and of the steering if it is moved."""
+    """Returns the set-points of the measured cycles for the wheels, and for the steering if it
+    moves."""
     file = portal.root / FOLDER / f"{name}.scenario"
     orders = measured_orders(file.read_text(encoding="utf-8")) if file.is_file() else []
     quantities = {

@@ -43,8 +43,8 @@ class Row:
 
 
 def headers() -> list[Row]:
-    """The headers as the Arduino R3 layout orders them, seen from above; the pins with even numbers
-    are outside."""
+    """The headers in the order of the Arduino R3 layout, seen from above. The pins with even
+    numbers are outside."""
     outer, inner = LABEL, LABEL + SIZE + 4
     low_inner = inner + SIZE + LABEL + SHORT
     low_outer = low_inner + SIZE + 4
@@ -73,7 +73,7 @@ class Used:
 
     @property
     def part(self) -> tuple[str, str]:
-        """The name and the class of the part of the robot at this pin."""
+        """Returns the name and the class of the part of the robot at this pin."""
         matches = (
             (name, kind)
             for words, name, kind in PARTS
@@ -88,7 +88,7 @@ class Used:
 
 
 def used_pins(root: Path) -> dict[str, Used]:
-    """The pins of the firmware on the headers, by header and number."""
+    """Returns the pins of the firmware on the headers, by header and number."""
     text = (root / HEADER).read_text(encoding="utf-8")
     return {
         place: Used(pin, signal, effect)
@@ -98,7 +98,7 @@ def used_pins(root: Path) -> dict[str, Used]:
 
 
 def board_figure(root: Path) -> str:
-    """The drawing with its legend, as HTML for the page."""
+    """Returns the drawing with its legend, as HTML for the page."""
     used, rows = used_pins(root), headers()
     drawn = {f"{row.header}-{pin}" for row in rows for pin in row.pins}
     if lost := sorted(used.keys() - drawn):
@@ -135,7 +135,7 @@ def _legend(used: dict[str, Used]) -> Markup:
 def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
     left = MARGIN + row.left * PITCH
     wide = len(row.pins) * PITCH
-    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # the name, once for two rows
+    if row.pins[0] % 2 == (row.header not in ("J1", "J2")):  # the common name of two rows
         yield Markup('<text x="{}" y="{}" class="b">{}</text>').format(
             left + wide + 2, row.top + SIZE + 4, row.header
         )
@@ -145,7 +145,7 @@ def _row(row: Row, used: dict[str, Used]) -> Iterator[Markup]:
 
 
 def _pin(place: str, number: int, x: int, row: Row, used: Used | None) -> Markup:
-    """The pin with its number and its label; a free pin has no label."""
+    """Returns the pin with its number and its label. A free pin has no label."""
     middle = x + SIZE // 2
     y = row.top - 6 if row.above else row.top + SIZE + 6
     label = used.label if used else SUPPLY.get(place, "")

@@ -38,7 +38,7 @@ class Row:
 
 @dataclass
 class Followed:
-    """A chain with its rows; without rows the recording lacks the step ``missing``."""
+    """A chain with its rows. Without rows, the recording lacks the step ``missing``."""
 
     chain: Chain
     rows: list[Row]
@@ -85,7 +85,7 @@ def _describe(
 
 
 def _choose_requirements(rows: list[Row]) -> None:
-    """The requirements of a step; those whose tree also contains a neighbouring step come first."""
+    """Returns the requirements of a step. Requirements of neighbouring steps come first."""
     for number, row in enumerate(rows):
         if row.links is None:
             continue

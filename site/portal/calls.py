@@ -14,7 +14,7 @@ GROUP_GAP = 12
 LEFT, RIGHT = 296, 560
 BOX_LEFT, BOX_RIGHT = 340, 516
 TOP = 74
-MOST = 12  # ends shown next to one method; the list shows all
+MOST = 12  # ends that are shown next to a method; the list shows all ends
 
 
 @dataclass
@@ -62,7 +62,7 @@ class Drawing:
 
 
 class CallGraph:
-    """Callers of each method; calls to an abstraction count for each method that they can reach."""
+    """Callers of each method. A call of an abstraction counts for each method that it can reach."""
 
     def __init__(self, model: Model, links: Links) -> None:
         self.links = links
@@ -84,7 +84,7 @@ class CallGraph:
                     ends.append(End(caller, call.virtual, link))
 
     def _add_nested(self, method: Method, model: Model) -> None:
-        """Adds the callers that are no methods: nested classes, and first values of constants."""
+        """Adds the callers that are not methods: nested classes, and initialisers of constants."""
         ends = self.callers.setdefault(method.id, [])
         known = {end.method for end in ends}
         ends += [

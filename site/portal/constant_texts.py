@@ -1,4 +1,4 @@
-"""Constants of the code as pages show them: the value with its unit, linked to the declaration."""
+"""Constants of the code for pages: the value with its unit, and a link to the declaration."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ SHOWN = {
     "mOhm": (1000, "ohm"),
     "1/1000": (1000, ""),
 }
-# Units with a greater unit, which is used for large values.
+# Units with the larger unit for large values.
 LONGER = {"us": (1000, "ms"), "ms": (1000, "s"), "Hz": (1_000_000, "MHz")}
 
 
 def constant_text(constant: Constant) -> str:
-    """The value and the unit, as in ``100 ms``."""
+    """Returns the value and the unit, such as ``100 ms``."""
     number, unit = float(constant.number), constant.unit.partition(" per ")[0]
     steps, unit = SHOWN.get(unit, (1, unit))
     number /= steps

@@ -1,4 +1,4 @@
-"""The page of one control cycle as a time line: a lane for each priority, and in it the calls."""
+"""The page of one control cycle as a time line. A lane for each priority contains the calls."""
 
 from __future__ import annotations
 
@@ -34,8 +34,7 @@ MAIN_THREAD = "mainThreadInterrupt"
 
 @dataclass
 class Lane:
-    """A priority: the contexts with this priority, and the times at which any of these contexts
-    runs."""
+    """A priority, with its contexts and the times at which these contexts run."""
 
     priority: int | None
     names: list[str] = field(default_factory=list)
@@ -81,7 +80,7 @@ class Cycle:
 
 
 def find_cycle(recording: Recording) -> Cycle | None:
-    """The first whole cycle: it begins when the timer raises its line."""
+    """Returns the first complete cycle. It begins when the timer raises its line."""
     entered = [span.activation for span in recording.spans if span.method == PULSE]
     pulses = [recording.activations[number].raised for number in entered]
     return next((Cycle(recording, begin, end) for begin, end in pairwise(pulses)), None)
@@ -115,7 +114,7 @@ def cycle(portal: Portal) -> dict[str, Any]:
 
 
 def lanes_of(portal: Portal, shown_cycle: Cycle) -> list[Lane]:
-    """The lanes, the highest priority first, and the main program last."""
+    """Returns the lanes, with the highest priority first and the main program last."""
     lanes: dict[int | None, Lane] = {}
     inside = [
         a
@@ -148,7 +147,7 @@ def busy_times(activations: Iterable[Activation], shown_cycle: Cycle) -> dict[in
 
 
 def path_of(activations: Iterable[Activation], shown_cycle: Cycle) -> str:
-    """Returns the bars as one path; bars that touch are joined."""
+    """Returns the bars as one path. Bars that touch are joined."""
     scale = WIDTH / (shown_cycle.end - shown_cycle.begin)
     bars: list[tuple[float, float]] = []
     for activation in activations:
@@ -162,7 +161,7 @@ def path_of(activations: Iterable[Activation], shown_cycle: Cycle) -> str:
 
 
 def report_time(shown_cycle: Cycle) -> tuple[int, int]:
-    """From the clock pulse to the end of the main thread."""
+    """Returns the time from the clock pulse to the end of the main thread."""
     activations = shown_cycle.recording.activations
     end = next(
         (
@@ -223,7 +222,8 @@ def _bar(
 
 
 def data_of(portal: Portal, shown_cycle: Cycle) -> dict[str, Any]:
-    """Returns the calls of the cycle in columns, for the script. Instants from the pulse [ns]."""
+    """Returns the calls of the cycle in columns, for the script. Times since the pulse are in
+    ns."""
     recording = shown_cycle.recording
     numbers = shown_cycle.spans()
     spans = [recording.spans[number] for number in numbers]

@@ -1,7 +1,8 @@
 """Class and state diagrams: PlantUML text from the model, and the SVG, adapted to a page.
 
-PlantUML does not support CSS variables. The text therefore has marker colours, and each becomes
-a variable of the theme in the SVG. All diagrams whose text changed are drawn in one run of Java.
+PlantUML does not support CSS variables. Therefore the text has marker colours. In the SVG, a
+variable of the theme replaces each marker colour. All diagrams whose text changed are drawn in one
+run of Java.
 """
 
 from __future__ import annotations
@@ -78,9 +79,9 @@ LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
 
 EDGE = 4  # space below the lowest label
 
-LONG_LABEL = 12  # a transition's action goes below a longer event
+LONG_LABEL = 12  # the action of a transition is below a longer event
 
-# (role of one end, role of the other end, arrow): drawn when the first end uses the second.
+# (role of one end, role of the other end, arrow): drawn if the first end uses the second end.
 RELATIONS = [
     ("Context", "State", "o-->"),
     ("Context", "Strategy", "o-->"),
@@ -240,7 +241,7 @@ def uses(module: Module) -> set[str]:
 
 
 def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram:
-    """When there are results, a transition that occurred in no test is dashed."""
+    """Returns the diagram of a machine. With results, a transition that no test made is dashed."""
     lines = preamble()
     for name, module in machine.states.items():
         hue = STATE_HUES.get(name, "pc")
@@ -348,7 +349,7 @@ class DiagramError(Exception):
 
 
 def draw(diagrams: Iterable[Diagram], cache: Path) -> dict[str, str]:
-    """The finished SVG of each diagram, by its id."""
+    """Returns the finished SVG of each diagram, by its id."""
     cache.mkdir(parents=True, exist_ok=True)
     targets = {d.id: (d, cache / f"{digest(d)}.svg") for d in diagrams}
     stale = [(d, path) for d, path in targets.values() if not path.exists()]
@@ -392,7 +393,8 @@ def run_plantuml(stale: list[tuple[Diagram, Path]], cache: Path) -> None:
 
 
 def finish(svg: str, diagram: Diagram) -> str:
-    """The SVG with variables for colours, own ids, plain links and the page's font."""
+    """Returns the SVG with variables for colours, unique ids, plain links and the font of the
+    page."""
     root = ET.fromstring(svg)
     clean(root)
     width, height = root.get("width", "0").strip("px"), root.get("height", "0").strip("px")
@@ -417,7 +419,8 @@ def finish(svg: str, diagram: Diagram) -> str:
 
 
 def place_labels(root: ET.Element, labels: dict[str, dict[ET.Element, Box]]) -> None:
-    """Moves each label off the lines of the other edges, and makes room for it."""
+    """Moves each label away from the lines of other edges, and enlarges the drawing if
+    necessary."""
     paths = {line.get("id", ""): line.get("d", "") for line in root.iter("path")}
     states = [
         Box(x, y, x + float(state.get("width", "0")), y + float(state.get("height", "0")))
@@ -441,7 +444,7 @@ def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> di
     """Groups the line, the tip and the label of an edge under its requirements; returns the lines
     of the label with their places.
 
-    The labels come after all edges, so that no line is drawn over them.
+    The labels follow all edges, so that no line covers them.
     """
     line = f"path[@id='{identifier}']"
     drawing = next(parent for parent in root.iter() if parent.find(line) is not None)
@@ -505,7 +508,7 @@ def restyle(element: ET.Element) -> None:
 
 
 def plain_role(element: ET.Element) -> None:
-    """Centres a role in the space that includes its quotation marks, without the marks."""
+    """Removes the quotation marks of a role, and centres the role in their space."""
     element.text = (element.text or "").strip("«»")
     middle = float(element.get("x", "0")) + float(element.attrib.pop("textLength", "0")) / 2
     element.attrib.pop("lengthAdjust", None)

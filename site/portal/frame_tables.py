@@ -1,4 +1,4 @@
-"""Generates the tables of the PC protocol from the table of frames, for pages that people write."""
+"""Generates the tables of the PC protocol for hand-written pages, from the table of frames."""
 
 from __future__ import annotations
 
@@ -116,7 +116,7 @@ def meanings(field: Field) -> Iterator[str]:
 
 
 def in_line(enumeration: Enumeration) -> str:
-    """The numbers with their names, for one cell."""
+    """Returns the numbers with their names for one cell."""
     return ", ".join(
         f"{entry.number} {entry.name}"
         + (f" ({entry.meaning})" if entry.meaning else "")
@@ -130,14 +130,14 @@ def in_line(enumeration: Enumeration) -> str:
 
 
 def shown_unit(unit: str, scale: float) -> str:
-    """The unit of one step on the line, as in mV or 0.1 rpm."""
+    """Returns the unit of one step on the line, such as mV or 0.1 rpm."""
     if scale == 0.001:
         return f"m{unit}"
     return unit if scale == 1 else f"{scale:g} {unit}"
 
 
 def values_table(enumeration: Enumeration) -> str:
-    """The numbers of an enumeration, with the words that the client shows."""
+    """Returns the numbers of an enumeration, with the texts of the client."""
     heads = [enumeration.name, "in scenarios", "shown as", "meaning"]
     heads += [enumeration.detail] if enumeration.detail else []
     rows = []
@@ -150,7 +150,7 @@ def values_table(enumeration: Enumeration) -> str:
 
 
 def live_frames(root: Path) -> str:
-    """The place of the frames of a running robot; nothing when the module was not built."""
+    """Returns the place for the frames of a running robot, or nothing without the built module."""
     if not (root / MODULE).exists():
         return "<p>The module that runs the robot was not built.</p>\n"
     return LIVE_FRAMES

@@ -13,8 +13,8 @@ from portal.navigation import Entry
 from portal.sections import Section, terms_of
 
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
-OTHER_SENSES = {"function", "target"}  # words that texts use in a second sense as well
-# Where a link would be in a link, in code, in a picture, or in a control.
+OTHER_SENSES = {"function", "target"}  # words that texts also use in a second sense
+# Elements in which no link is set: links, code, pictures and controls.
 APART = (
     "a button code h1 h2 h3 h4 input kbd label option pre script select style summary svg th title"
 )
@@ -26,7 +26,7 @@ END = re.compile(r"s?(?![\w-])", re.IGNORECASE)
 
 
 class GlossaryLinks:
-    """The terms by their words in lower case; the plural of a term belongs to the term."""
+    """The terms by their words in lower case. The plural of a term belongs to the term."""
 
     def __init__(self, root: Path) -> None:
         path = root / f"{GLOSSARY.id}.rst"
@@ -66,8 +66,8 @@ class GlossaryLinks:
 
 
 def without_apart(html: str) -> tuple[str, list[int], list[int]]:
-    """The page in lower case without the elements that are not changed; for each part its start in
-    this text, and the distance from there to its place on the page."""
+    """Returns the page in lower case without the elements that are not changed. For each part, also
+    returns its start in this text, and its offset on the page."""
     parts, starts, shifts, done, length = [], [], [], 0, 0
     for begin, end in [*(match.span() for match in ELEMENTS.finditer(html)), (len(html), 0)]:
         parts.append(html[done:begin])

@@ -40,7 +40,7 @@ def lexer_for(path: str) -> Lexer:
 
 
 def highlighted_lines(path: str, text: str) -> list[str]:
-    """One HTML fragment for each line; tags never cross the end of a line."""
+    """Returns one HTML fragment for each line. No tag crosses the end of a line."""
     return highlight(text, lexer_for(path), HtmlFormatter(nowrap=True)).split("\n")[:-1]
 
 

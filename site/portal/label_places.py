@@ -1,4 +1,4 @@
-"""Moves the labels of a state diagram off the lines of other edges."""
+"""Moves the labels of a state diagram away from the lines of other edges."""
 
 from __future__ import annotations
 
@@ -53,7 +53,8 @@ def points(path: str) -> Iterator[Point]:
 
 
 def best_move(lines: list[Box], paths: Iterable[str], taken: list[Box]) -> float:
-    """The smallest move after which a label meets the fewest points of lines and no other text."""
+    """Returns the smallest move after which a label covers the fewest points of lines, and no
+    text."""
     dots = [point for path in paths for point in points(path)]
 
     def price(down: float) -> tuple[int, int, float]:

@@ -27,7 +27,7 @@ def paper_anchor(name: str) -> str:
 
 
 def depth_prefix(page: str) -> str:
-    """The way from a page back to the root of the site."""
+    """Returns the relative path from a page to the root of the site."""
     return "../" * (len(PurePosixPath(page).parts) - 1)
 
 

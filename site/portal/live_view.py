@@ -1,4 +1,4 @@
-"""The page that runs the robot: the images, and the facts of the model that it shows with them."""
+"""The page that runs the robot: the images, and facts of the model about them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from weeding_robot_client.layout import Field, Layout, read_frames
 
 FOLDER = "live"  # of the site
 DATA = "live.json"
-RECORDED = "stop"  # the scenario whose recorded curves the page shows before the robot runs
+RECORDED = "stop"  # scenario of the recorded curves that the page shows before the robot runs
 SAFETY = Path("sim/scenario/safety")
 CALLS = "_calls"  # ending of the name of an image that keeps each method as a function
 SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
@@ -33,7 +33,7 @@ SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
 
 @dataclass
 class Image:
-    """An image of a product, as the page shows it."""
+    """An image of a product on the page."""
 
     name: str
     product: str
@@ -162,7 +162,7 @@ def address(link: str | None) -> str:
 
 
 def entered_by_hardware(model: Model) -> set[str]:
-    """The functions that no code calls: the vectors of the image refer to them."""
+    """Returns the functions that no code calls, because the vectors of the image refer to them."""
     methods = [m for module in model.modules.values() for m in module.methods]
     called = {call.target for method in methods for call in method.calls}
     called |= {call.target for function in model.functions.values() for call in function.calls}
@@ -170,7 +170,7 @@ def entered_by_hardware(model: Model) -> set[str]:
 
 
 def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]:
-    """The address and the number of each method that an image has, by rising address."""
+    """Returns the address and the number of each method of an image, in ascending order."""
     elf = root / file_of(name, ".elf")
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
 
@@ -189,7 +189,7 @@ def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]
 
 
 def overriders(model: Model) -> dict[str, list[str]]:
-    """Each method with the methods that override it, directly or not."""
+    """Returns each method with all methods that override it, also indirectly."""
     direct: dict[str, list[str]] = {}
     for module in model.modules.values():
         for method in module.methods:
@@ -205,7 +205,8 @@ def overriders(model: Model) -> dict[str, list[str]]:
 def tree(
     node: TreeNode, over: dict[str, list[str]], portal: Portal, numbers: dict[str, int]
 ) -> dict[str, Any]:
-    """A declared tree: for each node the numbers of the methods whose call counts as this node."""
+    """Returns a declared tree. For each node, it lists the numbers of the methods that match the
+    node."""
     method: Method | None = portal.links.find_method(node.resolved) if node.resolved else None
     accepted = [] if method is None else [method.id] if method.body else over.get(method.id, [])
     node_data: dict[str, Any] = {
@@ -245,7 +246,7 @@ def field(field_entry: Field) -> dict[str, Any]:
 
 
 def scenarios(root: Path, model: Model) -> list[dict[str, str]]:
-    """The scenarios that the page plays: the examples, and the single faults."""
+    """Returns the scenarios of the page: the examples, and the single faults."""
     titles = {
         scenario.name: (scenario.title.rstrip("."), "")
         for scenario in model.safety.scenarios.values()

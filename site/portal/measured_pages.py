@@ -46,7 +46,7 @@ def driver_coverage(portal: Portal) -> list[DriverFile] | None:
 
 
 def missed_runs(path: str, lines: dict[int, bool]) -> list[Place]:
-    """Ranges of missed lines; lines without code do not separate two ranges."""
+    """Returns ranges of missed lines. Lines without code do not separate two ranges."""
     runs: list[Place] = []
     missed_before = False
     for line, hit in sorted(lines.items()):
@@ -61,8 +61,8 @@ def closed_loop(portal: Portal) -> dict[str, Any]:
     scenarios = portal.model.closed_loop
 
     def within(binding: str) -> tuple[int | None, int]:
-        """The number of values within their limits, None if no value was measured; and the number
-        of all values."""
+        """Returns the number of values within their limits, and the number of all values. The first
+        number is None if no value was measured."""
         every = [figure for scenario in scenarios for figure in scenario.figures]
         ran = [figure for figure in every if binding in figure.values]
         return sum(figure.holds(binding) for figure in ran) if ran else None, len(every)
@@ -104,14 +104,15 @@ def robustness(portal: Portal) -> dict[str, Any]:
 
 
 def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, int]]]:
-    """The modules with the most silent faults first, then those with the most faults."""
+    """Returns the modules in descending order of silent faults, and then of all faults."""
     return sorted(
         modules.items(), key=lambda item: (-item[1]["silent"], -sum(item[1].values()), item[0])
     )
 
 
 def made_changes(portal: Portal) -> dict[str, Any]:
-    """The likely changes that are made, and the changed lines for those that both designs make."""
+    """Returns the likely changes that are made. Changes in both designs also have the changed
+    lines."""
     done = [change.made for change in portal.model.changes.values() if change.made]
     return {
         "made": done,

@@ -12,7 +12,7 @@ from traceability.schema import Method, Module
 
 FIRST_TESTS = 12  # shown open on the page of a module
 XML = "build/model/xml"
-MEMBERS = "<!-- members -->"  # marks the place of Breathe's part of the page
+MEMBERS = "<!-- members -->"  # placeholder for the part of the page that Breathe makes
 
 
 def module_page(portal: Portal, module: Module) -> Page:
@@ -65,7 +65,7 @@ def ancestors(portal: Portal, module: Module) -> list[str]:
 
 
 def inherited_methods(portal: Portal, module: Module) -> list[Method]:
-    """Public methods that the module has from its bases and does not override."""
+    """Returns public methods that the module inherits and does not override."""
     overridden = {m.name for m in module.methods}
     methods: list[Method] = []
     for base in ancestors(portal, module):
@@ -89,7 +89,7 @@ def requirement_methods(module: Module) -> dict[str, list[str]]:
 
 
 def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]:
-    """For each file a class for each of its lines: executed, missed, or not code."""
+    """Returns for each file the class of each line: executed, missed, or not code."""
     bars = []
     for path, hits in {**module.line_hits, **board_hits(portal, module)}.items():
         kinds = [line_kind(hits.get(n)) for n in range(1, portal.length(path) + 1)]
@@ -98,7 +98,7 @@ def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]
 
 
 def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
-    """File -> line -> 1 where the virtual K64 executed the line, for a module of the drivers."""
+    """File -> line -> 1 if the virtual K64 executed the line, for a module of the drivers."""
     measured = portal.model.board_lines or {}
     return {
         path: {line: int(hit) for line, hit in sorted(measured[path].items())}

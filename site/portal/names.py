@@ -53,7 +53,7 @@ def anchor(address: str | None, text: Markup | str, kind: str = "", **data: str)
 
 
 def breakable(name: str) -> Markup:
-    """A long name may break between its words."""
+    """Returns a long name with places for line breaks between its words."""
     joints = re.sub(r"(::|[._/]|(?<=[a-z0-9])(?=[A-Z]))", "\\1\0", name)
     return Markup("<wbr>").join(escape(part) for part in joints.split("\0"))
 
@@ -124,7 +124,8 @@ class Names:
         )
 
     def signature(self, method: Method) -> Markup:
-        """A signature to read: the name first, then its parameters, and its result at the end."""
+        """Returns a signature for readers: the name first, then its parameters, and its result at
+        the end."""
         before, name, after = method.signature.partition(f"{method.name}(")
         if not name:
             return self.types(method.signature, method.module)

@@ -194,7 +194,7 @@ class Portal:
 
     @property
     def early(self) -> int:
-        """The number of checks that are decided before the pages are written."""
+        """Returns the number of checks that are decided before the pages are written."""
         return sum(not self.is_later(check) for check in self.checks)
 
     def flat(self, node: TreeNode, depth: int = 0) -> list[tuple[int, TreeNode]]:
@@ -203,7 +203,7 @@ class Portal:
         return [(depth, node), *below]
 
     def element_targets(self) -> dict[str, str]:
-        """The linked module of each element of the architecture; "" when there is none."""
+        """Returns the linked module of each element of the architecture, or "" without a module."""
         modules = self.model.modules
         return {
             element.id: next(
@@ -227,14 +227,16 @@ class Portal:
         ]
 
     def executed(self, requirement: Requirement) -> str:
-        """Kind of glyph for a tree: "none" as long as no test of it was recorded."""
+        """Returns the kind of glyph for a tree. It is "none" if no test of the tree was
+        recorded."""
         if requirement.runs:
             return "ok"
         measured = requirement.tree is not None and requirement.tree.ran is not None
         return "bad" if measured else "none"
 
     def met_evidence(self, requirement: Requirement) -> int:
-        """The number of metrics that are evidence of a requirement and within their bounds."""
+        """Returns the number of metrics that are evidence of a requirement and are within their
+        bounds."""
         measured = self.report.measured
         return sum(evidence.holds(measured[evidence.figure]) for evidence in requirement.evidence)
 
@@ -268,7 +270,7 @@ class Portal:
         ]
 
     def path_of(self, module: Module) -> list[str]:
-        """Logic modules from the top down to the module's own."""
+        """Returns the logic modules from the top level down to the logic module of the module."""
         path: list[str] = []
         logic = self.model.logic_modules.get(module.logic)
         while logic is not None:
@@ -368,14 +370,15 @@ class Portal:
         return f"{', '.join(targets) or 'none in this run'}; real board: none yet"
 
     def passed(self, tests: list[Test]) -> int | None:
-        """The number of runs that passed; ``None`` when there are no results of these sources."""
+        """Returns the number of runs that passed, or ``None`` without results of these sources."""
         runs = [run for test in tests for run in test.results.values()]
         if self.model.results_stale or not any(run.result for run in runs):
             return None
         return sum(run.result == "passed" for run in runs)
 
     def share_of(self, requirement: Requirement, binding: str) -> str:
-        """The passed and all tests on a target that verify a requirement, as in "2/3"."""
+        """Returns the numbers of passed and of all tests of a requirement on a target, such as
+        "2/3"."""
         tests = [self.model.tests[name] for name in requirement.verified_by]
         runs = [test.results[binding] for test in tests if binding in test.results]
         if not runs:
@@ -393,11 +396,11 @@ class Portal:
         return sum(binding in requirement.runs for requirement in self.model.requirements.values())
 
     def runs(self, tests: Iterable[Test]) -> int:
-        """A test counts once on each target that it is built for."""
+        """Returns the number of runs. A test counts once on each target for which it is built."""
         return sum(len(test.results) for test in tests)
 
     def callers(self, method: Method) -> list[Markup]:
-        """Returns its callers: methods, nested classes, and first values of constants."""
+        """Returns the callers: methods, nested classes, and initialisers of constants."""
         callers = []
         for name in method.called_by:
             module, _, rest = name.partition("::")
@@ -408,12 +411,12 @@ class Portal:
         return callers
 
     def computed_from(self, constant: str) -> list[Markup]:
-        """The methods and constants that read a constant of the one instance."""
+        """Returns the methods and constants that read a constant of the single instance."""
         methods = (method for module in self.model.modules.values() for method in module.methods)
         return next((self.callers(method) for method in methods if method.id == constant), [])
 
     def changes_of(self, module: str) -> list[str]:
-        """The likely changes that a module absorbs: it hides them, or one variant."""
+        """Returns the likely changes that a module hides, completely or in one variant."""
         return [
             change.application
             for change in self.model.changes.values()
@@ -444,7 +447,8 @@ class Portal:
         return names.glyph("ok", "holds")
 
     def outcome_of(self, fault: Fault) -> Outcome | None:
-        """Returns the result of a fault; ``None`` when it was not seeded in the present state."""
+        """Returns the result of a fault, or ``None`` when it was not seeded in the present
+        state."""
         return next(
             (outcome for outcome in self.model.outcomes or [] if outcome.name == fault.name), None
         )

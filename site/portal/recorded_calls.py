@@ -1,4 +1,4 @@
-"""The recorded calls for pages: contexts, methods and requirements of each call."""
+"""The recorded calls for pages, with context, method and requirements of each call."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def links_of(portal: Portal, name: str, trees: Mapping[str, list[str]]) -> Metho
 
 
 def shown_time(nanoseconds: float) -> str:
-    """A duration in the unit that suits it."""
+    """Returns a duration in a suitable unit."""
     if abs(nanoseconds) < 1e3:
         return f"{nanoseconds:.0f} ns"
     if abs(nanoseconds) < 1e6:

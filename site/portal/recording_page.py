@@ -45,7 +45,8 @@ class Change:
 
 
 def read_recording(path: Path) -> list[Values]:
-    """The values of each report: of an MCAP or CSV file of the client, or a table of a scenario."""
+    """Returns the values of each report, from an MCAP or CSV file of the client or a table of a
+    scenario."""
     if path.suffix == MCAP:
         return list(read_mcap(path))
     with path.open(newline="", encoding="utf-8") as lines:
@@ -59,7 +60,8 @@ def read_recording(path: Path) -> list[Values]:
 
 
 def raw_columns(report: Layout) -> set[str]:
-    """The columns of a scenario's table: numbers as on the line, and a column for each bit."""
+    """Returns the columns of the table of a scenario: numbers as on the line, and a column for each
+    bit."""
     bits = {bit.name for field in report.fields for bit in field.bits}
     return bits | {field.name for field in report.fields if not field.bits}
 
@@ -102,7 +104,7 @@ class Series:
 
 
 def all_series() -> list[Series]:
-    """For each wheel its velocity, voltage and current, then the steering."""
+    """Returns the velocity, voltage and current of each wheel, and then the steering."""
     wheels = [
         Series(f"Wheel {wheel}, {title}", unit, name, f"set_point{wheel}", f"quantity{wheel}", of)
         for wheel in range(WHEEL_COUNT)
@@ -134,8 +136,8 @@ def _plot(reports: Sequence[Values], series: Series) -> LoopPlot:
 
 
 def timed(reports: Sequence[Values]) -> Iterable[tuple[float, Values]]:
-    """Each report with its time since the first report [s]; the time continues when the robot is
-    reset."""
+    """Returns each report with its time since the first report [s]. The time continues after a
+    reset of the robot."""
     start, offset, last = None, 0.0, 0.0
     for report in reports:
         at = float(report["time_ms"]) / MS_OF_S

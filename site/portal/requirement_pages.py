@@ -13,7 +13,7 @@ from portal.portal import Page, Portal
 from traceability.model.reviews import NAMES_OF_TEXTS, QUESTIONS
 from traceability.schema import HOST, MethodCoverage, Requirement, StateMachine, TreeNode, TreeRun
 
-MOST_BETWEEN = 4  # calls that are shown between two nodes of a tree
+MOST_BETWEEN = 4  # number of shown calls between two nodes of a tree
 
 
 def requirements(portal: Portal) -> dict[str, Any]:
@@ -43,7 +43,7 @@ def requirements(portal: Portal) -> dict[str, Any]:
 
 
 def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
-    """Logic module at the top -> how many of its methods satisfy the requirement."""
+    """Top-level logic module -> number of its methods that satisfy the requirement."""
     modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)
     return Counter(module.logic.partition("/")[0] for module in modules if module)
 
@@ -119,7 +119,7 @@ def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
 
 @dataclass
 class Row:
-    """A row of tree and trace: a node, a recorded call, or both when they match."""
+    """A row of tree and recording: a node, a recorded call, or both if they match."""
 
     node: TreeNode | None = None
     depth: int = 0
@@ -130,7 +130,7 @@ class Row:
 
 
 def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> list[Row]:
-    """Each node of the tree on the row of the recorded call that it matches."""
+    """Returns the rows. Each node of the tree is on the row of its recorded call."""
     rows = [Row(call=t.method, call_depth=t.depth) for t in run.rows] if run else []
     nodes = portal.flat(requirement.tree) if requirement.tree else []
     places = run.places if run else [None] * len(nodes)
@@ -149,7 +149,7 @@ def aligned(portal: Portal, requirement: Requirement, run: TreeRun | None) -> li
 
 
 def shortened(rows: list[Row]) -> list[Row]:
-    """The rows, with one row instead of many calls between two nodes."""
+    """Returns the rows, in which one row replaces many calls between two nodes."""
     shown: list[Row] = []
     for is_call, group in groupby(rows, lambda row: row.node is None):
         between = list(group)
@@ -160,7 +160,8 @@ def shortened(rows: list[Row]) -> list[Row]:
 
 
 def add_trunks(rows: list[Row]) -> None:
-    """The vertical lines of the tree in each row; the line of a parent ends at its last child."""
+    """Adds the vertical lines of the tree to each row. The line of a parent ends at its last
+    child."""
     placed = [(index, row.depth) for index, row in enumerate(rows) if row.node]
     for number, (index, depth) in enumerate(placed):
         if depth == 0:

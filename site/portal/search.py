@@ -18,9 +18,9 @@ from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
-# Group, key, title, text, address; then words that are searched, and shown only when they match.
+# Group, key, title, text, address, and additional words, which are shown only if they match.
 Entry = tuple[str, ...]
-# Groups of entries -> the kind that Sphinx's inventory names.
+# Group of entries -> kind in the inventory of Sphinx.
 NAMED = {
     "Modules": "module",
     "Data types": "module",
@@ -33,7 +33,7 @@ NAMED = {
 }
 
 
-# Pages whose sections repeat texts that have entries of their own.
+# Pages with sections that repeat the texts of other entries.
 LISTS = {
     *("answers", "tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees"),
     "structure",
@@ -41,7 +41,7 @@ LISTS = {
 
 
 def script(portal: Portal) -> str:
-    """Returns the data of each page: a script, so that it can be read without a server."""
+    """Returns the data of each page as a script, which a page can load without a server."""
     modules = {m.name: card(portal, m) for m in portal.model.modules.values()}
     tours = {tour.id: asdict(tour) for tour in portal.tours}
     data = {"commit": portal.model.commit, "modules": modules, "tours": tours}
@@ -49,7 +49,7 @@ def script(portal: Portal) -> str:
 
 
 def index_script(portal: Portal, bodies: Path) -> str:
-    """Returns the data of the search; a page reads it when the search is used first."""
+    """Returns the data of the search. A page loads it at the first search."""
     parts = list(section_entries(portal, bodies))
     pages = {(group, address) for group, _, _, _, address, *_ in parts if group == "Pages"}
     found = [one for one in entries(portal) if (one[0], one[4]) not in pages] + parts
@@ -66,7 +66,7 @@ def assigned(name: str, data: object) -> str:
 
 
 def listed(name: str, separator: str) -> list[list[str]]:
-    """Returns the parts of each line of a file; empty lines and comments are left out."""
+    """Returns the parts of each line of a file, without empty lines and comments."""
     lines = (SITE / name).read_text(encoding="utf-8").splitlines()
     used = (line for line in lines if line[:1] not in ("", "#"))
     return [[part.strip() for part in line.split(separator)] for line in used]
@@ -142,7 +142,7 @@ def entries(portal: Portal) -> list[Entry]:
 
 
 def inventory(found: list[Entry]) -> list[list[str]]:
-    """Kind, name and address of each element that other documentation may name."""
+    """Returns kind, name and address of each element that other documentation may name."""
     return [
         [NAMED[group], title, address]
         for group, _, title, _, address, *_ in found

@@ -29,7 +29,8 @@ class Section:
 
 
 def sections_of(doc: Entry, source: str) -> Iterator[Section]:
-    """Each section of a page; the part above the first section gets the title of the page."""
+    """Returns each section of a page. The text above the first section has the title of the
+    page."""
     lines = [*source.splitlines(), ""]
     heads = [
         number

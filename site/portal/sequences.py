@@ -32,9 +32,9 @@ OPTIONAL: Keys = {"participants": str}
 LOGIC = "logic modules"
 SEQUENCE: Keys = {"name": str, "title": str, "says": str, "recordings": list, "requirements": list}
 PC, LINE = "PC", "serial line"
-LONGEST = 12  # greatest number of messages in a repeated group
+LONGEST = 12  # maximum number of messages in a repeated group
 CLASSES_ONLY = ("hide ", "set ")  # beginnings of lines that only class diagrams need
-ROUND = 2  # digits of an instant [ms]
+ROUND = 2  # digits of a time in ms
 
 
 @dataclass(frozen=True)
@@ -111,7 +111,7 @@ def declared_sequences(root: Path, entries: Entries | None = None) -> list[Decla
 def messages_of(
     portal: Portal, recording: Recording, methods: frozenset[str], by_logic: bool
 ) -> Iterator[tuple[int, Message]]:
-    """The messages of a recording with their instants, in their order."""
+    """Returns the messages of a recording with their times, in order."""
     timed = [*_calls(portal, recording, methods, by_logic), *_frames(recording)]
     yield from sorted(timed, key=lambda pair: pair[0])
 
@@ -151,7 +151,7 @@ def _frames(recording: Recording) -> Iterator[tuple[int, Message]]:
 
 
 def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> list[CycleMessages]:
-    """The messages of each cycle, with repeated groups and equal cycles combined."""
+    """Returns the messages of each cycle. Repeated groups and equal cycles are combined."""
     pulses = [
         recording.activations[span.activation].raised
         for span in recording.spans
@@ -169,7 +169,7 @@ def cycles_of(recording: Recording, messages: Iterator[tuple[int, Message]]) -> 
 
 
 def folded(messages: list[Message]) -> tuple[Message | Loop, ...]:
-    """Groups of messages that are repeated immediately become loops, the longest repetition
+    """Replaces immediately repeated groups of messages by loops, with the longest repetition
     first."""
     parts: list[Message | Loop] = []
     at = 0
@@ -242,7 +242,7 @@ def sequence_diagram(
 
 
 def _look() -> list[str]:
-    """Colours of the parts that only sequence diagrams have."""
+    """Returns the colours of parts that only sequence diagrams have."""
     return [
         f"skinparam sequenceLifeLineBorderColor {MARKERS['edge']}",
         f"skinparam participantBackgroundColor {MARKERS['plain']}",
@@ -285,7 +285,7 @@ def _arrow(message: Message, links: Links) -> str:
 
 
 def drawn_sequences(portal: Portal) -> list[Drawn]:
-    """The declared sequences whose recordings exist in this build."""
+    """Returns the declared sequences whose recordings exist in this build."""
     recordings = recordings_of(portal)
     if recordings is None:
         return []

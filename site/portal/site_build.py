@@ -1,4 +1,4 @@
-"""Builds the site: each core builds a part of the bodies while Sphinx reads the texts; then Sphinx
+"""Builds the site. Each core builds a part of the bodies while Sphinx reads the texts. Then Sphinx
 writes the pages."""
 
 from __future__ import annotations
@@ -23,7 +23,9 @@ from traceability.model.design_model import Model
 from traceability.model.report import Report
 from traceability.schema import Finding, Place
 
-PARTS = 8  # parts of the pages: more than cores, so that no core waits long
+PARTS = (
+    8  # number of parts of the pages; there are more parts than cores, so that no core waits long
+)
 
 
 @dataclass
@@ -63,7 +65,7 @@ def check_texts() -> list[CheckText]:
     return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix) for c in CHECKS]
 
 
-# A forked process inherits these data: they are too large to send.
+# A forked process inherits these data, because they are too large to send.
 _shared: list[tuple[Portal, Path]] = []
 
 

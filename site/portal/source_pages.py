@@ -1,4 +1,4 @@
-"""The source, a page for each file."""
+"""The source code, with a page for each file."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def source_page(portal: Portal, path: str) -> Page:
 
 
 def line_html(number: int, code: str, hits: int | None, on_board: bool) -> Markup:
-    """The line with its number, its link, and how often it was executed."""
+    """Returns the line with its number, its link, and the number of its executions."""
     title = "" if hits is None or on_board else f' title="executed {hits} times"'
     anchor = f'<a class="ln" href="#L{number}"{title}>{number}</a>'
     return Markup(f'<span class="cl {line_kind(hits)}" id="L{number}">{anchor}{code}</span>\n')

@@ -18,7 +18,9 @@ from portal.glossary_links import GLOSSARY, GlossaryLinks
 from portal.links import ROOT, depth_prefix
 
 LOGGER = logging.getLogger(__name__)
-NAMES = "names.json"  # in the folder of the sources: kind, name and address of each element
+NAMES = (
+    "names.json"  # file in the folder of the sources, with kind, name and address of each element
+)
 
 
 class NameRole(SphinxRole):
@@ -55,7 +57,7 @@ class DesignDomain(Domain):
             yield name, name, kind, page.removesuffix(".html"), anchor, 1
 
     def merge_domaindata(self, docnames: Set[str], otherdata: dict[str, Any]) -> None:
-        """The domain has no data."""
+        """Merges nothing, because the domain has no data."""
 
 
 def load(app: Sphinx) -> None:

@@ -112,7 +112,7 @@ def copy_doxygen(portal: Portal, modules: list[Module], target: Path) -> None:
 
 
 class GeneratedPages:
-    """The pages that templates make: Sphinx puts each body into the layout, and writes it.
+    """The pages that templates make. Sphinx puts each body into the layout, and writes the page.
 
     Sphinx also reads the page of a module, and adds the members that Breathe generates. ``made``
     returns the pages when their bodies are in the folder ``bodies``.
@@ -129,7 +129,7 @@ class GeneratedPages:
         write_changed(self.frame, frame)
 
     def changed(self, _app: Sphinx, env: BuildEnvironment) -> list[str]:
-        """Pages that Sphinx must write again although their members did not change."""
+        """Returns pages that Sphinx must write again although their members did not change."""
         self.pages = {page.name: page for page in self.made()}
         return [name for name in self.pages if name in env.found_docs and self.is_old(name)]
 

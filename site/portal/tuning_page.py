@@ -23,7 +23,7 @@ CONTROL = (
 
 @dataclass(frozen=True)
 class Value:
-    """A named number of a module, and the values that it was chosen for."""
+    """A named number of a module, and the other values to which it was tuned."""
 
     name: str
     constant: Constant
@@ -35,7 +35,7 @@ def tuning(portal: Portal) -> dict[str, Any]:
 
 
 def robot_values(model: Model) -> list[tuple[Method, Constant]]:
-    """The methods of the module of the robot's values that return one number."""
+    """Returns the methods that return one number, in the module of the values of the robot."""
     module = model.modules.get(ROBOT)
     methods = module.methods if module else []
     return [

@@ -92,8 +92,7 @@ def facets(model: Model, report: Report, requirement: Requirement) -> Facets:
 
 
 def facets_of_test(test: Test, model: Model, modules: Sequence[str]) -> Facets:
-    """The values of a test for the filters; a test without a requirement has no requirement and no
-    level."""
+    """Returns the values of a test for the filters. A test of no requirement has no level."""
     verified = [model.requirements[one] for one in test.verifies if one in model.requirements]
     folders = test.place.file.split("/")[1:-1]
     return {
@@ -116,6 +115,6 @@ def options(all_facets: Iterable[Facets]) -> dict[str, list[str]]:
 
 
 def _numbers_in_order(text: str) -> list[tuple[str, int]]:
-    """FR-2 comes before FR-10."""
+    """Returns a sort key that orders FR-2 before FR-10."""
     parts = re.findall(r"(\D*)(\d*)", text)
     return [(words, int(number or 0)) for words, number in parts]

@@ -7,7 +7,7 @@ from pathlib import Path
 
 
 def write_changed(path: Path, content: str | bytes) -> None:
-    """Writes a file unless it has this content, because readers read a newer file again."""
+    """Writes a file unless it has this content, because programs read a newer file again."""
     data = content.encode() if isinstance(content, str) else content
     if path.is_file() and path.read_bytes() == data:
         return

@@ -81,7 +81,7 @@ class CallFact:
     declared: str = ""  # the file that declares a function outside classes
     on: list[str] = field(default_factory=list)  # objects on which a method is called, see flow
     args: list[list[str]] = field(default_factory=list)  # names in each argument
-    # Below a condition, or after a condition that may have left the function.
+    # Below a condition, or after a condition with a possible return.
     sometimes: bool = False
     repeated: bool = False  # below a loop
     end: int = 0  # offset in the file: a call ends after the calls in its arguments
@@ -103,7 +103,7 @@ class BodyFact:
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
     floats: int = 0  # the first line with a floating-point number; 0 without such a line
     branches: bool = False  # whether it has a condition or a loop
-    loops: list[int] = field(default_factory=list)  # lines of loops that count no rounds
+    loops: list[int] = field(default_factory=list)  # lines of loops that do not count their rounds
 
 
 @dataclass
@@ -119,13 +119,12 @@ class NameFact:
     how: str
     place: Place
     member: str = ""
-    file: str = ""  # where the class is defined, when the unit sees that
+    file: str = ""  # definition of the class, if the unit contains it
 
 
 @dataclass
 class BlockFact:
-    """A namespace inside the namespace of the project, declared in ``file``, is opened or used at a
-    place."""
+    """A place that opens or uses a namespace of ``file`` inside the namespace of the project."""
 
     block: str
     file: str
@@ -141,7 +140,7 @@ class IncludeFact:
 
 @dataclass
 class ConstantFact:
-    """A constant, or an operation that returns one, under a name that texts can use."""
+    """A constant, or an operation that returns a constant, with a name for texts."""
 
     name: str
     number: int
@@ -151,7 +150,7 @@ class ConstantFact:
 
 @dataclass
 class InitialFact:
-    """The first value of a constant or of a member calls a method."""
+    """A call of a method in the initialiser of a constant or of a member."""
 
     name: str  # Class::member, or File::name
     target: str
@@ -169,7 +168,7 @@ class EnumNumberFact:
 
 @dataclass
 class BranchFact:
-    """A branch in a body depends on the address of an object, or on the number of an enumerator."""
+    """A branch that depends on the address of an object, or on the number of an enumerator."""
 
     by: str  # the owner of the body
     target: str  # the class, or the enumeration

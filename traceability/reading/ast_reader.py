@@ -105,7 +105,7 @@ class Reader:
         self.chances = 0  # conditions around the statement
         self.loops = 0
         self.initialised = ""  # the constant or member whose first value is read
-        self.left = False  # whether a condition before it may have left the function
+        self.left = False  # whether an earlier condition may have left the function
         self.asked: list[list[str]] = []  # by the conditions around the statement
         self.left_by: list[str] = []  # conditions that may have left the function
 
@@ -120,7 +120,7 @@ class Reader:
     def walk(
         self, cursor: Cursor, body: BodyFact | None, owner: str, sure: int | None = None
     ) -> None:
-        """Visits the children; all after the first ``sure`` children are conditional."""
+        """Visits the children. All children after the first ``sure`` children are conditional."""
         before: Cursor | None = None
         for number, child in enumerate(cursor.get_children()):
             if before is not None and before.kind == CursorKind.MEMBER_REF:
@@ -226,10 +226,8 @@ class Reader:
                     self.facts.values.append(fact)
 
     def silence(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """A declaration without a comment that others can use.
-
-        An enumerator needs a comment if another enumerator of the type has one.
-        """
+        """Records a declaration that other files can use and that has no comment. An enumerator
+        needs a comment if another enumerator of the type has a comment."""
         if body is not None or not place.file.endswith(".hpp") or not _is_open(cursor):
             return
         name = "::".join(filter(None, (namespace_of(cursor), class_name(cursor.lexical_parent))))
@@ -257,13 +255,13 @@ class Reader:
                 self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
 
     def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """A variable that lives as long as the program."""
+        """Records a variable that exists during the whole program."""
         inside = cursor.semantic_parent.kind in CLASSES
         lasts = cursor.storage_class == StorageClass.STATIC if body else not inside
         member = self.field_fact(cursor, place)
         if lasts and not member.constant and "&" not in member.type:
             marks = [p for p in cursor.get_children() if p.kind == CursorKind.UNEXPOSED_ATTR]
-            placed = any("section" in _words(mark) for mark in marks)  # it outlives a reset
+            placed = any("section" in _words(mark) for mark in marks)  # it survives a reset
             self.facts.objects += [] if placed else [member]
 
     def touch(self, cursor: Cursor, body: BodyFact) -> None:
@@ -337,8 +335,8 @@ class Reader:
             self.name(owner, made.get_declaration(), "construct", place)
 
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Code that gets the address of a function may call the function. The name in a call is not
-        counted."""
+        """Records that code with the address of a function may call it. The name in a call does not
+        count."""
         pending = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
         if target.kind in FUNCTIONS and function_id(target) not in pending:
             self.call(target, body, place, virtual=False)
@@ -362,7 +360,7 @@ class Reader:
             body.calls += [CallFact(f"{ANY_CLASS}::{part}", False, place) for part in name]
 
     def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """A variable that is not a reference is an object of its class, or contains one."""
+        """Records that a variable other than a reference is or contains an object of its class."""
         member = self.field_fact(cursor, place)
         if not member.refers and not cursor.type.is_const_qualified():
             inner = owner.split("::", maxsplit=1)[0]
@@ -372,7 +370,7 @@ class Reader:
             self.facts.variables[self.flow.node(cursor).removeprefix("var ")] = member
 
     def friend(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """A friend that the class defines itself is a part of it."""
+        """Records a friend, except a friend that the class itself defines."""
         for part in cursor.get_children():
             inside = part.is_definition() or "default" in _words(part)
             if part.kind in FUNCTIONS and not inside:
@@ -402,7 +400,7 @@ class Reader:
             self.block(cursor.referenced, place, declares=False)
 
     def past_interface(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Numbers instead of enumerators, offsets of registers, and second declarations."""
+        """Records numbers instead of enumerators, offsets of registers, and second declarations."""
         if cursor.kind in _ENUM_MAKERS and cursor.type.get_canonical().kind == TypeKind.ENUM:
             kind, number = class_name(cursor.type.get_declaration()), evaluated(cursor)
             named = any(part.kind == CursorKind.DECL_REF_EXPR for part in cursor.walk_preorder())
@@ -417,7 +415,7 @@ class Reader:
             self.facts.declared_again[cursor.spelling] = place
 
     def run_time(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
-        """Floating-point numbers, and loops whose head does not count."""
+        """Records floating-point numbers, and loops whose head does not count rounds."""
         kind = cursor.type.get_canonical().kind
         if kind in _FLOATS and not body.floats:
             body.floats = place.line
@@ -484,7 +482,7 @@ class Reader:
             body.assigns.append((changed, place.line))
 
     def left_side(self, cursor: Cursor) -> Cursor | None:
-        """The member that an assignment changes."""
+        """Returns the member that an assignment changes."""
         operator = cursor.kind == CursorKind.CALL_EXPR and cursor.spelling == "operator="
         if not operator and cursor.kind != CursorKind.BINARY_OPERATOR:
             return None
@@ -497,7 +495,8 @@ class Reader:
         return left if left is not None and left.kind == CursorKind.MEMBER_REF_EXPR else None
 
     def other_name_of(self, variable: Cursor) -> Cursor | None:
-        """The member that a variable refers to: it can be changed by the name of the variable."""
+        """Returns the member to which a variable refers. The name of the variable can change this
+        member."""
         kind = variable.type.get_canonical()
         meant = kind.get_pointee()
         if kind.kind not in _REFERRING or meant.is_const_qualified():
@@ -641,13 +640,13 @@ def _words(cursor: Cursor) -> list[str]:
 
 
 def expressions_in(cursors: Iterable[Cursor]) -> Iterator[Cursor]:
-    """Expressions with all their parts."""
+    """Yields expressions with all their parts."""
     for cursor in cursors:
         yield from (part for part in cursor.walk_preorder() if part.kind.is_expression())
 
 
 def register_of(call: Cursor) -> int | None:
-    """The address of the register from which a call reaches another register."""
+    """Returns the address of the register from which a call reaches another register."""
     if call.kind != CursorKind.CALL_EXPR or call.spelling != "at":
         return None
     base = next(call.get_children(), None)
@@ -658,7 +657,7 @@ def register_of(call: Cursor) -> int | None:
 
 
 def _is_declared_again(cursor: Cursor) -> bool:
-    """A name of another file that a source file declares without its header."""
+    """Whether a source file declares a name of another file without its header."""
     first = cursor.canonical == cursor and cursor.get_definition() is None
     is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
     is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
@@ -673,7 +672,7 @@ def _has_no_condition(cursor: Cursor) -> bool:
 
 
 def _is_bare_asm(cursor: Cursor) -> bool:
-    """An instruction outside of a function."""
+    """Whether this is an instruction outside of a function."""
     bare_kind = cursor.kind == CursorKind.UNEXPOSED_DECL
     return bare_kind and _words(cursor)[:1] in (["asm"], ["__asm__"], ["__asm"])
 
@@ -718,7 +717,7 @@ def is_local(cursor: Cursor) -> bool:
 
 
 def aliased(cursor: Cursor) -> Iterator[Cursor]:
-    """The classes behind an alias: its class, and the classes of its parameters."""
+    """Returns the classes behind an alias: its class, and the classes of its parameters."""
     if cursor.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         meant = cursor.underlying_typedef_type.get_canonical()
         count = max(0, meant.get_num_template_arguments())
@@ -727,7 +726,7 @@ def aliased(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def unaliased(cursor: Cursor) -> Cursor | None:
-    """The class of a base specifier."""
+    """Returns the class of a base specifier."""
     named = cursor.referenced
     if named is not None and named.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         return cursor.type.get_canonical().get_declaration()
@@ -764,7 +763,8 @@ def _operator_after(cursor: Cursor, left: Cursor) -> str:
 
 
 def comment_line(cursor: Cursor) -> int:
-    """The line where the comment of a declaration begins; 0 without a comment in the same file."""
+    """Returns the first line of the comment of a declaration, or 0 without a comment in the
+    file."""
     start = _library().clang_Cursor_getCommentRange(cursor).start
     same = start.file is not None and start.file.name == cursor.location.file.name
     return int(start.line) if same else 0
@@ -804,7 +804,7 @@ def _is_dynamic(cursor: Cursor) -> bool:
 
 
 def _overridden(cursor: Cursor) -> Cursor | None:
-    """The first method that this one overrides, of the nearest base."""
+    """Returns the method of the nearest base that this method overrides."""
     overridden = ctypes.POINTER(Cursor)()
     count = ctypes.c_uint()
     library = _library()

@@ -1,5 +1,5 @@
-"""The baseline design and the design of the robot: their costs, and the extent of likely
-changes."""
+"""The costs and the extent of likely changes, in the baseline design and in the design of the
+robot."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ TITLES = {
     "waiting_k": "a state that warns, WaitingK",
     "wheel_algorithm": "a new algorithm of the wheel",
 }
-# Greatest increase over the baseline design [per cent].
+# Maximum increase over the baseline design [per cent].
 TARGETS = {"report_avg": 5, "cycle_avg": 5, "flash": 10}
 
 
@@ -91,12 +91,13 @@ def patch_of(change: str, design: str) -> Path:
 
 
 def changes_of(root: Path) -> list[str]:
-    """The likely changes: each is a folder with a patch for each design, and a test."""
+    """Returns the likely changes. Each change is a folder with a patch for each design, and a
+    test."""
     return sorted(path.name for path in (root / CHANGES).glob("*") if path.is_dir())
 
 
 def read_comparison(root: Path) -> dict[str, Any] | None:
-    """The numbers, when they were measured with the present sources."""
+    """Returns the values, if they were measured with the present sources."""
     record = read_json(root / RESULT)
     return record if isinstance(record, dict) and is_fresh(root, BASELINE) else None
 
@@ -114,10 +115,8 @@ def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
 
 
 def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[str, Any]]:
-    """The functions of both designs, with the greatest difference first.
-
-    A function whose numbers differ by less than a limit in both designs is left out.
-    """
+    """Returns the functions of both designs, with the largest difference first. Functions whose
+    values differ by less than a limit are left out."""
     names: Iterable[str] = functions[USUAL].keys() | functions[PATTERNS].keys()
     rows = []
     for name in names:

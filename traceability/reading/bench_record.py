@@ -123,17 +123,15 @@ def orders_in(text: str) -> list[Order]:
 
 
 def measured_orders(text: str) -> list[Order]:
-    """The order of each measured cycle: the last cycles of the scenario."""
+    """Returns the order of each measured cycle. The last cycles of the scenario are measured."""
     each = [
-        order
-        for order in orders_in(text)
-        for _ in range(order.first, order.last + 1, PERIOD_MS)
+        order for order in orders_in(text) for _ in range(order.first, order.last + 1, PERIOD_MS)
     ]
     return each[-CYCLES:]
 
 
 def read_bench(root: Path, path: Path = BENCH) -> Record | None:
-    """The record of the last run, when it belongs to the present sources."""
+    """Returns the record of the last run, if it belongs to the present sources."""
     return read_record(root / path, Record) if is_fresh(root, task_record.BENCH) else None
 
 
@@ -223,7 +221,7 @@ Frames = list[tuple[str, str]]  # function and file, the innermost first
 
 
 def profile(raw: dict[str, Any], root: Path) -> Profile:
-    """Average instructions in a cycle, of modules and functions: of the whole cycle, and up to the
+    """Returns the mean instructions of modules and functions, in the whole cycle and up to the
     report."""
     counts = {int(address): tuple(pair) for address, pair in raw["profile"].items()}
     return profile_of(counts, frames_of(root / ELF, counts))
@@ -246,7 +244,8 @@ def profile_of(counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]) ->
 
 
 def owner(frames: Frames) -> tuple[str, str]:
-    """Module and function of an instruction: the innermost function of the project at its place."""
+    """Returns module and function of an instruction: the innermost function of the project
+    there."""
     for function, file in frames:
         if {"src", "extensions", "tests"}.intersection(Path(file).parts):
             return Path(file).name.split(".")[0], function
@@ -254,7 +253,7 @@ def owner(frames: Frames) -> tuple[str, str]:
 
 
 def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
-    """The functions of each instruction, the innermost inlined function first."""
+    """Returns the functions of each instruction, with the innermost inlined function first."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-f", "-i", "-C"]
     text = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=text, capture_output=True, text=True, check=True).stdout

@@ -48,10 +48,8 @@ class Function:
 
 
 def read_graph(root: Path, elf: Path) -> dict[str, Function]:
-    """Symbol -> function, of all functions that the image holds.
-
-    ``root`` is the tree of sources from which the image was built.
-    """
+    """Symbol -> function, for all functions of the image. ``root`` is the source folder of the
+    image."""
     reported: dict[str, Function] = {}
     own = [*elf.parent.glob(f"{elf.stem}.*.ci"), *elf.parent.glob("*/**/*.ci")]
     for file in sorted(own):
@@ -76,8 +74,7 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
 
 
 def short_name(name: str) -> str:
-    """``Class::method`` of a readable name; the name itself for a function outside of the
-    project."""
+    """Returns ``Class::method``, or the unchanged name of a function outside of the project."""
     match = SHORT.search(name)
     return match["name"] if match else name
 
@@ -89,7 +86,7 @@ def uses_floats(elf: Path) -> bool:
 
 
 def symbol_value(elf: Path, name: str) -> int:
-    """The value of a symbol, 0 when there is none."""
+    """Returns the value of a symbol, or 0 without the symbol."""
     match = re.search(rf"^([0-9a-f]+) . {name}$", _run("arm-none-eabi-nm", str(elf)), re.MULTILINE)
     return int(match[1], 16) if match else 0
 
@@ -112,8 +109,8 @@ def _symbol(title: str) -> str:
 
 
 def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
-    """Functions of several units that share a name count as one function, with the greater
-    frame."""
+    """Records a frame. Functions of several units with the same name count as one function, with
+    the larger frame."""
     function = reported.setdefault(symbol, Function(symbol, "", 0))
     function.frame = max(function.frame, int(frame["bytes"]))
     function.dynamic |= "dynamic" in frame["kind"] and "bounded" not in frame["kind"]
@@ -142,7 +139,7 @@ def _read_listing(listing: str) -> dict[str, Function]:
 
 
 def names_of_addresses(elf: Path) -> list[list[str]]:
-    """The names of each function: the compiler gives equal functions one address."""
+    """Returns the names of each address, because the compiler merges equal functions."""
     symbols: dict[str, list[str]] = {}
     for line in _run("arm-none-eabi-nm", str(elf)).splitlines():
         address, kind, name = (*line.split(), "", "")[:3]

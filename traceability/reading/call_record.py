@@ -47,7 +47,7 @@ class Activation:
 
     exception: int
     priority: int | None  # None: no exception
-    raised: int  # instant of the request, or of the entry if no request was recorded [ns]
+    raised: int  # time of the request, or of the entry if no request was recorded [ns]
     begin: int
     end: int
     below: int  # the interrupted activation
@@ -60,7 +60,7 @@ class Activation:
 
 @dataclass
 class Span:
-    """A call of a method or function: its instants [ns], and its place in the calls around it."""
+    """A call of a method or function: its times [ns], and its place among the other calls."""
 
     method: str
     begin: int
@@ -87,11 +87,11 @@ class Recording:
     events: list[BoardEvent] = field(default_factory=list)
 
     def pulses(self, line: int) -> list[int]:
-        """The instants at which an interrupt line was raised and then entered."""
+        """Returns the times at which an interrupt line was raised and then entered."""
         return [activation.raised for activation in self.activations if activation.line == line]
 
     def between(self, begin: int, end: int) -> Iterator[int]:
-        """The calls that begin between two instants."""
+        """Returns the calls that begin between two times."""
         for number, span in enumerate(self.spans):
             if begin <= span.begin < end:
                 yield number
@@ -112,7 +112,7 @@ def declared_recordings(root: Path, entries: Entries | None = None) -> list[Wind
 
 
 def read_recordings(root: Path) -> dict[str, Recording] | None:
-    """The recordings of the present sources; None when they were not made."""
+    """Returns the recordings of the present sources, or None when they were not made."""
     content = read_json(root / RECORD)
     if not isinstance(content, dict) or not is_fresh(root, CALLS):
         return None
@@ -201,7 +201,7 @@ class _Reader:
 
 
 def recording_of(lines: Iterable[str], symbols: Mapping[int, str]) -> Recording:
-    """The recording in the lines that the board program wrote; the first line is the head."""
+    """Returns the recording in the lines of the board program. The first line is the head."""
     reader, at = _Reader(symbols), 0
     for line in lines:
         time, event, number, value = line.strip().split(",")
@@ -215,7 +215,7 @@ def recording_of(lines: Iterable[str], symbols: Mapping[int, str]) -> Recording:
 
 
 def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
-    """The recording without the activations of these handlers."""
+    """Returns the recording without the activations of these handlers."""
     dropped = {
         span.activation for span in recording.spans if span.depth == 0 and span.method in handlers
     }
@@ -242,7 +242,7 @@ def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
 
 
 def packed(recording: Recording) -> dict[str, Any]:
-    """A recording as small columns: begins are stored as differences, methods as numbers."""
+    """Returns a recording as columns. Start times are differences, and methods are numbers."""
     names = list(dict.fromkeys(span.method for span in recording.spans))
     numbers = {name: number for number, name in enumerate(names)}
     begins = [0, *(span.begin for span in recording.spans)]

@@ -14,7 +14,7 @@ from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, value_name
 
 CHAIN: Keys = {"name": str, "title": str, "says": str, "recording": str, "steps": list}
 OPTIONAL: Keys = {"last": bool}
-WITHIN = "> "  # a marked step is within the call of the last step without a mark
+WITHIN = "> "  # the call of the last step without a mark contains a step with the mark
 HEAD = 4  # bytes before the payload: of the byte stuffing, version, type, sequence number
 CHANNELS = 8  # of an FTM
 BYTES = ("byte_received", "byte_sent")
@@ -60,7 +60,7 @@ def declared_chains(root: Path, entries: Entries | None = None) -> list[Chain]:
 
 
 def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
-    """The whole frames that a line carried, in their order."""
+    """Returns the complete frames on a line, in their order."""
     pending: list[BoardEvent] = []
     for event in recording.events:
         if event.kind != direction or event.number != 0:
@@ -82,7 +82,8 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
 
 
 def follow(chain: Chain, recording: Recording) -> list[Step] | None:
-    """The steps of a chain; None when the recording does not contain them in this order."""
+    """Returns the steps of a chain, or None when the recording does not contain them in this
+    order."""
     places = list(_places(chain.steps[0], recording, 0, None))
     for first in reversed(places) if chain.last else places:
         if steps := _from(first, chain, recording):
@@ -91,7 +92,7 @@ def follow(chain: Chain, recording: Recording) -> list[Step] | None:
 
 
 def first_missing(chain: Chain, recording: Recording) -> str:
-    """The first step of a chain that is missing in the recording."""
+    """Returns the first step of a chain that is missing in the recording."""
     for number in range(1, len(chain.steps) + 1):
         part = Chain(chain.name, "", "", "", chain.steps[:number], chain.last, chain.place)
         if follow(part, recording) is None:
@@ -167,7 +168,7 @@ def _field_places(
 
 
 def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:
-    """The unit of a set-point: the unit of the quantity in the same frame."""
+    """Returns the unit of a set-point: the unit of the quantity in the same frame."""
     quantity = LAYOUTS[kind].of(f"{BY_QUANTITY}{field_.wheel}")
     shown = frame.values[quantity.name]
     entries = quantity.values.entries if quantity.values else ()

@@ -17,10 +17,10 @@ from traceability.schema import HOST, VIRTUAL_K64, Place
 FOLDER = Path("changes")
 RESULT = RESULTS / "changes.json"
 DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
-UNCHANGED = "weeding_robot_paper"  # the image that a kit without an extension is compared with
-# The composition: the files that make the parts and bind them to each other.
+UNCHANGED = "weeding_robot_paper"  # reference image for a kit without an extension
+# The composition: the files that create the parts and connect them.
 COMPOSITION = ("src/construction/", "src/k64/start_up/")
-# The composition of the pattern design that is compared with the baseline design.
+# The composition of the pattern design, for the comparison with the baseline design.
 COMPARED = "tests/usual_design/patterns/PatternDesign."
 ON_BOARD = "OnBoard"  # end of the name of a suite that runs the image of a kit
 TEST = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)")
@@ -60,7 +60,7 @@ class KitRecord:
 
 
 def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
-    """Application -> its kit. The folders are the list of kits."""
+    """Application -> its kit. Each folder is a kit."""
     kits = {}
     for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
         kit = _kit(root, path, entries)
@@ -143,7 +143,7 @@ def target_of(test: str) -> str:
 
 
 def read_record(root: Path) -> KitRecord | None:
-    """The record, when it is of the present sources."""
+    """Returns the record, if it belongs to the present sources."""
     data = read_json(root / RESULT)
     if not isinstance(data, dict) or not is_fresh(root, CHANGES):
         return None
@@ -151,5 +151,5 @@ def read_record(root: Path) -> KitRecord | None:
 
 
 def images_of(kits: Iterable[Kit]) -> list[str]:
-    """The images of the kits, and the images that they are compared with."""
+    """Returns the images of the kits, and their reference images."""
     return sorted({image for kit in kits for image in (kit.image, kit.base)})

@@ -13,9 +13,9 @@ FILE = Path("design/changes.toml")
 
 @dataclass
 class Recipe:
-    """The steps that change an application of one pattern. Roles are those of the pattern."""
+    """The steps that change an application of a pattern. The roles belong to the pattern."""
 
-    alters: list[str]  # roles whose modules each hide one variant
+    alters: list[str]  # roles; each of their modules hides one variant
     adds: str = ""  # role of a new class
     derives: str = ""  # role from which a new class derives
     steps: list[str] = field(default_factory=list)

@@ -69,7 +69,7 @@ def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]
 
 
 def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
-    """The scenarios; they have curves and values if they ran with the present sources."""
+    """Returns the scenarios. They have curves and values if they ran with the present sources."""
     outcomes = read_json(root / OUTCOMES)
     fresh = isinstance(outcomes, dict) and is_fresh(root, CLOSED_LOOP)
     runs = outcomes["runs"] if fresh else {}
@@ -130,8 +130,8 @@ def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
 def column(rows: Rows, name: str) -> Points:
     """Returns the valid values of a column with their times [ms].
 
-    For a true value this is the time of the reading; for a value of a report it is the time of the
-    clock pulse.
+    The time of a true value is the time of the reading. The time of a reported value is the time of
+    the clock pulse.
     """
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
@@ -144,7 +144,7 @@ def time_column(name: str) -> str:
 
 
 def is_valid(row: dict[str, str], name: str) -> bool:
-    """A report marks a value that is missing; all others are valid."""
+    """Whether a value is valid. A report marks missing values."""
     wheel = int(name[-1]) if name[-1].isdigit() else 0
     bits = {
         f"velocity{wheel}": ("measured", 3 * wheel),
@@ -176,7 +176,7 @@ def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> LoopFigure:
 
 
 def measure(figure: dict[str, Any], points: Points) -> float | None:
-    """Computes a metric; None when there are no points, or the value never settles."""
+    """Computes a metric. Returns None when there are no points, or the value never settles."""
     if not points:
         return None
     target = float(figure.get("target", 0))
@@ -196,7 +196,8 @@ def measure(figure: dict[str, Any], points: Points) -> float | None:
 
 
 def settling(points: Points, start: float, target: float, band: float) -> float | None:
-    """Time from the start to the first value after which all are within the band."""
+    """Returns the time from the start to the first value after which all values are within the
+    band."""
     inside: float | None = None
     for at, value in points:
         if abs(value - target) > band * abs(target):
@@ -207,8 +208,8 @@ def settling(points: Points, start: float, target: float, band: float) -> float 
 
 
 def means(points: Points) -> Sequence[float]:
-    """The mean of each second that begins at a point; the mean of all points when there is no
-    complete second."""
+    """Returns the mean of each second that begins at a point. Without a complete second, returns
+    the mean of all points."""
     last = points[-1][0]
     averages: list[float] = []
     for at, _ in points:

@@ -18,8 +18,8 @@ from traceability.schema import Place
 from traceability.sources import files_below
 
 SUFFIXES = (".hpp", ".cpp", ".dox")
-# The name of a tag is followed by arguments in braces, a word, or a text. Doxygen's settings
-# declare the tags that are not built in.
+# Arguments in braces, a word, or a text follow the name of a tag. The settings of Doxygen declare
+# the additional tags.
 IN_BRACES = {"role": 2, "patternapp": 3, "isr": 1, "hides": 1}
 WORD = ("param", "tparam", "throws", "satisfies", "verifies", "requirement", "dir", "page")
 OF_CODE = ("brief", "return", "pre", "post", "errors", "function", "secret", "why", "changes")
@@ -45,10 +45,8 @@ NEXT_ARGUMENT = re.compile(r"(?<!\\),\s*")
 
 @dataclass
 class Tag:
-    """``text`` is its paragraph, ``more`` the paragraphs after it, ``source`` the text as written.
-
-    The text before the first tag of a comment is a tag without a name.
-    """
+    """``text`` is the paragraph of the tag, ``more`` are the paragraphs after it, and ``source`` is
+    the original text. The text before the first tag of a comment is a tag without a name."""
 
     name: str
     arguments: list[str]
@@ -82,19 +80,18 @@ class Comment:
         return list(dict.fromkeys(tag.argument for tag in self.of(name)))
 
     def texts(self, name: str) -> dict[str, str]:
-        """Word -> text, of a tag such as ``@param``."""
+        """Returns word -> text for a tag such as ``@param``."""
         return {tag.argument: tag.text for tag in self.of(name)}
 
     def parts(self, name: str) -> Iterator[Comment]:
-        """For each of these tags, a comment with the tag and the tags before the next of these
-        tags."""
+        """Splits the comment before each of these tags. Each part is a comment."""
         starts = [number for number, tag in enumerate(self.tags) if tag.name == name]
         for start, end in pairwise([*starts, len(self.tags)]):
             yield Comment(self.tags[start].place, self.tags[start:end])
 
     @cached_property
     def brief(self) -> str:
-        """The text of ``@brief``; without a brief the first paragraph."""
+        """Returns the text of ``@brief``, or else the first paragraph."""
         return self.one("brief") or self.one("")
 
     @cached_property
@@ -106,7 +103,7 @@ class Comment:
         )
 
     def source(self, without: tuple[str, ...] = ()) -> str:
-        """The comment as written, a line for each paragraph, without some tags."""
+        """Returns the original comment without some tags, with one line for each paragraph."""
         written = (tag.source for tag in self.tags if tag.name not in without)
         paragraphs = (text for tag in written for text in BLANK_LINE.split(tag))
         return "\n".join(filter(None, (" ".join(text.split()) for text in paragraphs)))
@@ -130,7 +127,7 @@ class Comments:
         return self.files[file]
 
     def at(self, file: str, line: int) -> Comment:
-        """The comment on a line; an empty one where there is none."""
+        """Returns the comment on a line, or an empty comment."""
         if not line:
             return NO_COMMENT
         if file not in self.lines:
@@ -227,6 +224,6 @@ def _paragraphs(text: str) -> list[str]:
 
 
 def plain(text: str) -> str:
-    """A text on one line, except that each item of a list starts a line."""
+    """Returns a text on one line; only items of lists start a new line."""
     parts = re.split(r"\n(?=\s*- )", text.replace("\\,", ","))
     return "\n".join(" ".join(part.split()) for part in parts).strip()

@@ -25,7 +25,9 @@ class Concordance:
 
     places: list[PaperPlace] = field(default_factory=list)
     named: dict[tuple[str, str], list[str]] = field(default_factory=dict)  # -> ids of places
-    lines: dict[tuple[str, str], Place] = field(default_factory=dict)  # where paper.toml names it
+    lines: dict[tuple[str, str], Place] = field(
+        default_factory=dict
+    )  # line of the name in paper.toml
     entries: list[PaperElement] = field(default_factory=list)
     statements: list[PaperStatement] = field(default_factory=list)
 
@@ -92,6 +94,6 @@ def _entries(root: Path, entries: Entries) -> list[PaperElement]:
 
 
 def _line(lines: list[str], name: str, start: int) -> int:
-    """The number of the line with a name, at or after a line."""
+    """Returns the number of the first line with a name, from a given line on."""
     pattern = re.compile(rf'"{re.escape(name)}"')
     return next((n + 1 for n in range(start, len(lines)) if pattern.search(lines[n])), start + 1)

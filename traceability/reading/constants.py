@@ -1,4 +1,4 @@
-"""The values of constants: of variables, values of enumerations, and operations that return one."""
+"""The values of constants: variables, enumerators, and operations that return a constant."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ INTEGER = 1  # kind of an evaluated expression
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """The names that a text can use: with the class, or with the file for a constant of a
+    """Returns the names for texts: with the class, or with the file for a constant of a
     namespace."""
     owner = class_name(cursor.semantic_parent)
     if owner:
@@ -66,7 +66,7 @@ def last_expression(cursor: Cursor) -> Cursor | None:
 
 
 def number_of(value: Cursor) -> tuple[int, str] | None:
-    """The number of an expression, and its unit if its type or its factory function has one."""
+    """Returns the number of an expression, and the unit of its type or of its factory function."""
     if value.type.get_canonical().kind != TypeKind.RECORD:
         number = evaluated(value)
         return None if number is None else (number, "")
@@ -99,12 +99,12 @@ def unit_of_function(function: Cursor) -> str:
 
 
 def unit_of_type(value: Cursor) -> str:
-    """The unit of a type, as the comment above it states it."""
+    """Returns the unit of a type from the comment above the type."""
     return unit_in(value.type.get_declaration().raw_comment)
 
 
 def unit_beside(cursor: Cursor) -> str:
-    """The unit in the comment above a constant, or in the comment at the end of its line."""
+    """Returns the unit in the comment above a constant, or at the end of its line."""
     if stated := unit_in(cursor.raw_comment):
         return stated
     unit, file, line = cursor.translation_unit, cursor.location.file, cursor.extent.end.line

@@ -53,7 +53,7 @@ OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
 
 
 def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
-    """The case as it is declared, with its scenarios; empty without the file."""
+    """Returns the declared safety case with its scenarios; it is empty without the file."""
     path = root / FILE
     if not path.exists():
         return SafetyCase()
@@ -98,7 +98,7 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
 
 
 def linked(case: SafetyCase) -> SafetyCase:
-    """The case with levels, times and the links from goals and assumptions back to hazards."""
+    """Returns the case with levels, times, and links from goals and assumptions to hazards."""
     hazards = {
         name: replace(
             hazard, level=level_of(case, hazard.severity, hazard.exposure, hazard.avoidance)
@@ -176,7 +176,7 @@ def read_sources(text: str) -> list[SourceReference]:
 
 
 def read_scenarios(root: Path) -> dict[str, FaultScenario]:
-    """Name -> scenario: the first comment is its title, "# goal SG-1" names its goals."""
+    """Name -> scenario. The first comment is its title, and "# goal SG-1" names a goal."""
     paths = files_below(root, (str(SCENARIOS),), (".scenario",))
     return {path.stem: _scenario(root, path) for path in paths}
 

@@ -43,7 +43,7 @@ EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.L
 
 @dataclass
 class FlowFact:
-    """A flow: the place may refer to the objects to which the sources refer."""
+    """A flow: the place may refer to the objects of the sources."""
 
     into: str
     sources: list[str]
@@ -78,7 +78,8 @@ class FlowReader:
         return names.get(cursor.kind, "")
 
     def function(self, cursor: Cursor) -> str:
-        """Returns the id of a function; with its file when it is local to the file."""
+        """Returns the id of a function. A function that is local to a file has the file in its
+        id."""
         name = function_id(cursor)
         if "::" in name or cursor.linkage == LinkageKind.EXTERNAL:
             return name
@@ -86,7 +87,7 @@ class FlowReader:
         return f"{at.file}:{name}" if at else name
 
     def sources(self, cursor: Cursor) -> list[str]:
-        """Returns the places that an expression names, without the steps that lead to them."""
+        """Returns the places that an expression names, without intermediate steps."""
         return list(dict.fromkeys(self._sources(cursor)))
 
     def _sources(self, cursor: Cursor) -> Iterator[str]:
@@ -140,7 +141,7 @@ class FlowReader:
         return self.sources(base) if base is not None else []
 
     def note(self, cursor: Cursor, function: str, place: Place) -> None:
-        """Records the references that any other statement passes."""
+        """Records the references that other statements pass."""
         kind = cursor.kind
         if kind == CursorKind.VAR_DECL:
             self.variable(cursor, place)
@@ -203,13 +204,13 @@ class FlowReader:
         return []
 
     def referred(self, variable: Cursor) -> list[str]:
-        """The member that a reference may be used to change."""
+        """Returns the member that a reference can change."""
         value = next(reversed(list(variable.get_children())), None)
         constant = variable.type.get_pointee().is_const_qualified()
         return [] if constant or value is None else self.members(value)
 
     def changed_by(self, call: Cursor) -> list[str]:
-        """A member that is changed by a call of a method that is not const."""
+        """Returns the member that a call of a non-const method changes."""
         target = call.referenced
         if target.kind not in (CursorKind.CXX_METHOD, CursorKind.FUNCTION_TEMPLATE):
             return []
@@ -221,7 +222,7 @@ class FlowReader:
         return self.members(first) if first is not None else []
 
     def members(self, cursor: Cursor) -> list[str]:
-        """The members by value that contain an expression, as ``Class::name``."""
+        """Yields the members by value that contain an expression, as ``Class::name``."""
         members: list[str] = []
         at: Cursor | None = cursor
         while at is not None:
@@ -263,7 +264,7 @@ def numbered(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def sure_parts(cursor: Cursor) -> int:
-    """The number of first children of a statement that are executed in each execution of it."""
+    """Returns the number of first children that each execution of a statement executes."""
     children = list(cursor.get_children())
     if cursor.kind in CHANCES:
         return 1 + bool(children and children[0].kind in DECLARATIONS)
@@ -287,7 +288,7 @@ def is_method_name(cursor: Cursor) -> bool:
 
 
 def method_in_template(call: Cursor) -> Cursor | None:
-    """The method of a class template to which a call by name in another template refers."""
+    """Returns the method of a class template that another template calls by name."""
     callee = next(call.get_children(), None) if call.kind == CursorKind.CALL_EXPR else None
     if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
         return None

@@ -1,8 +1,5 @@
-"""The texts that a requirement's links depend on, without comments and layout.
-
-Each is found in the text of its file. Therefore the earlier text can be read from an earlier
-version of the file in git.
-"""
+"""The texts on which the links of a requirement depend, without comments and layout. Each text is
+found in its file, so an earlier version of the file in git contains the earlier text."""
 
 from __future__ import annotations
 
@@ -50,7 +47,7 @@ def hash_of(kind: str, text: str) -> str:
 
 
 def numbered(code: str) -> str:
-    """Code with a number in place of each local variable and parameter."""
+    """Returns code with a number in place of each local variable and parameter."""
     declared = [match[2] for match in LOCAL.finditer(code) if match[1] not in NO_TYPES]
     names = list(dict.fromkeys(name for name in declared if name not in BUILT_IN))
     if not names:

@@ -105,7 +105,7 @@ def read_code(elf: Path) -> dict[str, Code]:
 
 
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
-    """File and line of each instruction: first where it was written, then where it was inlined."""
+    """File and line of each instruction: first its place in the source, then the inlining calls."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
     request = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=request, capture_output=True, text=True, check=True).stdout
@@ -226,8 +226,8 @@ def _loops(code: Code) -> list[Loop]:
 
 
 def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
-    """The loops that a path can enter at more than one block, so that they have no head that is on
-    every path. Each gets a block for its head that is part of each of its rounds."""
+    """Returns the loops that a path can enter at several blocks. No block of such a loop is on
+    every path, so a block that is part of each round is used as its head."""
     entered_loops: list[Loop] = []
     while True:
         ways = {

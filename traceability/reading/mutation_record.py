@@ -25,7 +25,7 @@ def last_mutation(root: Path, sources: str) -> LastRecord | None:
 
 
 def read_mutation(root: Path, sources: str) -> Mutation | None:
-    """The faults that were tried in exactly these sources."""
+    """Returns the faults that were tried in exactly these sources."""
     data = read_json(root / RECORD)
     if not isinstance(data, dict) or data.get("sources") != sources:
         return None

@@ -21,7 +21,7 @@ LIST = Path("design/products.toml")
 
 @dataclass(frozen=True)
 class Product:
-    """A product: its composition, and its modules that some products do not have."""
+    """A product: its composition, and those of its modules that other products lack."""
 
     name: str
     commands: str
@@ -31,7 +31,7 @@ class Product:
 
 
 def listed(root: Path) -> list[Product]:
-    """The products of the list, in its sequence."""
+    """Returns the products of the list, in their order."""
     table = tomllib.loads((root / LIST).read_text(encoding="utf-8"))
     parts = table["parts"]
     return [
@@ -72,13 +72,13 @@ def recorded_image_of(product: str, suffix: str) -> Path:
 
 
 def module_names(root: Path) -> set[str]:
-    """The design modules: each has a header of its name, with its secret."""
+    """Returns the design modules. Each has a header of its name, with its secret."""
     headers = files_below(root, DESIGN, (".hpp",))
     return {path.stem for path in headers if "@secret" in path.read_text(encoding="utf-8")}
 
 
 def modules_in(elf: Path, modules: Iterable[str]) -> list[str]:
-    """The modules of this list whose code or constants an image contains, by its symbols."""
+    """Returns the listed modules whose code or constants are in an image, by its symbols."""
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     return sorted(modules_of(listed).intersection(modules))
@@ -90,7 +90,7 @@ def modules_of(listed: str) -> set[str]:
 
 
 def read_products(root: Path) -> dict[str, ProductImage] | None:
-    """Product -> its image, when all were built from the present sources."""
+    """Product -> its image, if all images were built from the present sources."""
     images = read_record(root / RESULTS, dict[str, ProductImage])
     fresh = images is not None and set(images) == set(PRODUCTS) and read_image(root) is not None
     return images if fresh else None

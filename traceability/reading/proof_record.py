@@ -28,7 +28,7 @@ class ProofEvent:
 
     id: str
     says: str
-    actions: Sequence[str]  # none: it cannot be played
+    actions: Sequence[str]  # none: nothing can play the event
     ends: str  # action of the next round without the event
     wait: int  # [ms] duration of the event
 
@@ -55,7 +55,7 @@ def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:
 
 
 def read_proofs(root: Path) -> dict[str, ProofResult] | None:
-    """The results, when they belong to the present machines, composition and properties."""
+    """Returns the results, if they belong to the present machines, composition and properties."""
     if not is_fresh(root, TASK):
         return None
     return read_record(root / PROOFS, dict[str, ProofResult])

@@ -31,7 +31,7 @@ BOARD_ONLY = (
 )
 HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
-COMPARED = "tests/usual_design/"  # run by the comparison of the designs, and only there
+COMPARED = "tests/usual_design/"  # only the comparison of the designs runs them
 
 
 @dataclass
@@ -40,13 +40,13 @@ class Result:
     milliseconds: float
     message: str
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
-    measured: str = ""  # text that the test itself reports: its property of this name
+    measured: str = ""  # text that the test reports in its property of this name
     instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
     images: list[str] = field(default_factory=list)  # products whose images the test ran
 
 
 def read_json(path: Path) -> Any:
-    """The content, or None when the file is missing or incomplete."""
+    """Returns the content, or None when the file is missing or incomplete."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -61,7 +61,7 @@ def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[in
 
 
 def read_record(path: Path, kind: type[T]) -> T | None:
-    """The content as typed records, or None when it is missing, incomplete or has another form."""
+    """Returns the content as typed records, or None when it is missing, incomplete or different."""
     content = read_json(path)
     try:
         return RECORDS.structure(content, kind) if isinstance(content, dict) else None
@@ -70,7 +70,7 @@ def read_record(path: Path, kind: type[T]) -> T | None:
 
 
 def bindings_of(file: str) -> list[str]:
-    """The targets that a test of the firmware is built for, by its folder."""
+    """Returns the targets for which a test of the firmware is built, by its folder."""
     if file.startswith(COMPARED):
         return []
     if file.startswith(BOARD_ONLY):
@@ -113,7 +113,8 @@ def count_totals(root: Path) -> dict[str, float] | None:
 
 
 def read_results_hash(root: Path, binding: str) -> str | None:
-    """The hash of the present sources when the results belong to them; else another text."""
+    """Returns the hash of the present sources if the results belong to them, or else another
+    text."""
     if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
         return None
     return source_hash(root) if task_record.is_fresh(root, TASKS[binding]) else "other sources"
@@ -125,7 +126,7 @@ def read_results(root: Path, binding: str) -> dict[str, Result]:
 
 
 def results_in(data: dict[str, Any]) -> dict[str, Result]:
-    """The same, of the content of a file of results."""
+    """Returns ``Suite.Name`` -> result, for the content of a file of results."""
     results: dict[str, Result] = {}
     for suite in data.get("testsuites", []):
         for test in suite.get("testsuite", []):
@@ -140,7 +141,7 @@ def results_in(data: dict[str, Any]) -> dict[str, Result]:
 
 
 def _together(earlier: Result, result: Result) -> Result:
-    """The result of several instances, and of a test with several images: one failure fails all."""
+    """Combines the results of several instances or images: one failure fails the test."""
     worst = earlier if earlier.result == "failed" else result
     failed = {
         name: instance for name, instance in earlier.instances.items() if instance == "failed"

@@ -1,6 +1,6 @@
 """The cost of the safety functions: files and lines since a base commit.
 
-Only lines of code count in edited files: a changed comment costs nothing.
+Only lines of code count in edited files, and comments do not count.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ SAFETY = "extensions/safety"
 
 
 def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
-    """The counts from the base to the present commit; ``None`` when git does not have the base."""
+    """Returns the counts from the base to the present commit, or ``None`` if git has no base."""
     base = _git(root, "rev-parse", "--verify", f"{case.base}^{{commit}}")
     head = _git(root, "rev-parse", "--short=10", "HEAD")
     if not (root / ".git").exists() or not case.base or not base or not head:
@@ -83,7 +83,7 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """The entry with the longest path that is the file itself or a folder that contains it."""
+    """Returns the entry with the longest path that is the file or a folder above it."""
     matching = [
         (len(path), correction)
         for correction in corrections

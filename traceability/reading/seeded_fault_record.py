@@ -69,7 +69,7 @@ def last_seeded(root: Path) -> LastRecord | None:
 
 
 def read_record(root: Path) -> list[Outcome] | None:
-    """The outcomes, when all faults were seeded in the present state of the project."""
+    """Returns the outcomes, if all faults were seeded in the present state of the project."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not is_fresh(root, SEEDED_FAULTS):
         return None

@@ -71,7 +71,7 @@ class Facts:
         }
 
     def user(self, owner: str, place: Place) -> str:
-        """The class to which code belongs: other code in the file of a class is part of the
+        """Returns the class to which code belongs. Code in the file of a class belongs to the
         class."""
         outer = owner.split("::", maxsplit=1)[0]
         return outer if outer in self.with_file else self.written_in.get(place.file, outer)
@@ -113,7 +113,7 @@ class Facts:
         return [method, *self.overriders.get(method, [])] if virtual else [method]
 
     def method(self, owner: str, name: str) -> MethodFact | None:
-        """The method that ``owner`` has or inherits."""
+        """Returns the method that ``owner`` has or inherits."""
         fact = self.classes.get(owner)
         if fact is None:
             return None
@@ -173,9 +173,8 @@ class Object:
 class References:
     """The objects that each reference may refer to.
 
-    An object is a member or a variable whose type is a class of the project. Its references
-    are followed through constructors, parameters, members and results, in all files of the robot
-    itself.
+    An object is a member or a variable whose type is a class of the project. References to it are
+    followed through constructors, parameters, members and results, in all files of the robot.
     """
 
     def __init__(self, facts: Facts) -> None:
@@ -246,7 +245,7 @@ class References:
         return {item for item in reachable if not kind or item.kind in family}
 
     def targets(self, call: CallFact) -> list[str]:
-        """The methods that a call may reach: the methods of the objects on which it is called."""
+        """Returns the methods that a call may reach, by the possible objects of the call."""
         owner, _, name = call.target.rpartition("::")
         if not call.virtual:
             return [call.target]
@@ -278,6 +277,6 @@ class References:
         return callers
 
     def own_bodies(self, method: str) -> list[BodyFact]:
-        """The bodies in the robot itself."""
+        """Returns the bodies of the robot, without extensions."""
         bodies = self.facts.bodies.get(method, [])
         return [body for body in bodies if body.place.file.startswith(f"{SRC}/")]

@@ -32,7 +32,7 @@ class SupportFiles:
         }
 
     def of(self, file: str, test: str) -> set[str]:
-        """The file itself, the helpers that it includes, and the scenarios that the test plays."""
+        """Returns the file, the helpers that it includes, and the scenarios that the test plays."""
         return {file, *self.helpers(file), *self.played(file, test)}
 
     def _text(self, file: str) -> str:
@@ -67,7 +67,7 @@ class SupportFiles:
         ]
 
     def _played(self, file: str, test: str) -> set[str]:
-        """The scenarios that the test or its parameters name; all scenarios of a listed folder."""
+        """Returns the scenarios that the test or its parameters name, also by their folder."""
         suite = test.split(".", maxsplit=1)[0]
         bodies = [case.body for case in read_tests(self.text(file)) if case.id == test]
         lists = re.findall(

@@ -1,4 +1,4 @@
-"""Reads the facts of the code from libclang's syntax tree: they agree with the compiler.
+"""Reads the facts of the code from the syntax tree of libclang, so they agree with the compiler.
 
 The facts of a translation unit are kept in a cache, whose key is the content of the unit's files,
 and the code, without comments, of all files that they include.
@@ -37,7 +37,7 @@ READERS = (
 
 
 def read_syntax(root: Path, cache: Path) -> Syntax:
-    """The facts of all files of the design. Only the units whose files changed are parsed."""
+    """Returns the facts of all files of the design. Only units with changed files are parsed."""
     cache.mkdir(parents=True, exist_ok=True)
     hashes: dict[str, str] = {}
     units = translation_units(root)
@@ -90,7 +90,7 @@ def _is_stored(root: Path, cache: Path, unit: str, hashes: dict[str, str]) -> bo
 
 
 def own_files(unit: str) -> tuple[str, str]:
-    """The files whose facts may be read from a unit."""
+    """Returns the files whose facts may be read from a unit."""
     return unit, unit.removesuffix(".cpp") + ".hpp"
 
 
@@ -128,7 +128,7 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
 
 
 def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax, set[str]]:
-    """The facts of the files, and all files of the project that the unit includes."""
+    """Returns the facts of the files, and all files of the project that the unit includes."""
     arguments = [*clang_arguments(is_board(unit)), *include_options(root)]
     if header.exists():
         arguments += ["-include-pch", str(header)]
@@ -151,17 +151,15 @@ def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax
     return reader.facts, included
 
 
-# Recognises all forms that the preprocessor permits: after a comment, or with digraphs.
+# Matches all forms that the preprocessor permits, also after a comment or with digraphs.
 INCLUDE = re.compile(
     r'\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*include\s*(?:/\*.*?\*/\s*)?[<"]([^>"]+)[>"]'
 )
 
 
 def includes_of(root: Path, file: str) -> list[IncludeFact]:
-    """The files of the project that a file includes, as written.
-
-    The compiler's list lacks a header that was included before: such a header is read only once.
-    """
+    """Returns the files of the project that a file includes in its text. The list of the compiler
+    lacks repeated headers, because it reads each header only once."""
     includes: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()
     for number, line in enumerate(lines, 1):

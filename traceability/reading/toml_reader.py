@@ -36,7 +36,8 @@ class Entries:
     _asked: dict[Path, set[str]] = field(default_factory=dict)
 
     def whole(self, path: Path) -> dict[str, Any]:
-        """The content of a file; empty when it does not exist or is not TOML."""
+        """Returns the content of a file. It is empty when the file does not exist or is not
+        TOML."""
         if path not in self._read:
             text = path.read_text(encoding="utf-8") if path.exists() else ""
             try:
@@ -62,7 +63,8 @@ class Entries:
     def tables(
         self, path: Path, name: str, needs: Keys, may: Keys | None = None, own: str = ""
     ) -> list[Entry]:
-        """The entries ``[[name]]``. Two entries never have the same value of the key ``own``."""
+        """Returns the entries ``[[name]]``. Two entries must not have the same value of the key
+        ``own``."""
         listed = self.value(path, name, [])
         places = self._places(path, name, len(listed))
         entries: list[Entry] = []
@@ -72,7 +74,7 @@ class Entries:
                 continue
             if own and item[own] in seen:
                 text = f"{own} {item[own]} has an entry in line {seen[item[own]]} already"
-                self.problems.append(Problem(place, text, "remove one of the two"))
+                self.problems.append(Problem(place, text, "remove one of the two entries"))
                 continue
             if own:
                 seen[item[own]] = place.line
@@ -87,25 +89,25 @@ class Entries:
         return [Place(str(path.relative_to(self.root)), number) for number in numbers[:count]]
 
     def fits(self, item: dict[str, Any], place: Place, needs: Keys, may: Keys) -> bool:
-        """Whether an entry has the keys that it needs; unknown keys are a problem."""
+        """Whether an entry has the keys that it needs. Unknown keys are problems."""
         keys = {*needs, *may}
         missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
         for key in missing:
             text = f"the entry has no {key}, which is {_WORDS[needs[key]]}"
-            self.problems.append(Problem(place, text, "write it, or correct its name"))
+            self.problems.append(Problem(place, text, "write the key, or correct its name"))
         for key in [key for key, value in item.items() if _is_blank(key, value)]:
             text = f"{key} is empty"
             fix = "write its text, or remove the key"
             self.problems.append(Problem(self.line_in(place, key), text, fix))
         for key in [key for key in item if key not in keys]:
-            text = f"the entry has a key {key}, which nothing reads"
+            text = f"the entry has the key {key}, which no reader uses"
             self.problems.append(Problem(self.line_in(place, key), text, "correct its name"))
             del item[key]
         return not missing
 
     def line_in(self, place: Place, words: str) -> Place:
-        """Returns the line with some words in the entry that begins at a place; else the place
-        itself."""
+        """Returns the place of some words in the entry that begins at a place, or else this
+        place."""
         path = self.root / place.file
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         pattern = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")

@@ -42,7 +42,7 @@ SHOWN = 60
 
 @dataclass(slots=True)
 class Row:
-    """A call: it contains the rows before ``end``, without the rows of an interrupt.
+    """A call, which contains the rows before ``end`` except rows of interrupts.
 
     Each entry of an interrupt has a different ``activation``; 0 is the code outside of interrupts.
     """
@@ -76,7 +76,7 @@ class Traces:
     def calls(
         self, test: str, names: dict[int, str], turning: Set[int] = frozenset()
     ) -> Iterator[tuple[str, bool]]:
-        """The calls of the named functions in order, each with whether it is entered or left.
+        """Returns the entries and exits of the named functions, in order.
 
         Repeated calls that contain no call of ``turning`` are listed again only after such a call.
         """
@@ -118,7 +118,7 @@ class Traces:
         rows: list[Row] = []
         addresses = shown | self.addresses(self.vectors)
         addresses |= {at | EXIT for at in addresses}
-        # Index of the row, or -1 for a handler that is not shown; and the previous activation.
+        # Index of the row, or -1 for a handler that is not shown, and the previous activation.
         open_calls: list[tuple[int, int]] = []
         depth, parent, activation, entries = 0, -1, 0, 0
         for event in [event for event in self.events(test) if event in addresses]:
@@ -144,7 +144,7 @@ class Traces:
 
 
 def _outermost(events: array[int], begin: int) -> Iterator[int]:
-    """The events of a call and of all that it calls."""
+    """Returns the events of a call and of all calls inside it."""
     depth = 0
     for event in events[begin:]:
         yield event
@@ -158,7 +158,9 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
     for binding, source in SOURCES.items():
         traces = Traces(root / source.folder)
         tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
-        done = (root / RESULTS / f"{RUNS[binding]}.json").exists()  # else they are running
+        done = (
+            root / RESULTS / f"{RUNS[binding]}.json"
+        ).exists()  # without results the tests are running
         if tests and done and (root / source.executable).exists():
             cached = cache / f"symbols-{source.names}.json"
             traces.state = _state(traces.folder, root / source.executable)
@@ -287,8 +289,8 @@ def nodes_of(tree: TreeNode) -> list[TreeNode]:
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
-    """The calls around the rows of the tree: at most ``SHOWN``, with the new number of each
-    remaining row."""
+    """Returns at most ``SHOWN`` calls around the rows of the tree, and the new number of each
+    row."""
     first = placed[0]
     last = max(rows[index].end for index in placed)
     while rows[first].parent >= 0 and rows[rows[first].parent].end - rows[first].parent <= SHOWN:
