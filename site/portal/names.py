@@ -113,7 +113,7 @@ class Names:
         )
 
     def types(self, code: str, own: str = "") -> Markup:
-        """A type or a signature, with the modules and value types in it as links."""
+        """Returns a type or a signature, with links to its modules and value types."""
         modules = self.model.modules
         parts = re.split(r"(\w+)", code.replace("< ", "<").replace(" >", ">"))
         return Markup("").join(
@@ -150,7 +150,7 @@ class Names:
         )
 
     def logic(self, identifier: str) -> Markup:
-        """A logic module; below its parent when another logic module has the same name."""
+        """Returns a logic module, with its parent when another logic module has the same name."""
         module = self.model.logic_modules.get(identifier)
         text = Markup(module.name if module else identifier)
         parent = self.model.logic_modules.get(module.parent or "") if module else None
@@ -174,7 +174,7 @@ class Names:
         )
 
     def keys(self, name: str) -> Markup:
-        """The seven view keys of a module; a view without content is left blank."""
+        """Returns the seven view keys of a module. A view without content is blank."""
         module = self.model.modules.get(name)
         if module is None or module.datatype:
             return Markup("")
@@ -198,7 +198,7 @@ class Names:
         return glyph(*VERDICTS[state])
 
     def result(self, test: Test, binding: str) -> Markup:
-        """The result on one target; a dash where the test is not built for it."""
+        """Returns the result on one target, or a dash if the test is not built for the target."""
         result = test.results.get(binding)
         if result is None:
             return Markup('<span class="mut" title="not built for it">\N{EN DASH}</span>')
@@ -207,14 +207,14 @@ class Names:
         return glyph(*RESULTS.get(result.result, ("none", str(result.result))))
 
     def results(self, test: Test) -> Markup:
-        """The result on each target that the test is built for."""
+        """Returns the result on each target for which the test is built."""
         parts = [
             Markup("{} {}").format(binding, self.result(test, binding)) for binding in test.results
         ]
         return Markup(", ").join(parts)
 
     def text(self, words: str) -> Markup:
-        """A text of the model as HTML, with the names and ids in it as links."""
+        """Returns a text of the model as HTML, with its names and ids as links."""
 
         def name(match: re.Match[str]) -> str:
             code, whole = match.group(1), match.group(0)
@@ -266,5 +266,5 @@ def file_name(path: str) -> str:
 
 @functools.cache
 def glyph(kind: str, word: str) -> Markup:
-    """A verdict is shown as a mark and a word, never only as a colour."""
+    """Returns a verdict as a mark and a word, because a colour alone is not accessible."""
     return Markup('<span class="v {}">{}</span>').format(kind, word)

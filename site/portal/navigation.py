@@ -9,8 +9,7 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.reading.products import PRODUCTS
 
-# The hand-written pages of each group, in this order;
-# the group "build" contains the pages that are not named.
+# The hand-written pages of each group, in this order. The group "build" contains all other pages.
 DOCS = {
     "understand": ("tour",),
     "build": (
@@ -56,7 +55,7 @@ class Group:
 
 
 def hand_written(folder: Path) -> list[Entry]:
-    """The pages below ``docs/``; those for beginners come first."""
+    """Returns the pages below ``docs/``, with pages for beginners first."""
     names = {path: str(path.relative_to(folder).with_suffix("")) for path in folder.rglob("*.rst")}
     pages = [
         Entry(f"docs/{name}", first_title(path), f"docs/{name}.html")

@@ -14,7 +14,7 @@ PACKAGES = "packages"  # id of the diagram
 
 
 def package_diagrams(root: Path) -> list[Diagram]:
-    """Returns the diagram; nothing for a project without contracts."""
+    """Returns the diagram, or nothing for a project without contracts."""
     if not (root / CONTRACTS).exists():
         return []
     tools = tomllib.loads((root / CONTRACTS).read_text(encoding="utf-8"))["tool"]

@@ -15,7 +15,7 @@ MOST = 4000  # letters of a section: its first sentences, and enough of a table
 
 @dataclass
 class Part:
-    """A section of a page; the part before the first section has no anchor."""
+    """A section of a page. The part before the first section has no anchor."""
 
     anchor: str
     title: str = ""

@@ -62,7 +62,7 @@ EXAMPLE = "FR-15"  # the example of the first page
 
 
 def all_pages(portal: Portal, part: int = 0, parts: int = 1) -> Iterator[Page]:
-    """All pages, or a part of them: each process builds a part."""
+    """Returns all pages, or the part that a process builds."""
     for make in islice(_makers(portal), part, None, parts):
         yield make()
 
@@ -157,7 +157,7 @@ def products(portal: Portal) -> dict[str, Any]:
 
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
-    """The number of public methods and tests, and how many of them serve no requirement."""
+    """Returns the numbers of public methods and tests, and of those that serve no requirement."""
     modules = portal.model.modules.values()
     methods = [m for item in modules if not item.datatype for m in item.methods]
     public = sum(method.access == "public" for method in methods)
@@ -202,7 +202,8 @@ def diagram_sources(portal: Portal) -> list[tuple[str, str, str]]:
 
 
 def execution(portal: Portal) -> dict[str, Any]:
-    """The contexts, the highest priority first; modules without a context come last."""
+    """Returns the contexts, with the highest priority first. Modules without a context come
+    last."""
     contexts = portal.model.contexts.values()
     ordered = sorted(
         contexts, key=lambda context: (context.priority is None, context.priority or 0)
@@ -290,7 +291,7 @@ def use_rows(portal: Portal) -> list[UseRow]:
 
 
 def uses(portal: Portal) -> dict[str, Any]:
-    """The uses as rows and as the cells of a matrix, whose modules are in the order of the
+    """Returns the uses as rows, and as cells of a matrix with the modules in the order of the
     structure."""
     rows = use_rows(portal)
     named = {name for row in rows for name in (row.source, row.target)}
@@ -305,7 +306,7 @@ def uses(portal: Portal) -> dict[str, Any]:
 
 
 def short_names(identifiers: list[str], portal: Portal) -> dict[str, str]:
-    """The name of each logic module; equal names get the name of their folder in addition."""
+    """Returns the name of each logic module. Equal names also have the name of the folder."""
     logic_modules = portal.model.logic_modules
     count = Counter(logic_modules[identifier].name for identifier in identifiers)
 

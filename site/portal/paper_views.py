@@ -62,7 +62,7 @@ COMPARED = (
 
 
 def compared(portal: Portal, change: LikelyChange) -> Compared | None:
-    """The products without and with the extension that makes the change, if there is one."""
+    """Returns the products without and with the extension that makes the change, if any."""
     by_extension = {f"extensions/{pair.extension}": pair for pair in COMPARED}
     examples = (portal.model.modules[name].logic for name in change.examples)
     made = (change.made.extension,) if change.made else ()
@@ -83,7 +83,7 @@ def filled(step: str, change: LikelyChange) -> str:
 
 
 def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
-    """The clauses of the pattern, and the checks that every new module meets."""
+    """Returns the clauses of the pattern, and the checks for every new module."""
     pattern = portal.model.patterns[change.application].pattern.lower().replace(" ", "-")
     prefix = f"pattern-{pattern.partition('-')[0]}-"
     clauses = [name for name in portal.checks if name.startswith(prefix)]
@@ -124,7 +124,7 @@ class Heir:
 
 
 def families(portal: Portal) -> list[list[Heir]]:
-    """A family for each base class that does not derive from another module."""
+    """Returns a family for each base class that does not derive from another module."""
     modules = portal.model.modules
     roots = [m for m in portal.designs if any(h in modules for h in m.heirs)]
     return [

@@ -39,7 +39,8 @@ def roles(text: str) -> dict[str, str]:
 
 
 def entries(text: str, uses: dict[str, str]) -> Iterator[tuple[str, ...]]:
-    """The lines of the table; a line that is not an entry is an error, so no entry is lost."""
+    """Returns the lines of the table. A line that is not an entry is an error, so that no entry is
+    lost."""
     inside = ended = False
     for number, line in enumerate(text.splitlines(), 1):
         content = line.strip()

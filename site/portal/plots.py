@@ -72,7 +72,8 @@ class Drawing:
 
 
 def draw(plot: LoopPlot) -> Drawing | None:
-    """None when there is nothing to draw. The set-point is drawn once, for the first target."""
+    """Returns the drawing, or None without values. The set-point is drawn once, for the first
+    target."""
     curves = [curve for curve in plot.curves if curve.points]
     if not curves:
         return None
@@ -106,7 +107,7 @@ def words_of(curve: Curve) -> str:
 
 
 def axis(low: float, high: float, *, rounded: bool) -> Axis:
-    """An axis with some round values; if rounded, its ends are also round values."""
+    """Returns an axis with some round values. If rounded, its ends are also round values."""
     span = high - low or 1.0
     high = low + span
     rough = span / TICKS
@@ -126,7 +127,8 @@ def axis(low: float, high: float, *, rounded: bool) -> Axis:
 
 
 def path(curve: Curve, x: Axis, y: Axis) -> str:
-    """A set-point applies until the next set-point; between other values the line is straight."""
+    """Returns the path. A set-point applies until the next set-point. Other values are joined by
+    lines."""
     steps = curve.kind == "set_point"
     parts: list[str] = []
     for at, value in curve.points:

@@ -44,7 +44,7 @@ def robot_values(model: Model) -> list[tuple[Method, Constant]]:
 
 
 def control_values(model: Model) -> dict[str, list[Value]]:
-    """Module -> its named constants with a unit, and its constants that were chosen to fit another
+    """Module -> its named constants with a unit, and its constants that were tuned to another
     value."""
     values: dict[str, list[Value]] = {}
     for name, constant in model.constants.items():

@@ -1,4 +1,4 @@
-"""hazard-*: bounds, results and names that the seeded faults in tests/drift do not reach."""
+"""hazard-*: bounds, results and names that the seeded faults in tests/drift do not test."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ def test_a_scenario_passes_in_this_run(
     ("test", "played", "found"),
     [
         ("TEST(Safety, FR1_Stops) {\n}\n", [], True),
-        (FOLDER, [], False),  # it has not run: it may play each scenario
+        (FOLDER, [], False),  # the test has not run, so it may play each scenario
         (FOLDER, ["Files_Safety.FR1_Stops_lost"], False),
         (FOLDER, ["Files_Safety.FR1_Stops_found"], True),
     ],

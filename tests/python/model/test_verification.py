@@ -1,4 +1,4 @@
-"""A requirement is verified only by code that was executed by tests of this requirement."""
+"""Only code that tests of a requirement executed verifies this requirement."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The entries of the design: an unreadable one is reported with its line."""
+"""The entries of the design. The reader reports the line of an unreadable entry."""
 
 from __future__ import annotations
 
