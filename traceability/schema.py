@@ -161,7 +161,7 @@ class Module:
     heirs: Sequence[str] = field(default_factory=list)
     roles: Sequence[RoleBinding] = field(default_factory=list)
     methods: Sequence[Method] = field(default_factory=list)
-    parts: Sequence[DataPart] = field(default_factory=list)  # of a value type
+    parts: Sequence[DataPart] = field(default_factory=list)  # parts of a value type
     uses: Sequence[str] = field(default_factory=list)  # modules named in its header or source
     used_by: Sequence[str] = field(default_factory=list)
     requirements: Sequence[str] = field(default_factory=list)
@@ -231,7 +231,7 @@ class PatternApplication:
 class PatternPrice:
     """The price of an application: the cost of the virtual calls in the image."""
 
-    instructions: float  # in a cycle, on average
+    instructions: float  # mean number in a cycle
     flash: int  # bytes: the tables of its modules, and the instructions of the calls
     virtual_calls: int  # places in the image
 
@@ -455,7 +455,7 @@ class Requirement:
     priority: str = ""
     level: str = ""  # "system", "software", "driver"
     products: Sequence[str] = field(default_factory=list)  # "all", or names of products
-    method: str = ""  # of verification: "test", "analysis", "measurement", "inspection"
+    method: str = ""  # method of verification: "test", "analysis", "measurement", "inspection"
     partly: str = ""
     goals: Sequence[str] = field(default_factory=list)  # safety goals that it serves
     sources: Sequence[SourceReference] = field(default_factory=list)
@@ -517,7 +517,7 @@ class Hazard:
     avoidance: str
     goals: Sequence[str]
     assumptions: Sequence[str]
-    answer: str  # of the firmware
+    answer: str  # answer of the firmware
     place: Place
     level: str = ""
 
@@ -587,7 +587,7 @@ class SafetyCost:
     base: str
     commit: str
     files_added: Sequence[str]
-    lines_added: int  # in these files
+    lines_added: int  # lines added to these files
     touched: Sequence[TouchedFile]
     for_safety: int  # lines of the robot that were edited for safety functions
 
@@ -718,7 +718,7 @@ class BuildEvidence:
     system: str
     processors: int
     tools: Mapping[str, str]  # program -> version
-    runs: Mapping[str, TestRun]  # by target
+    runs: Mapping[str, TestRun]  # target -> run
     hashes: Sequence[FileHash]
 
 
@@ -838,7 +838,7 @@ class ExecutionContext:
     handlers: Sequence[str]
     body: str  # the command that a thread executes
     place: Place
-    lines: Sequence[int] = field(default_factory=list)  # of the interrupt controller
+    lines: Sequence[int] = field(default_factory=list)  # lines of the interrupt controller
     priority: int | None = None
     first: Sequence[str] = field(default_factory=list)  # first methods of modules
     methods: Sequence[str] = field(default_factory=list)  # methods of modules that it may execute
@@ -851,7 +851,7 @@ class StackCall:
 
     name: str
     bytes: int
-    measured: bool  # from its instructions, because the compiler did not report it
+    measured: bool  # computed from the instructions, because the compiler did not report it
 
 
 @dataclass(frozen=True)
@@ -894,7 +894,7 @@ class PathBound:
     name: str
     title: str
     parts: Sequence[tuple[str, float]]
-    seen_ms: float | None  # in the recording of its chain
+    seen_ms: float | None  # time in the recording of the chain
     why: str
 
     @property
@@ -908,7 +908,7 @@ class TimeProof:
 
     contexts: Sequence[TimeBound]
     cycle_ms: float  # from the clock pulse to the end of the main thread, with all interrupts
-    noise_ms: float  # the same with noise at all inputs
+    noise_ms: float  # the same time with noise at all inputs
     seen_ms: float | None  # longest time to the report in a run of the bench
     paths: Sequence[PathBound]
     unbound: Sequence[tuple[str, Place]]  # loops and copies: function, place
@@ -1076,15 +1076,15 @@ class Port:
 
     title: str
     says: str
-    program: str  # with its tests
+    program: str  # name of the program with the tests
     image: str
     needs: str  # program that the tests need, if any
     files: Mapping[str, int]  # lines of each file that the port adds
     composition_lines: int  # existing lines of the composition, removed or changed
     outside_lines: int  # changed lines of other files
-    tests: Mapping[str, str] | None  # their results, if these sources gave them
+    tests: Mapping[str, str] | None  # results of the tests, if these sources gave them
     size: Mapping[str, int]  # flash and ram of its image [bytes], if built from these sources
-    size_on_k64: Mapping[str, int]  # the same values for this design on the K64
+    size_on_k64: Mapping[str, int]  # these values for this design on the K64
 
     @property
     def passed(self) -> bool:
@@ -1105,8 +1105,8 @@ class MadeChange:
     files: Sequence[str]  # added
     patched: Sequence[str]  # existing files
     composition_lines: int  # existing lines removed or changed
-    outside_lines: int  # the same outside the composition
-    added_lines: int  # in existing files
+    outside_lines: int  # changed lines outside the composition
+    added_lines: int  # lines added to existing files
     flash: float | None  # additional bytes
     ram: float | None
     instructions: float | None  # more in a cycle, on average
@@ -1197,7 +1197,7 @@ class BoardBelief:
     says: str
     source: str  # id of a BeliefSource
     model: str  # file of the virtual board
-    shared: bool  # no source except the driver and the model states it
+    shared: bool  # only the driver and the model state the belief
     place: Place
 
     @property
@@ -1323,11 +1323,11 @@ class ExceptionCost:
 class BenchRun:
     """A scenario of the bench, played once. A board measures neither instructions nor latencies."""
 
-    report_ms: Spread  # from the clock pulse to the report
+    report_ms: Spread  # time from the clock pulse to the report
     load: Spread  # [%] of the cycle
-    start_us: Spread  # from the clock pulse to the first instruction of the cycle
+    start_us: Spread  # time from the clock pulse to the first instruction of the cycle
     jitter_us: float
-    times_us: Sequence[int]  # of each cycle, to the report
+    times_us: Sequence[int]  # time of each cycle to the report
     cycles: int
     instructions: Spread | None = None
     report_instructions: Spread | None = None  # up to the report

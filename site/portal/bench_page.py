@@ -23,7 +23,7 @@ from traceability.reading.bench_record import (
 from traceability.reading.fault_record import LOADS
 from traceability.schema import HOST, BenchRun, Curve
 
-Runs = Mapping[str, BenchRun]  # by the model of time
+Runs = Mapping[str, BenchRun]  # model of time -> run
 
 BIN_US = 20
 GROUP = 4  # number of cycles in a point of a band

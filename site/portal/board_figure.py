@@ -12,9 +12,9 @@ from markupsafe import Markup, escape
 from portal.pin_map import HEADER, entries, roles
 
 PITCH = 35
-SIZE = 26  # of a pin
+SIZE = 26  # size of a pin
 LABEL = 205  # space for an upright label
-SHORT = 112  # the same for the name of a signal
+SHORT = 112  # space for the name of a signal
 MARGIN = 8
 PLACE = re.compile(r"(J\d+)-(\d+)")
 # Pins that step 7 of the page uses, in addition to the pins of the firmware.

@@ -25,7 +25,7 @@ from portal.recorded_calls import (
 from traceability.reading.call_record import Activation, Recording, Span
 
 RECORDING = "drive"
-WIDTH = 1000  # of the drawings, in units of the drawing
+WIDTH = 1000  # width of the drawings, in units of the drawing
 LANE, ROW = 26, 12
 LEAST = 0.6  # width of the thinnest bar
 SHOWN = 2.0  # a narrower call has no bar in the drawing of the main thread

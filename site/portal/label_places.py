@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-ASCENT, DESCENT = 11, 3  # of a label above and below its base line
+ASCENT, DESCENT = 11, 3  # height of a label above and below its base line
 MOVES = (0, 8, -8, 14, -14, 20, -20, 28, -28)  # down and up, the nearest first
 STEPS = 24  # points of a curve
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")

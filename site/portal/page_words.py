@@ -9,7 +9,7 @@ from html.parser import HTMLParser
 
 VOID = {"area", "br", "col", "hr", "img", "input", "link", "meta", "source", "wbr"}
 HEADS = {"h1", "h2"}
-APART = {"nav", "svg", "script", "select", "summary"}  # no text to read
+APART = {"nav", "svg", "script", "select", "summary"}  # elements without text for readers
 MOST = 4000  # letters of a section: its first sentences, and enough of a table
 
 

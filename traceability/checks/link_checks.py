@@ -21,7 +21,7 @@ from traceability.sources import file_hash, files_below
 
 # A path of the project, in backticks or as the target of a link.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
-URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # in a style sheet
+URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # address in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
 PRODUCT = re.compile(r"--product[ =](\w+)")
 PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
@@ -140,7 +140,8 @@ def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
 
 
 def check(model: Model, site: Path) -> list[Finding]:
-    """One finding for each link in a source text, also when several pages contain it."""
+    """Returns one finding for each link in a source text, also if several pages contain the
+    link."""
     places = _sources(model)
     root = site.resolve()
     texts = Texts(root.parent.parent)

@@ -16,7 +16,7 @@ from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Method, Module, Place, is_extension
 from traceability.sources import DESIGN, SRC
 
-FEWEST_WORDS = 3  # of a useful sentence
+FEWEST_WORDS = 3  # minimum words of a useful sentence
 FEWEST_OF_BRIEF = 2  # a verb and its object
 NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
 # A number has a unit, or it is a count, the number of an item, bytes, or the value of a field.

@@ -166,7 +166,9 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
         )
         return [Finding(entry.place, "paper-alias", text, "remove the alias")]
     if not same and not entry.alias:
-        text = f"the paper's {entry.name} is {' and '.join(entry.here)} here, without an alias"
+        text = (
+            f"the paper's {entry.name} is named {' and '.join(entry.here)} here, but has no alias"
+        )
         return [
             Finding(entry.place, "paper-alias", text, "write the reason, or use the paper's name")
         ]

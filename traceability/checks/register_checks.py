@@ -206,7 +206,7 @@ def _borrowed(facts: Facts) -> list[Finding]:
 
 
 def _given(facts: Facts) -> list[Finding]:
-    """Finds a register that a module passes to others, so that they can use it without its name."""
+    """Finds a register that a module passes to other modules."""
     flows = facts.syntax.flows
     table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
     table.add(f"result {CLASS}::at")

@@ -172,7 +172,7 @@ _FIXED = [
     Check(
         "module-name",
         "A header is named after its class",
-        "Every design module has the name of its header, and no header contains two.",
+        "Every design module has the name of its header, and no header contains two modules.",
         "whether the name is good.",
         "rename the file or the class, or mark a value type with @datatype.",
     ),

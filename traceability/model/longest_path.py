@@ -29,7 +29,7 @@ class Problem:
     """The paths of a function as a linear program: a variable for each edge between blocks."""
 
     code: Code
-    cost: Mapping[int, int]  # of each block
+    cost: Mapping[int, int]  # cost of each block
     rounds: Iterable[tuple[Loop, Bound]]
     counted: Iterable[tuple[int, int]]  # block, and the maximum number of its executions
     facts: Iterable[FlowFact] = field(default_factory=list)

@@ -26,7 +26,7 @@ from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, Clause, Proofs, Requirement, SafetyCase
 from traceability.sources import file_hash
 
-METHODS = ("test", "analysis", "measurement", "inspection")  # of verification
+METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verification
 OF_OTHER_STEPS = (  # metrics that are null before a step measures them
     *("coverage.line", "coverage.branch", "firmware.flash_bytes"),
     *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),

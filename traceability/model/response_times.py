@@ -33,7 +33,7 @@ RETRY = 12  # cycles of a loop with LDREX and STREX, which an interrupt can repe
 CYCLE_TIMER, TICK_TIMER = "cycle-timer", "tick-timer"
 MOST_ROUNDS = 100
 CLOCK = 120_000  # cycles in a tick of 1 ms
-NANOSECONDS = 1_000_000  # in a millisecond
+NANOSECONDS = 1_000_000  # nanoseconds in a millisecond
 
 
 def prove_times(

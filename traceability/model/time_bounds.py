@@ -76,7 +76,7 @@ class Times:
         )  # methods with facts whose bounds are being computed
         self.without: frozenset[str] = frozenset()  # methods that this activation does not call
         self.flows = facts.flows
-        self.rounds: int | None = None  # of the loops of a method in ``spread``
+        self.rounds: int | None = None  # rounds of the loops of a method in ``spread``
         self.known: dict[tuple[object, ...], int] = {}
         # The longest path of a function, by the costs of its blocks and of its counted calls.
         self.paths: dict[tuple[object, ...], int] = {}

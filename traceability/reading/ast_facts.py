@@ -62,14 +62,14 @@ class ClassFact:
     place: Place
     end: int
     abstract: bool = False
-    local: bool = False  # in an anonymous namespace, or in a function
-    access: str = "invalid"  # of a nested class
+    local: bool = False  # declared in an anonymous namespace, or in a function
+    access: str = "invalid"  # access of a nested class
     bases: list[str] = field(default_factory=list)
     base_places: list[Place] = field(default_factory=list)
     methods: list[MethodFact] = field(default_factory=list)
     fields: list[FieldFact] = field(default_factory=list)
-    values: list[FieldFact] = field(default_factory=list)  # of an enumeration
-    parameters: list[str] = field(default_factory=list)  # of a template
+    values: list[FieldFact] = field(default_factory=list)  # values of an enumeration
+    parameters: list[str] = field(default_factory=list)  # parameters of a template
     comment: int = 0
 
 
@@ -83,7 +83,7 @@ class CallFact:
     args: list[list[str]] = field(default_factory=list)  # names in each argument
     # Below a condition, or after a condition with a possible return.
     sometimes: bool = False
-    repeated: bool = False  # below a loop
+    repeated: bool = False  # called in a loop
     end: int = 0  # offset in the file: a call ends after the calls in its arguments
     asked: list[str] = field(default_factory=list)  # operands of these conditions, see conditions
 
@@ -97,7 +97,7 @@ class BodyFact:
     place: Place
     end: int
     overrides: str | None = None
-    local: bool = False  # no other file can call it
+    local: bool = False  # no other file can call the function
     calls: list[CallFact] = field(default_factory=list)
     assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
@@ -111,7 +111,7 @@ class NameFact:
     """A use of the name of a class in the code of another class. ``how``: type, member, construct,
     base.
 
-    A member of a namespace has no class; its ``member`` has the name of the namespace.
+    For a member of a namespace, ``member`` contains the namespace, because no class exists.
     """
 
     by: str
@@ -193,7 +193,7 @@ class Syntax:
     includes: list[IncludeFact] = field(default_factory=list)
     blocks: list[BlockFact] = field(default_factory=list)
     casts: list[Place] = field(default_factory=list)  # numbers converted to addresses
-    instructions: list[Place] = field(default_factory=list)  # of an assembler
+    instructions: list[Place] = field(default_factory=list)  # assembler instructions
     volatile: list[Place] = field(default_factory=list)  # volatile memory
     objects: list[FieldFact] = field(default_factory=list)  # variables that no class contains
     flows: list[FlowFact] = field(default_factory=list)

@@ -251,7 +251,7 @@ class Reader:
             value = next(value.get_children(), None)
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
             digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
-            with contextlib.suppress(ValueError):  # keyword with another form in Python
+            with contextlib.suppress(ValueError):  # Python does not read some numbers of C++
                 self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
 
     def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:

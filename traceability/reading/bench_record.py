@@ -19,7 +19,7 @@ from traceability.reading.task_record import is_fresh
 from traceability.schema import BenchRun, BenchScenario, ExceptionCost, Latency, Profile, Spread
 
 BENCH = RESULTS / "bench.json"
-PAPER_BENCH = RESULTS / "bench_paper.json"  # of the product without safety functions
+PAPER_BENCH = RESULTS / "bench_paper.json"  # record of the product without safety functions
 FOLDER = Path("sim/scenario/bench")
 IMAGE = image_of(DEFAULT, ".bin")
 ELF = image_of(DEFAULT, ".elf")

@@ -41,7 +41,7 @@ class Function:
     name: str
     frame: int
     dynamic: bool = False
-    measured: bool = False  # from the instructions, not from the compiler
+    measured: bool = False  # computed from the instructions
     blind: bool = False  # its instructions call a function that only the compiler's graph contains
     calls: list[str] = field(default_factory=list)  # symbols
     indirect: list[Place] = field(default_factory=list)

@@ -65,9 +65,9 @@ class Span:
     method: str
     begin: int
     end: int
-    depth: int  # in its activation
+    depth: int  # depth in the activation
     activation: int
-    parent: int  # its caller in the same activation; -1: none
+    parent: int  # caller in the same activation; -1: none
 
 
 @dataclass(frozen=True)

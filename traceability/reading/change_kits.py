@@ -42,12 +42,12 @@ class Kit:
     image: str = ""
     base: str = UNCHANGED  # image without the change
     tests: dict[str, Place] = field(default_factory=dict)  # Suite.Name -> its place
-    named_tests: list[str] = field(default_factory=list)  # of an extension
+    named_tests: list[str] = field(default_factory=list)  # tests of an extension
     files: list[str] = field(default_factory=list)  # added, without tests
     bases: dict[str, str] = field(default_factory=dict)  # class of a file -> base class
     patched: list[str] = field(default_factory=list)  # existing files
     composition_lines: int = 0  # existing lines of the composition, removed or changed
-    outside_lines: int = 0  # the same in other files
+    outside_lines: int = 0  # changed lines in other files
     added_lines: int = 0  # new lines in existing files
 
 

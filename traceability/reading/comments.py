@@ -62,7 +62,7 @@ class Tag:
 
 @dataclass
 class Comment:
-    place: Place  # its first and last line
+    place: Place  # first and last line of the comment
     tags: list[Tag]
 
     def of(self, name: str) -> list[Tag]:

@@ -29,7 +29,7 @@ CHANCES = {
     *LOOPS,
 }
 DECLARATIONS = {CursorKind.DECL_STMT, CursorKind.VAR_DECL}  # before a condition
-KEEPS = {"store", "exchange", "push_back", "operator="}  # of the standard library
+KEEPS = {"store", "exchange", "push_back", "operator="}  # functions of the standard library
 ASSIGNMENTS = {CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR}
 COMPARISONS = {"==", "!=", "<", ">", "<=", ">="}
 INDEXED = {CursorKind.ARRAY_SUBSCRIPT_EXPR, CursorKind.CALL_EXPR}

@@ -24,7 +24,7 @@ class Register:
 
 @dataclass(frozen=True)
 class RegisterBlock:
-    name: str  # of its namespace
+    name: str  # name of the namespace
     brief: str
     registers: list[Register]
     distance: int  # distance to the next block of its kind [byte]; 0 for a single block

@@ -19,7 +19,7 @@ RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that is used for a target
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
-TYPE = re.compile(r"/\d+$")  # of a suite of typed tests
+TYPE = re.compile(r"/\d+$")  # suffix of a suite of typed tests
 PLAIN = "plain"  # the run without records
 # The counts of gcovr: the totals, and the lines of each file.
 COVERAGE = RESULTS / "coverage.json"

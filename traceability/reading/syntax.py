@@ -119,7 +119,7 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
             file: file_hash(root / file) if file in own else code_hash(root / file)
             for file in sorted(included)
         },
-        "facts": pickle.dumps(facts),  # read only with the same reader
+        "facts": pickle.dumps(facts),  # only the same reader reads these facts
     }
     path = _entry(cache, unit)
     if facts.errors:

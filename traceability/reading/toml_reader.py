@@ -15,7 +15,7 @@ from typing import Any
 
 from traceability.schema import Place
 
-MAY_BE_EMPTY = ("guard", "action")  # of a transition
+MAY_BE_EMPTY = ("guard", "action")  # keys of a transition
 Keys = Mapping[str, type[Any]]
 Entry = tuple[dict[str, Any], Place]
 
@@ -112,7 +112,7 @@ class Entries:
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         pattern = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
         header = lines[place.line - 1] if place.line <= len(lines) else ""
-        below = header.strip().rstrip("]") + "."  # its parts: [[entry.part]]
+        below = header.strip().rstrip("]") + "."  # prefix of the parts: [[entry.part]]
         for number, line in enumerate(lines[place.line - 1 :], place.line):
             if number > place.line and line.startswith("[[") and not line.startswith(below):
                 break

@@ -36,7 +36,7 @@ SOURCES = {
     ),
 }
 EXIT = 1 << 63
-REPEAT = 1 << 62  # with the number of the event at which equal calls begin
+REPEAT = 1 << 62  # flag; the other bits are the number of the event at which equal calls begin
 SHOWN = 60
 
 
@@ -264,7 +264,7 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
             position = index + 1
             for child in node.children:
                 if not child.children and not names[id(child)]:
-                    continue  # implemented outside the trace
+                    continue  # the recording does not contain the implementation
                 if child.kind == "post":
                     matched = fit(child, position, len(rows), None)
                 else:

@@ -36,7 +36,7 @@ function next() {
 async function probe(view) { const doc = view.document; %PROBE% }
 next();
 </script>"""
-Site = tuple[str, Path]  # its address, and its folder
+Site = tuple[str, Path]  # address and folder of the site
 
 
 class QuietHandler(SimpleHTTPRequestHandler):
