@@ -670,7 +670,7 @@ class Mutant:
     killed_by: Sequence[str]  # tests
     own: Mapping[
         str, bool
-    ]  # requirement with the method in its tree -> whether its own tests find it
+    ]  # requirement with the method in its tree -> whether tests of the requirement find it
     why: str = ""  # reason why no test can find it; empty without a justification
 
 

@@ -22,7 +22,7 @@ from portal.links import Links
 from traceability.model.design_model import Model
 from traceability.schema import Module, PatternApplication, StateMachine, Transition
 
-DIAGRAMS = "diagrams"  # the folder of their sources in the site
+DIAGRAMS = "diagrams"  # folder of the sources of diagrams in the site
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
 FORMAT = "10"  # part of the cache key: increase it when the processing of the SVG changes

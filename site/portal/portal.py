@@ -74,7 +74,7 @@ class CheckText:
 
 @dataclass
 class Page:
-    """A page of the site. ``nav`` names the entry of the navigation that it belongs to."""
+    """A page of the site. ``nav`` is the id of its entry in the navigation."""
 
     name: str  # without .html
     title: str

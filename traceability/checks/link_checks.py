@@ -40,7 +40,7 @@ ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|
 @dataclass
 class _Page:
     anchors: set[str]
-    links: dict[str, int]  # link -> place in the text; without live links to its own anchors
+    links: dict[str, int]  # link -> place in the text; working links within the page are left out
 
 
 def _text(file: str) -> str:

@@ -18,7 +18,7 @@ Broken = Iterator[tuple[Place, str]]
 
 @dataclass
 class Shape:
-    """One application, with the queries of its clauses."""
+    """An application, with queries that the functions of clauses use."""
 
     application: PatternApplication
     facts: Facts

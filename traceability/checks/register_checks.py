@@ -1,4 +1,4 @@
-"""secret-registers: only its owners name a block of registers."""
+"""secret-registers: only the owners of a block of registers name the block."""
 
 from __future__ import annotations
 
@@ -226,7 +226,7 @@ def _given(facts: Facts) -> list[Finding]:
     for fact in facts.syntax.classes:
         for field in fact.fields:
             if field.access == "public" and CLASS in field.classes:
-                text = f"{fact.name}::{field.name} is a register that others can use"
+                text = f"{fact.name}::{field.name} is a register that other modules can use"
                 fix = "make it private"
                 findings[field.place.file, field.place.line] = _finding(field.place, text, fix)
     return list(findings.values())

@@ -45,8 +45,8 @@ def _board(root: Path) -> list[Finding]:
             elif file.startswith(VIRTUAL_BOARD) and include.target.startswith(OF_FIRMWARE):
                 text = f"the virtual K64 includes {include.target} of the firmware"
                 fix = (
-                    "write the facts from the manual of the microcontroller, so that mistakes are "
-                    "not shared"
+                    "write the facts from the manual of the microcontroller, so that both do not "
+                    "share a mistake"
                 )
             else:
                 continue

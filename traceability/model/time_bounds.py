@@ -368,7 +368,9 @@ class Times:
             return Bound(self.rounds, False)
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
         if any(one.name.startswith("strex") for one in instructions):
-            return Bound(1, False)  # repeated only after an interrupt, whose bound includes it
+            return Bound(
+                1, False
+            )  # repeated only after an interrupt; its bound includes the repetition
         ways = [
             self.places.get(code.blocks[start].instructions[-1].address, []) for start in loop.back
         ]

@@ -1,4 +1,4 @@
-"""Reads the kits of ``changes/``, each of which makes one likely change, and their results."""
+"""Reads the kits of ``changes/`` and their results. Each kit makes one likely change."""
 
 from __future__ import annotations
 

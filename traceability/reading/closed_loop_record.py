@@ -52,7 +52,7 @@ def csv_of(scenario: str, binding: str) -> Path:
 
 
 def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]:
-    """Returns the scenarios, each with the plots and values that have all their keys."""
+    """Returns the scenarios with their complete plots and values."""
     entries = entries or Entries(root)
     may: Keys = {"plot": list, "figure": list}
     scenarios = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
