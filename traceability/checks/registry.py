@@ -388,7 +388,8 @@ _FIXED = [
         "exec-isr",
         "No interrupt calls a forbidden method",
         "No method with @isr{no} is reached from the handler of an interrupt, and no method with "
-        "@isr{yes} calls one with @isr{no}. Calls of an abstraction reach the objects that the "
+        "@isr{yes} calls a method with @isr{no}. Calls of an abstraction reach the objects that "
+        "the "
         "builders passed.",
         "calls through pointers to functions; methods without @isr; whether @isr{yes} is true.",
         "let a thread call the method, or make it safe and write @isr{yes}.",
@@ -666,7 +667,7 @@ _FIXED = [
         "req-satisfied",
         "Each requirement is satisfied",
         "Every requirement is named in the @satisfies of a method.",
-        "whether the method really does this; the tests show it.",
+        "whether the method fulfils the requirement; the tests show this.",
         "tag the method that does the work.",
     ),
     Check(
@@ -935,8 +936,8 @@ _FIXED = [
     Check(
         "link-doc",
         "Links of hand-written pages",
-        "Every reference in docs/ has a target, and every file that a page of docs/, the README or "
-        "a text of design/ names by its path exists. Each command of ./wr with its options, each "
+        "Every reference in docs/ has a target. Every path of a file in a page of docs/, the "
+        "README or a text of design/ exists. Each command of ./wr with its options, each "
         "product, each test program, each used pin and each key that a page or the README names "
         "exists.",
         "whether the target is the right one.",

@@ -1,4 +1,4 @@
-"""The code of the image of the robot, read once for the proofs about it."""
+"""The code of the image of the robot, which is read once for all proofs."""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ def whole(
 
 
 def observed(composition: str) -> dict[str, set[str]]:
-    """Returns each observed name, with the variables of its value."""
+    """Returns each observed name, and the variables that determine its value."""
     body = composition.partition("inline observe() {")[2].partition("\n}")[0]
     values = re.findall(r"^    (\w+) = ([^;]+);", body, re.MULTILINE)
     return {name: set(WORD.findall(value)) for name, value in values}

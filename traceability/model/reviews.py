@@ -444,7 +444,7 @@ def _changed(
 
 
 def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> Iterator[Suspicion]:
-    """The texts without a requirement that differ from the baseline.
+    """Yields texts that belong to no requirement and differ from the baseline.
 
     A text that a requirement has gained or lost is a finding of the requirement.
     """

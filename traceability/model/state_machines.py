@@ -143,8 +143,7 @@ class _Changes:
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
     ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
-        """The changes, each with target, place, path, whether it is conditional, and its
-        conditions."""
+        """Yields the target, place, path, conditionality and conditions of each change."""
         for body in self.references.own_bodies(method):
             for call in body.calls:
                 args = [

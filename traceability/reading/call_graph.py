@@ -155,8 +155,8 @@ def table_bytes(elf: Path) -> dict[str, int]:
 
 
 def _pushed(line: str) -> int:
-    """The number of bytes that an instruction subtracts from the stack pointer. The instructions of
-    a function are added."""
+    """The number of bytes that an instruction subtracts from the stack pointer. The caller adds the
+    numbers of a function."""
     if push := PUSH.search(line):
         names = [part.strip() for part in push["names"].split(",")]
         return 4 * sum(_width(name) for name in names)
