@@ -19,7 +19,7 @@ BINDINGS = (HOST, VIRTUAL_K64)
 
 @dataclass(frozen=True)
 class Place:
-    """A line of a file; the path is relative to the root of the project."""
+    """A line of a file. The path is relative to the root of the project."""
 
     file: str
     line: int
@@ -35,7 +35,8 @@ class Param:
 
 @dataclass(frozen=True)
 class Call:
-    """A call as written. ``targets`` are the methods it can reach: one when the call is direct."""
+    """A call as written. ``targets`` are the methods that it can reach; a direct call has one
+    target."""
 
     target: str
     virtual: bool
@@ -95,7 +96,7 @@ class Method:
     interrupt: str = ""
     satisfies: Sequence[str] = field(default_factory=list)
     documented: bool = False
-    inherited_from: str | None = None  # method whose specification applies here
+    inherited_from: str | None = None  # overridden method whose specification applies
     overrides: str | None = None
     calls: Sequence[Call] = field(default_factory=list)
     called_by: Sequence[str] = field(default_factory=list)
@@ -115,7 +116,7 @@ class DataPart:
     """A member of a value type, or a value of an enumeration."""
 
     name: str
-    type: str  # "" of a value of an enumeration
+    type: str  # "" for a value of an enumeration
     text: str
     unit: str  # "" without one
     makers: Sequence[str]  # modules
@@ -128,7 +129,7 @@ class MessageField:
 
     name: str
     text: str
-    width: str = ""  # "u8", "i16"; "" when no message has it
+    width: str = ""  # "u8", "i16"; "" when no message has the field
     writers: Sequence[str] = field(default_factory=list)  # modules
     readers: Sequence[str] = field(default_factory=list)
 
@@ -160,15 +161,15 @@ class Module:
     heirs: Sequence[str] = field(default_factory=list)
     roles: Sequence[RoleBinding] = field(default_factory=list)
     methods: Sequence[Method] = field(default_factory=list)
-    parts: Sequence[DataPart] = field(default_factory=list)  # of a value type
+    parts: Sequence[DataPart] = field(default_factory=list)  # parts of a value type
     uses: Sequence[str] = field(default_factory=list)  # modules named in its header or source
     used_by: Sequence[str] = field(default_factory=list)
     requirements: Sequence[str] = field(default_factory=list)
     hides: Sequence[str] = field(default_factory=list)  # headers, constants and types of its secret
-    registers: Sequence[str] = field(default_factory=list)  # blocks that it owns
+    registers: Sequence[str] = field(default_factory=list)  # blocks of registers that it owns
     tests: Sequence[str] = field(
         default_factory=list
-    )  # tests that executed it, or are in its folder and have its name
+    )  # tests that executed it, or that are in its folder and have its name
     lines_total: int | None = None
     lines_covered: int | None = None
     branches_total: int | None = None
@@ -230,7 +231,7 @@ class PatternApplication:
 class PatternPrice:
     """The price of an application: the cost of the virtual calls in the image."""
 
-    instructions: float  # in a cycle, on average
+    instructions: float  # mean number in a cycle
     flash: int  # bytes: the tables of its modules, and the instructions of the calls
     virtual_calls: int  # places in the image
 
@@ -248,15 +249,15 @@ class TreeNode:
     reachable: bool | None = None
     executed: Mapping[str, bool] = field(
         default_factory=dict
-    )  # target with a recorded test -> whether it was executed
+    )  # target with a recorded test -> whether the node was executed
     outside: Sequence[str] = field(
         default_factory=list
-    )  # targets that implement it outside of the trace
+    )  # targets that implement it without recording the call
     children: Sequence[TreeNode] = field(default_factory=list)
-    otherwise: bool = False  # reached by a post although declared as a call, or the reverse
+    otherwise: bool = False  # the code posts a declared call, or calls a declared post
     often: str = ""  # declared: "" once, "?" under a condition, "*" several times
     often_in_code: str | None = None
-    too_early: str = ""  # the previous node in the tree, when the code calls it later
+    too_early: str = ""  # the previous node in the tree, if the code calls that node later
 
     @property
     def ran(self) -> bool | None:
@@ -286,18 +287,18 @@ class TreeRun:
 
 @dataclass(frozen=True)
 class FoldedCall:
-    """Calls of a recorded run that lead from one module into another, equal ones combined."""
+    """Calls of a recorded run from one module into another. Equal calls are combined."""
 
     depth: int
     module: str
     methods: Sequence[str]  # methods that were called from the module above
     count: int
-    declared_by: Sequence[str]  # requirements whose trees lead from the one module into the other
+    declared_by: Sequence[str]  # requirements whose trees have a call between the two modules
 
 
 @dataclass(frozen=True)
 class MethodCoverage:
-    """The part of a method that the passing tests of one requirement executed on one target."""
+    """The part of a method that passing tests of a requirement executed on a target."""
 
     method: str
     place: Place
@@ -307,7 +308,7 @@ class MethodCoverage:
 
 @dataclass(frozen=True)
 class LineGap:
-    """Lines of a method that no test of its requirements executes; a reason justifies them."""
+    """Lines of a method that no test of its requirements executes, and their justification."""
 
     method: str
     place: Place
@@ -324,11 +325,11 @@ class BindingResult:
     milliseconds: float | None = None
     message: str = ""
     stale: bool = False
-    recordings: Sequence[str] = field(
-        default_factory=list
-    )  # files of recorded calls that it may have
-    measured: str = ""  # text that the test reports besides its result
-    instances: Mapping[str, str] = field(default_factory=dict)  # of a parameterised test -> result
+    recordings: Sequence[str] = field(default_factory=list)  # possible files of its recorded calls
+    measured: str = ""  # additional text that the test reports
+    instances: Mapping[str, str] = field(
+        default_factory=dict
+    )  # instance of a parameterised test -> result
     images: Sequence[str] = field(default_factory=list)  # products whose images the test ran
 
 
@@ -358,7 +359,8 @@ class Test:
 
 @dataclass(frozen=True)
 class Evidence:
-    """A metric that a tool measures, with its bound. No relation: the text could not be read."""
+    """A metric that a tool measures, with its bound. Without a relation, the text is not
+    readable."""
 
     figure: str
     relation: str  # "at most", "at least", "exactly"
@@ -391,7 +393,7 @@ class Baseline:
 
 @dataclass(frozen=True)
 class Review:
-    """The review of one requirement by a person; ``state`` is the hash of all texts."""
+    """The review of one requirement by a person. ``state`` is the hash of all texts."""
 
     requirement: str
     reviewer: str
@@ -402,7 +404,7 @@ class Review:
     remark: str
     answers: Mapping[str, str]  # question -> "yes", "no", "not applicable"
     place: Place
-    current: bool = False  # whether no text changed since
+    current: bool = False  # whether no text has changed since the review
     # Reasons why the record is not a valid review.
     objections: Sequence[str] = field(default_factory=list)
 
@@ -419,7 +421,7 @@ class Review:
 
 @dataclass(frozen=True)
 class Suspicion:
-    """A text on which a link depends, and which differs from the baseline. Kind: see ``KINDS`` of
+    """A text that differs from the baseline, and on which a link depends. Kind: see ``KINDS`` of
     reviews."""
 
     kind: str
@@ -453,7 +455,7 @@ class Requirement:
     priority: str = ""
     level: str = ""  # "system", "software", "driver"
     products: Sequence[str] = field(default_factory=list)  # "all", or names of products
-    method: str = ""  # of verification: "test", "analysis", "measurement", "inspection"
+    method: str = ""  # method of verification: "test", "analysis", "measurement", "inspection"
     partly: str = ""
     goals: Sequence[str] = field(default_factory=list)  # safety goals that it serves
     sources: Sequence[SourceReference] = field(default_factory=list)
@@ -490,7 +492,7 @@ class SafeState:
 
 @dataclass(frozen=True)
 class Assumption:
-    """A duty of hardware or people that safety needs, because the firmware cannot fulfil it."""
+    """A demand of safety on hardware or people, which the firmware cannot fulfil."""
 
     id: str
     title: str
@@ -515,7 +517,7 @@ class Hazard:
     avoidance: str
     goals: Sequence[str]
     assumptions: Sequence[str]
-    answer: str  # of the firmware
+    answer: str  # answer of the firmware
     place: Place
     level: str = ""
 
@@ -528,7 +530,7 @@ class SafetyGoal:
     title: str
     text: str
     safe_states: Sequence[str]
-    time: float  # time in which harm must be averted
+    time: float  # time in which the firmware must avert harm
     formula: str
     because: str
     reaction: float  # time that the firmware needs
@@ -537,9 +539,9 @@ class SafetyGoal:
     scenarios: Sequence[str]
     place: Place
     exceptions: Sequence[str] = field(default_factory=list)  # known exceptions
-    computed: float | None = None  # by the formula
+    computed: float | None = None  # result of the formula
     hazards: Sequence[str] = field(default_factory=list)
-    level: str = ""  # the highest of its hazards
+    level: str = ""  # the highest level of its hazards
 
 
 @dataclass(frozen=True)
@@ -550,13 +552,13 @@ class FaultScenario:
     title: str
     goals: Sequence[str]
     place: Place
-    bounds: Mapping[int, float] = field(default_factory=dict)  # line -> seconds of its expectation
+    bounds: Mapping[int, float] = field(default_factory=dict)  # line -> time in its expectation [s]
     tests: Sequence[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class Correction:
-    """Files whose edits correct defects; except for the lines ``for_safety``."""
+    """Files whose edits correct defects, except for the lines ``for_safety``."""
 
     paths: Sequence[str]
     why: str
@@ -571,7 +573,7 @@ class TouchedFile:
     file: str
     added: int
     removed: int
-    corrections: str = ""  # reason why they are not a safety function; empty when they are one
+    corrections: str = ""  # reason why they are not a safety function; empty for a safety function
 
     @property
     def touched(self) -> int:
@@ -585,7 +587,7 @@ class SafetyCost:
     base: str
     commit: str
     files_added: Sequence[str]
-    lines_added: int  # in these files
+    lines_added: int  # lines added to these files
     touched: Sequence[TouchedFile]
     for_safety: int  # lines of the robot that were edited for safety functions
 
@@ -599,10 +601,12 @@ class SafetyCase:
     conditions: Sequence[str] = field(default_factory=list)
     limits: Sequence[str] = field(default_factory=list)
     risk_source: str = ""
-    levels: Sequence[str] = field(default_factory=list)  # the lowest first
+    levels: Sequence[str] = field(default_factory=list)  # in ascending order
     graph: Mapping[str, list[str]] = field(default_factory=dict)  # severity -> rows of levels
     words: Mapping[str, str] = field(default_factory=dict)
-    priorities: Mapping[str, str] = field(default_factory=dict)  # level -> of a requirement
+    priorities: Mapping[str, str] = field(
+        default_factory=dict
+    )  # level -> priority of a requirement
     safe_states: Mapping[str, SafeState] = field(default_factory=dict)
     assumptions: Mapping[str, Assumption] = field(default_factory=dict)
     hazards: Mapping[str, Hazard] = field(default_factory=dict)
@@ -615,7 +619,7 @@ class SafetyCase:
 
 @dataclass(frozen=True)
 class RequirementNumbers:
-    """The constants that have the numbers of a requirement: ``200 ms`` -> ``Class::name``."""
+    """The constants with the numbers of a requirement: ``200 ms`` -> ``Class::name``."""
 
     requirement: str
     constants: Mapping[str, str]
@@ -633,10 +637,8 @@ class NumbersWithout:
 
 @dataclass(frozen=True)
 class Justified:
-    """Methods, tests or lines of methods that serve no requirement, and the reasons.
-
-    Also methods that only tests call, and functions with a loop without a count of rounds.
-    """
+    """Methods, tests or lines of methods that serve no requirement, with the reason. Also methods
+    that only tests call, and functions with a loop that does not count its rounds."""
 
     kind: str  # "method", "test", "line", "uncalled", "loop"
     names: Sequence[str]
@@ -647,7 +649,7 @@ class Justified:
 
 @dataclass(frozen=True)
 class Equivalent:
-    """Changes of a line that no test can find, and the reason."""
+    """Changes of a line that no test can find, with the reason."""
 
     file: str
     method: str
@@ -668,13 +670,13 @@ class Mutant:
     killed_by: Sequence[str]  # tests
     own: Mapping[
         str, bool
-    ]  # requirement with the method in its tree -> whether its own tests find it
-    why: str = ""  # no test can find it; empty without a justification
+    ]  # requirement with the method in its tree -> whether tests of the requirement find it
+    why: str = ""  # reason why no test can find it; empty without a justification
 
 
 @dataclass(frozen=True)
 class Mutation:
-    """The faults that were tried, and the number of all possible faults."""
+    """The tried faults, and the number of all possible faults."""
 
     seed: int
     minutes: float
@@ -716,7 +718,7 @@ class BuildEvidence:
     system: str
     processors: int
     tools: Mapping[str, str]  # program -> version
-    runs: Mapping[str, TestRun]  # by target
+    runs: Mapping[str, TestRun]  # target -> run
     hashes: Sequence[FileHash]
 
 
@@ -731,9 +733,9 @@ class LastRecord:
     commit: str  # empty without git
     found: int
     tried: int
-    current: bool  # whether it was run with the present sources
+    current: bool  # whether its sources were the present sources
     date: str = ""  # YYYY-MM-DD, of a published record
-    justified: int = 0  # not found, and no test can find them
+    justified: int = 0  # faults that were not found because no test can find them
 
 
 @dataclass(frozen=True)
@@ -755,8 +757,8 @@ class Transition:
 class StateMachine:
     """``states`` maps a state's name to the module that implements it.
 
-    ``events`` maps an event to the operation of the state that the Context calls then, ``guards``
-    a guard or an event to the condition in the code, and ``actions`` an action to its calls.
+    ``events`` maps an event to the operation of the state that the Context then calls. ``guards``
+    maps a guard or an event to its condition in the code. ``actions`` maps an action to its calls.
     """
 
     id: str
@@ -769,7 +771,7 @@ class StateMachine:
     events: Mapping[str, str] = field(default_factory=dict)
     guards: Mapping[str, Sequence[str]] = field(default_factory=dict)
     actions: Mapping[str, Sequence[str]] = field(default_factory=dict)
-    # "from operation to" of changes that tests made and nobody declared -> the tests
+    # "from operation to" of an undeclared change -> the tests that made it
     undeclared: Mapping[str, list[str]] = field(default_factory=dict)
 
 
@@ -800,7 +802,7 @@ class ProofResult:
 
 @dataclass(frozen=True)
 class Proofs:
-    """The properties, the model in Promela, and the results if they belong to these sources."""
+    """The properties, the model in Promela, and the results, if these sources gave them."""
 
     properties: Mapping[str, ProofProperty] = field(default_factory=dict)
     results: Mapping[str, ProofResult] | None = None
@@ -840,11 +842,11 @@ class ExecutionContext:
     handlers: Sequence[str]
     body: str  # the command that a thread executes
     place: Place
-    lines: Sequence[int] = field(default_factory=list)  # of the interrupt controller
+    lines: Sequence[int] = field(default_factory=list)  # lines of the interrupt controller
     priority: int | None = None
-    first: Sequence[str] = field(default_factory=list)  # methods with which it begins
-    methods: Sequence[str] = field(default_factory=list)  # methods of modules that it may reach
-    intended: int | None = None  # the priority that the design gives it
+    first: Sequence[str] = field(default_factory=list)  # first methods of modules
+    methods: Sequence[str] = field(default_factory=list)  # methods of modules that it may execute
+    intended: int | None = None  # priority in the design
 
 
 @dataclass(frozen=True)
@@ -853,12 +855,12 @@ class StackCall:
 
     name: str
     bytes: int
-    measured: bool  # from its instructions: the compiler did not report it
+    measured: bool  # computed from the instructions, because the compiler did not report it
 
 
 @dataclass(frozen=True)
 class StackContext:
-    """The greatest stack use of one context, and the chain of calls that causes it."""
+    """The largest stack use of one context, and the chain of calls that causes it."""
 
     id: str
     name: str
@@ -870,7 +872,7 @@ class StackContext:
 
 @dataclass(frozen=True)
 class TimeBound:
-    """The greatest processor time that an interrupt, or a thread with all its handlers, needs."""
+    """The longest processor time of an interrupt, or of a thread with all its handlers."""
 
     context: str
     name: str
@@ -879,20 +881,24 @@ class TimeBound:
     # control cycle.
     entries: int | None
     ticks: int
-    noise: int | None  # entries in a tick of 1 ms with noise at all inputs, if these are more
+    noise: (
+        int | None
+    )  # entries in a tick of 1 ms with noise at all inputs, if noise causes more entries
     priority: int | None
     why: str
-    response_ms: float | None = None  # of an interrupt: from its request to the end of its handler
+    response_ms: float | None = (
+        None  # for an interrupt: time from its request to the end of its handler
+    )
 
 
 @dataclass(frozen=True)
 class PathBound:
-    """The greatest time from an input to its effect: the sum of its parts [ms]."""
+    """The longest time from an input to its effect: the sum of its parts [ms]."""
 
     name: str
     title: str
     parts: Sequence[tuple[str, float]]
-    seen_ms: float | None  # in the recording of its chain
+    seen_ms: float | None  # time in the recording of the chain
     why: str
 
     @property
@@ -906,8 +912,8 @@ class TimeProof:
 
     contexts: Sequence[TimeBound]
     cycle_ms: float  # from the clock pulse to the end of the main thread, with all interrupts
-    noise_ms: float  # the same with noise at all inputs
-    seen_ms: float | None  # the longest time to the report in a run of the bench
+    noise_ms: float  # the same time with noise at all inputs
+    seen_ms: float | None  # longest time to the report in a run of the bench
     paths: Sequence[PathBound]
     unbound: Sequence[tuple[str, Place]]  # loops and copies: function, place
     unresolved: Sequence[tuple[str, Place]]  # calls: function, place
@@ -919,11 +925,11 @@ class TimeProof:
 
 @dataclass(frozen=True)
 class StackProof:
-    """The stack that the image of the robot needs at most, in bytes."""
+    """The largest stack use of the image of the robot, in bytes."""
 
     exception_frame: int  # bytes that the hardware stores at each entry
     limit: int = 0  # size of the stack in the linker script
-    seen: int | None = None  # the greatest use in a run in closed loop
+    seen: int | None = None  # largest use in a run in closed loop
     contexts: Sequence[StackContext] = field(default_factory=list)
     unresolved: Sequence[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
     cycles: Sequence[list[str]] = field(default_factory=list)
@@ -938,7 +944,8 @@ class StackProof:
 
     @property
     def levels(self) -> list[StackContext]:
-        """For each priority the context that needs the most; the start is below them all."""
+        """Returns for each priority the context that needs most stack; the start has the lowest
+        level."""
         worst: dict[int | None, StackContext] = {}
         for context in self.contexts:
             worst_here = worst.get(context.priority)
@@ -973,7 +980,7 @@ class SharedPipe:
 
 @dataclass(frozen=True)
 class SharedMember:
-    """A member that one context changes and another one changes or reads."""
+    """A member that one context changes and another context changes or reads."""
 
     id: str
     module: str
@@ -981,13 +988,13 @@ class SharedMember:
     place: Place
     writers: Sequence[str]
     readers: Sequence[str]
-    protection: str  # "" when nothing states it
+    protection: str  # "" when the design states none
     why: str
 
 
 @dataclass(frozen=True)
 class Use:
-    """Actual use between logic modules: an include, or a call."""
+    """An actual use between logic modules: an include, or a call."""
 
     source: str
     target: str
@@ -1014,7 +1021,7 @@ class Apart:
 
 @dataclass(frozen=True)
 class Cycle:
-    """Logic modules that may use each other in a ring, and the pattern that causes it."""
+    """Logic modules that may use each other in a ring, and the pattern that causes the ring."""
 
     within: str
     modules: Sequence[str]
@@ -1051,7 +1058,7 @@ class PaperElement:
     kind: str
     name: str
     here: Sequence[str]
-    alias: str = ""  # reason for another name here
+    alias: str = ""  # reason for a different name here
     deviation: str = ""  # intended difference
     note: str = ""
     where: Sequence[str] = field(default_factory=list)  # places of the paper that name it
@@ -1060,7 +1067,7 @@ class PaperElement:
 
 @dataclass(frozen=True)
 class KitTest:
-    """A test of a likely change that was made, and its result in this build, if it ran."""
+    """A test of a likely change, and its result if the test ran in this build."""
 
     id: str
     target: str
@@ -1074,15 +1081,15 @@ class Port:
 
     title: str
     says: str
-    program: str  # with its tests
+    program: str  # name of the program with the tests
     image: str
-    needs: str  # program that the tests need, if they need one
+    needs: str  # program that the tests need, if any
     files: Mapping[str, int]  # lines of each file that the port adds
     composition_lines: int  # existing lines of the composition, removed or changed
-    outside_lines: int  # the same of other files
-    tests: Mapping[str, str] | None  # their results, when they are of these sources
-    size: Mapping[str, int]  # flash and ram of its image [bytes], when it is of these sources
-    size_on_k64: Mapping[str, int]  # the same values for this design on the K64
+    outside_lines: int  # changed lines of other files
+    tests: Mapping[str, str] | None  # results of the tests, if these sources gave them
+    size: Mapping[str, int]  # flash and ram of its image [bytes], if built from these sources
+    size_on_k64: Mapping[str, int]  # these values for this design on the K64
 
     @property
     def passed(self) -> bool:
@@ -1096,16 +1103,16 @@ class MadeChange:
 
     application: str
     event: str
-    hard: str  # its name in the list of hard changes
+    hard: str  # name in the list of hard changes
     why: str  # reason for the lines of existing files
     classes: Sequence[str]
     extension: str  # folder of the extension that makes it; "" for a kit
     files: Sequence[str]  # added
     patched: Sequence[str]  # existing files
     composition_lines: int  # existing lines removed or changed
-    outside_lines: int  # the same, outside the composition
-    added_lines: int  # in existing files
-    flash: float | None  # bytes more than without the change
+    outside_lines: int  # changed lines outside the composition
+    added_lines: int  # lines added to existing files
+    flash: float | None  # additional bytes
     ram: float | None
     instructions: float | None  # more in a cycle, on average
     tests: Sequence[KitTest]
@@ -1124,16 +1131,16 @@ class LikelyChange:
     application: str
     pattern: str
     hidden_by: str  # module
-    altered: Sequence[str]  # modules that each hide one variant
+    altered: Sequence[str]  # modules, each of which hides one variant
     role: str  # role of a new class; "" when none is added
     derives: Sequence[str]  # base classes of a new class
-    logic: str  # folder of the present ones
+    logic: str  # folder of the present classes
     edits: Sequence[str]  # modules that register a new class
     untouched: Sequence[str]
     requirements: Sequence[str]  # requirements to review
     tests: Sequence[str]
     steps: Sequence[str]
-    examples: Sequence[str]  # modules of extensions that are such a change
+    examples: Sequence[str]  # modules of extensions that make such a change
     made: MadeChange | None = None
 
 
@@ -1157,7 +1164,7 @@ class Connection:
     target: str
     connector: str
     place: Place
-    # Methods; none for a connection outside the code.
+    # Methods; a connection outside the code has none.
     way: Sequence[str] = field(default_factory=list)
 
     @property
@@ -1182,7 +1189,7 @@ class BeliefSource:
 
     id: str
     says: str
-    outside: bool  # nobody used it to write the driver or the model
+    outside: bool  # neither the driver nor the model was written from it
     place: Place
 
 
@@ -1195,7 +1202,7 @@ class BoardBelief:
     says: str
     source: str  # id of a BeliefSource
     model: str  # file of the virtual board
-    shared: bool  # only the driver and the model state it
+    shared: bool  # only the driver and the model state the belief
     place: Place
 
     @property
@@ -1250,7 +1257,7 @@ class LoopFigure:
     limit: float
     unit: str
     requirement: str  # "" without one
-    values: Mapping[str, float | None]  # target that ran -> value; None when it has none
+    values: Mapping[str, float | None]  # target that ran -> value; None without a value
 
     def holds(self, binding: str) -> bool:
         value = self.values[binding]
@@ -1259,7 +1266,7 @@ class LoopFigure:
 
 @dataclass(frozen=True)
 class LoopRun:
-    """Whether all expectations of the scenario were met, and the output if they were not."""
+    """Whether the run met all expectations of the scenario, and its output if it did not."""
 
     passed: bool
     said: str
@@ -1319,13 +1326,13 @@ class ExceptionCost:
 
 @dataclass(frozen=True)
 class BenchRun:
-    """A scenario of the bench, played once. A board counts no instructions and no latencies."""
+    """A scenario of the bench, played once. A board measures neither instructions nor latencies."""
 
-    report_ms: Spread  # from the clock pulse to the report
+    report_ms: Spread  # time from the clock pulse to the report
     load: Spread  # [%] of the cycle
-    start_us: Spread  # from the clock pulse to the first instruction of the cycle
+    start_us: Spread  # time from the clock pulse to the first instruction of the cycle
     jitter_us: float
-    times_us: Sequence[int]  # of each cycle, to the report
+    times_us: Sequence[int]  # time of each cycle to the report
     cycles: int
     instructions: Spread | None = None
     report_instructions: Spread | None = None  # up to the report

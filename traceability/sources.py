@@ -1,4 +1,4 @@
-"""Hashes of the contents of files: they identify the inputs of a build, test or page."""
+"""Hashes of files, which identify the inputs of a build, test or page."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 # The design: the robot, and the extensions of the products.
 SRC, EXTENSIONS = "src", "extensions"
 DESIGN = (SRC, EXTENSIONS)
-# The table of frames, and its reader: the build of the simulator makes a header from them.
+# The table of frames and its reader, from which the build of the simulator makes a header.
 FRAMES = ("design/frames.toml", "client/weeding_robot_client/layout.py")
 TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
@@ -56,7 +56,7 @@ def hash_of(root: Path, paths: Iterable[Path]) -> str:
 
 
 def source_hash(root: Path) -> str:
-    """Computes the hash of the files that test results depend on.
+    """Computes the hash of the files on which test results depend.
 
     Tests of the Python tools and records of campaigns are not included.
     """

@@ -1,5 +1,5 @@
-"""Writes a file at once: a reader finds the previous content or the new one, also after the writer
-was ended by force or the disk was full."""
+"""Writes a file in one step. A reader finds either the previous or the new content, also if the
+writer was killed or the disk was full."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ class Question:
     clicks: list[str]
     holds: list[str] = field(default_factory=list)
     part: str = ""
-    also: str = ""  # other words that readers type into the search
+    also: str = ""  # additional words for the search
 
     @property
     def page(self) -> str:

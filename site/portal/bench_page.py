@@ -127,7 +127,8 @@ def bands(run: Runs) -> Drawing:
 
 
 def set_points(portal: Portal, name: str) -> list[Drawing]:
-    """The set-points of the measured cycles: of the wheels, and of the steering if it is moved."""
+    """Returns the set-points of the measured cycles for the wheels, and for the steering if it
+    moves."""
     file = portal.root / FOLDER / f"{name}.scenario"
     orders = measured_orders(file.read_text(encoding="utf-8")) if file.is_file() else []
     quantities = {

@@ -1,4 +1,4 @@
-"""Constants of the code as pages show them: the value with its unit, linked to the declaration."""
+"""Constants of the code for pages: the value with its unit, and a link to the declaration."""
 
 from __future__ import annotations
 

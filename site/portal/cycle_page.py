@@ -34,8 +34,7 @@ MAIN_THREAD = "mainThreadInterrupt"
 
 @dataclass
 class Lane:
-    """A priority: the contexts with this priority, and the times at which any of these contexts
-    runs."""
+    """A priority, with its contexts and the times at which these contexts run."""
 
     priority: int | None
     names: list[str] = field(default_factory=list)
@@ -225,7 +224,8 @@ def _bar(
 
 
 def data_of(portal: Portal, shown_cycle: Cycle) -> dict[str, Any]:
-    """Returns the calls of the cycle in columns, for the script. Instants from the pulse [ns]."""
+    """Returns the calls of the cycle in columns, for the script. Times since the pulse are in
+    ns."""
     recording = shown_cycle.recording
     numbers = shown_cycle.spans()
     spans = [recording.spans[number] for number in numbers]

@@ -448,7 +448,7 @@ def group_edge(root: ET.Element, identifier: str, steps: list[Transition]) -> di
     """Groups the line, the tip and the label of an edge under its requirements; returns the lines
     of the label with their places.
 
-    The labels come after all edges, so that no line is drawn over them.
+    The labels follow all edges, so that no line covers them.
     """
     line = f"path[@id='{identifier}']"
     drawing = next(parent for parent in root.iter() if parent.find(line) is not None)

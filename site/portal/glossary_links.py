@@ -13,8 +13,8 @@ from portal.navigation import Entry
 from portal.sections import Section, terms_of
 
 GLOSSARY = Entry("docs/glossary", "Glossary", "docs/glossary.html")
-OTHER_SENSES = {"function", "target"}  # words that texts use in a second sense as well
-# Where a link would be in a link, in code, in a picture, or in a control.
+OTHER_SENSES = {"function", "target"}  # words that texts also use in a second sense
+# Elements in which no link is set: links, code, pictures and controls.
 APART = (
     "a button code h1 h2 h3 h4 input kbd label option pre script select style summary svg th title"
 )

@@ -25,17 +25,17 @@ from traceability.schema import Method, TreeNode
 from traceability.sources import file_hash
 from weeding_robot_client.layout import Field, Layout, read_frames
 
-FOLDER = "live"  # of the site
+FOLDER = "live"  # folder of the site
 DATA = "live.json"
-RECORDED = "stop"  # the scenario whose recorded curves the page shows before the robot runs
+RECORDED = "stop"  # scenario of the recorded curves that the page shows before the robot runs
 SAFETY = Path("sim/scenario/safety")
-CALLS = "_calls"  # ending of the name of an image that keeps each method as a function
+CALLS = "_calls"  # suffix of an image in which each method is a separate function
 SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
 
 
 @dataclass
 class Image:
-    """An image of a product, as the page shows it."""
+    """An image of a product on the page."""
 
     name: str
     product: str

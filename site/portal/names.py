@@ -124,7 +124,8 @@ class Names:
         )
 
     def signature(self, method: Method) -> Markup:
-        """A signature to read: the name first, then its parameters, and its result at the end."""
+        """Returns a signature for readers: the name first, then its parameters, and its result at
+        the end."""
         before, name, after = method.signature.partition(f"{method.name}(")
         if not name:
             return self.types(method.signature, method.module)

@@ -56,7 +56,7 @@ from traceability.schema import (
 )
 
 HIGH_LEVEL = "High-level diagram"
-ANY = "*"  # in an allowed use: every logic module
+ANY = "*"  # user in an allowed use: every logic module
 FAMILY_ORDER = ("abstraction", "decorator", "concrete", "context", "target")  # of the roles
 EXAMPLE = "FR-15"  # the example of the first page
 

@@ -65,7 +65,7 @@ class Drawing:
     x: list[Tick]
     y: list[Tick]
     lines: list[Line]
-    words: str  # for a reader without sight
+    words: str  # description for a reader without sight
     marks: list[Mark] = field(default_factory=list)
     width: ClassVar[int] = WIDTH
     height: ClassVar[int] = HEIGHT

@@ -1,4 +1,4 @@
-"""The recorded calls for pages: contexts, methods and requirements of each call."""
+"""The recorded calls for pages, with context, method and requirements of each call."""
 
 from __future__ import annotations
 

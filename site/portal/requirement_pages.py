@@ -123,7 +123,7 @@ def machines_of(portal: Portal, requirement: str) -> list[StateMachine]:
 
 @dataclass
 class Row:
-    """A row of tree and trace: a node, a recorded call, or both when they match."""
+    """A row of tree and recording: a node, a recorded call, or both if they match."""
 
     node: TreeNode | None = None
     depth: int = 0

@@ -32,7 +32,7 @@ OPTIONAL: Keys = {"participants": str}
 LOGIC = "logic modules"
 SEQUENCE: Keys = {"name": str, "title": str, "says": str, "recordings": list, "requirements": list}
 PC, LINE = "PC", "serial line"
-LONGEST = 12  # greatest number of messages in a repeated group
+LONGEST = 12  # maximum number of messages in a repeated group
 CLASSES_ONLY = ("hide ", "set ")  # beginnings of lines that only class diagrams need
 ROUND = 2  # decimal digits of a time [ms]
 

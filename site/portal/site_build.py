@@ -64,7 +64,7 @@ def check_texts() -> list[CheckText]:
     return [CheckText(c.id, c.title, c.why, c.holds, c.blind, c.fix) for c in CHECKS]
 
 
-# A forked process inherits these data: they are too large to send.
+# A forked process inherits these data, because they are too large to send.
 _shared: list[tuple[Portal, Path]] = []
 
 

@@ -55,7 +55,7 @@ class DesignDomain(Domain):
             yield name, name, kind, page.removesuffix(".html"), anchor, 1
 
     def merge_domaindata(self, docnames: Set[str], otherdata: dict[str, Any]) -> None:
-        """The domain has no data."""
+        """Merges nothing, because the domain has no data."""
 
 
 def load(app: Sphinx) -> None:

@@ -70,7 +70,7 @@ def copy_docs(docs: Path, target: Path) -> set[str]:
 
 
 def write_members(modules: list[Module], pages: Path) -> set[str]:
-    """The members of each class, by Breathe. They become a section of the page of the module."""
+    """Breathe makes the members of each class. They become a section of the page of the module."""
     for module in modules:
         write_changed(
             pages / "modules" / f"{module.name}.rst",

@@ -1,4 +1,4 @@
-"""Tours through the pages: stops in the order of reading, and an action at the end."""
+"""Tours through the pages. A tour has stops in the order of reading, and an action at the end."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ CONTROL = (
 
 @dataclass(frozen=True)
 class Value:
-    """A named number of a module, and the values that it was chosen for."""
+    """A named number of a module, and the other values to which it was tuned."""
 
     name: str
     constant: Constant

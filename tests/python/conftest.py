@@ -11,14 +11,13 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 
-# Programs that a test starts end with Ctrl-C, also if a shell started the tests with SIGINT
-# ignored.
+# Programs that a test starts end on Ctrl-C, even if a shell started the tests with SIGINT ignored.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
 def build() -> Callable[..., None]:
-    """Builds targets of a preset; tests in several processes build one after the other."""
+    """Builds targets of a preset. Tests in several processes build one after the other."""
 
     def built(preset: str, *targets: str) -> None:
         folder = ROOT / "build" / preset

@@ -30,7 +30,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     }
     for connection in model.connections:
         if connection.connector not in connectors:
-            text = f"no element is the connector {connection.connector}"
+            text = f"there is no connector {connection.connector}"
             place = facts.declared.entries.line_in(connection.place, connection.connector)
             findings.append(
                 Finding(place, "arch-module", text, "correct the name of the connector")

@@ -1,4 +1,4 @@
-"""board-*: findings of the virtual K64 are declared and tested, and its beliefs have a source."""
+"""board-*: findings of the virtual K64 are declared and tested, and each belief has a source."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def _findings(model: Model) -> list[Finding]:
             finding.place,
             "board-finding",
             f"no test in tests/sim/emulator causes the finding {finding.id}",
-            "write one, or remove the finding",
+            "write such a test, or remove the finding",
         )
         for finding in model.board_findings.values()
         if not finding.tests
@@ -32,7 +32,7 @@ def _findings(model: Model) -> list[Finding]:
         Finding(
             Place("design/board_findings.toml", 1),
             "board-finding",
-            f"the fault '{fault.fault}' gave the finding {fault.finding}, which is not declared",
+            f"the fault '{fault.fault}' caused the finding {fault.finding}, which is not declared",
             "declare it",
         )
         for fault in model.driver_faults or []
@@ -76,7 +76,9 @@ def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
         declared = re.search(r"\bRegister<.*> (\w+);", line)
         if declared and f"{block}::{declared[1]}" not in believed:
             text = f"no belief in {BELIEFS} is about {block}::{declared[1]}"
-            yield Finding(Place(REGISTERS, number), "board-belief", text, "add one with its source")
+            yield Finding(
+                Place(REGISTERS, number), "board-belief", text, "add a belief with its source"
+            )
 
 
 def _belief(belief: BoardBelief, text: str, fix: str) -> Finding:

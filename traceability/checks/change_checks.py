@@ -11,7 +11,7 @@ from traceability.reading.change_texts import Particular, Recipe
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 
-STANDING = {"derives", "edits", "id"}  # words of a step that the model replaces
+STANDING = {"derives", "edits", "id"}  # words that the model replaces in a step
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -54,15 +54,23 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
     sorts += [(recipe.derives, ABSTRACTIONS, "abstraction")] if recipe.derives else []
     for role, fitting, sort in sorts:
         if role in roles[name] and role not in fitting:
-            yield recipe.place, role, f"{role} is no {sort}, which a change of a {name} is about"
+            yield (
+                recipe.place,
+                role,
+                f"{role} is no {sort}, but a change of a {name} needs one here",
+            )
     if not recipe.alters:
-        yield recipe.place, "alters", f"a change alters no role of a {name}"
+        yield (
+            recipe.place,
+            "alters",
+            f"the recipe for a {name} lists no role that the change alters",
+        )
     for step in recipe.steps:
         for role in re.findall(r"@role\{\{id\}, ([^}]+)\}", step):
             if role not in roles[name]:
                 yield recipe.place, role, f"{role} is no role of {name}"
         for word in set(re.findall(r"\{([^{}]*)\}", step)) - STANDING:
-            yield recipe.place, step, f"nothing replaces {{{word}}} in a step"
+            yield recipe.place, step, f"the model does not replace {{{word}}} in a step"
 
 
 def _particular(
@@ -80,7 +88,7 @@ def _particular(
             yield particular.place, module, f"{module} has no role in {name}"
     for module in particular.examples:
         if module in model.modules and not model.modules[module].extension:
-            yield particular.place, module, f"{module} is part of the robot, and no example"
+            yield particular.place, module, f"{module} is part of the robot, so it is no example"
 
     if application and particular.examples and bound.isdisjoint(particular.examples):
         yield particular.place, "examples", f"no example has a role in {name}"

@@ -90,17 +90,21 @@ def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], 
             text = f"{context.id} is of the kind {context.kind}, and has {body}"
             key = "body" if context.body else "kind"
             place = facts.declared.entries.line_in(context.place, key)
-            findings.append(_declared(place, text, "only a thread has one"))
+            findings.append(
+                _declared(place, text, "give a body to each thread, and to no other context")
+            )
         if len(set(context.handlers)) != len(context.handlers):
             text = f"{context.id} names a handler twice"
             place = facts.declared.entries.line_in(context.place, "handlers")
-            findings.append(_declared(place, text, "remove one of the two"))
+            findings.append(_declared(place, text, "remove one of the two names"))
         for handler in context.handlers:
             other = declared.setdefault(handler, context)
             if other is not context:
                 for first, two in (context, other), (other, context):
-                    text = f"{first.id} has the handler {handler}, as {two.id} has"
-                    findings.append(_declared(first.place, text, "remove it from one of the two"))
+                    text = f"{first.id} and {two.id} have the same handler {handler}"
+                    findings.append(
+                        _declared(first.place, text, "remove it from one of the two contexts")
+                    )
     return declared, findings
 
 
@@ -174,7 +178,7 @@ def _ends(facts: Facts) -> list[Finding]:
     called = {call.target for body in facts.syntax.bodies for call in body.calls}
     place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
     return [
-        _declared(place, f"nothing calls {name}, which must end the firmware", "correct the name")
+        _declared(place, f"no code calls {name}, which must end the firmware", "correct the name")
         for name in facts.declared.ends
         if name not in called
     ]
@@ -207,7 +211,7 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _claims(model: Model, facts: Facts) -> list[Finding]:
-    """A method that an interrupt may call, and that calls a method which no interrupt may call."""
+    """Finds methods with @isr{yes} that call a method with @isr{no}."""
     claims = {
         method.id: method.interrupt
         for module in model.modules.values()
@@ -219,7 +223,7 @@ def _claims(model: Model, facts: Facts) -> list[Finding]:
             call.place,
             "exec-isr",
             f"{body.id} is @isr{{yes}}, and calls {target}, which is @isr{{no}}",
-            "let a thread make the call, or correct one of the two",
+            "let a thread make the call, or correct one of the two tags",
         )
         for body in facts.syntax.bodies
         if claims.get(body.id) == "yes"
@@ -246,7 +250,7 @@ def _floats(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _loops(facts: Facts) -> list[Finding]:
-    """A loop without a count of rounds that design/justified.toml does not list."""
+    """Finds a loop that does not count its rounds and is not in design/justified.toml."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
@@ -255,7 +259,7 @@ def _loops(facts: Facts) -> list[Finding]:
         Finding(
             Place(body.place.file, body.loops[0]),
             "exec-loop",
-            f"nothing in the head of a loop of {name} counts its rounds",
+            f"the head of a loop in {name} counts its rounds",
             fix,
         )
         for name, body in looping.items()
@@ -283,11 +287,11 @@ def _heap(facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled(facts: Facts) -> list[Finding]:
-    """An interrupt line with a handler, which no call enables."""
+    """Finds an interrupt line that has a handler and that no call enables."""
     return [
         _declared(
             facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
-            f"the table of vectors has {handler} at line {line}, and nothing enables this line",
+            f"the table of vectors has {handler} at line {line}, but no call enables this line",
             "enable the line, or remove the handler from the table",
         )
         for line, handler in silent_lines(facts).items()
@@ -306,7 +310,7 @@ def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
 
 
 def _unprotected(model: Model, facts: Facts) -> list[Finding]:
-    """Finds members without the declared protection: no atomic, or no lock at a use."""
+    """Finds members that are not atomic or not locked, unlike their declaration."""
     contexts = {context.id: context for context in model.contexts.values()}
     findings: list[Finding] = []
     for member in model.shared:
@@ -321,7 +325,7 @@ def _unprotected(model: Model, facts: Facts) -> list[Finding]:
         for body in facts.syntax.bodies:
             locked = any(call.target == f"{LOCK}::{LOCK}" for call in body.calls)
             if member.id in body.touches and body.id in reached and not locked:
-                text = f"{body.id} uses {member.id} without the {LOCK} that is to protect it"
+                text = f"{body.id} uses {member.id} without the {LOCK} that shall protect it"
                 fix = f"make an {LOCK} first, or declare the actual protection"
                 findings.append(Finding(body.place, "exec-shared", text, fix))
     return findings

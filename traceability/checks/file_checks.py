@@ -1,4 +1,5 @@
-"""module-file and module-preprocessor: every file belongs to the design, and is plain C++."""
+"""module-file and module-preprocessor: every file belongs to the design, and needs no
+preprocessor."""
 
 from __future__ import annotations
 
@@ -50,7 +51,7 @@ def _files(model: Model, facts: Facts) -> list[Finding]:
             findings.append(_finding(Place(file, 1), f"{file} belongs to no module"))
         else:
             findings.append(
-                _finding(Place(file, 1), f"{file} is read by no check: rename it to .hpp or .cpp")
+                _finding(Place(file, 1), f"{file} is not checked: rename it to .hpp or .cpp")
             )
     return findings
 
@@ -112,7 +113,7 @@ def _idle(facts: Facts) -> list[Finding]:
 
 
 def _preprocessor(root: Path) -> list[Finding]:
-    """The same text is compiled for every product: no macro, no condition."""
+    """Finds macros and conditions, with which products would compile different texts."""
     findings: list[Finding] = []
     for path in files_below(root, DESIGN, (".cpp", ".hpp")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
@@ -125,7 +126,7 @@ def _preprocessor(root: Path) -> list[Finding]:
                 Finding(
                     Place(str(path.relative_to(root)), number),
                     "module-preprocessor",
-                    f"#{match[1]} is not an include of a named file and not #pragma once",
+                    f"#{match[1]} is neither an include of a named file nor #pragma once",
                     "use a constant, a template, or another module that the build chooses",
                 )
             )

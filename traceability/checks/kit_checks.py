@@ -1,4 +1,4 @@
-"""change-kit: each likely change is made, by a class with the role that the recipe names."""
+"""change-kit: a class with the role of the recipe makes each likely change."""
 
 from __future__ import annotations
 

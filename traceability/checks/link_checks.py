@@ -141,7 +141,8 @@ def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
 
 
 def check(model: Model, site: Path) -> list[Finding]:
-    """One finding for each link in a source text, also when several pages contain it."""
+    """Returns one finding for each link in a source text, also if several pages contain the
+    link."""
     places = _sources(model)
     root = site.resolve()
     texts = Texts(root.parent.parent)
@@ -168,15 +169,14 @@ def _others(links: list[tuple[str, str]]) -> str:
 
 
 def dead_clicks(site: Path) -> list[Finding]:
-    """Finds pages between the first page and the answer of a question that the site does not
-    have."""
+    """Finds clicks of questions that lead to no page of the site."""
     path = site.resolve().parent.parent / QUESTIONS
     lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
     findings: list[Finding] = []
     for number, line in enumerate(lines, 1):
         for click in CLICK.findall(line) if line.startswith("clicks") else ():
             if not has_page(site, click):
-                text = f"the site has no page {click}, to which a question leads"
+                text = f"a question leads to {click}, but the site has no such page"
                 fix = "name the page with the answer"
                 findings.append(Finding(Place(QUESTIONS, number), "link-site", text, fix))
     return findings
@@ -224,7 +224,7 @@ class Texts:
 
 
 def missing_paths(root: Path) -> list[Finding]:
-    """Finds files and folders that a page or a text of the design names and that do not exist."""
+    """Finds missing files and folders that a page or a text of the design names."""
     findings: list[Finding] = []
     for path in files_below(root, ("README.md", "docs", "design"), (".md", ".rst", ".toml")):
         file = str(path.relative_to(root))
@@ -242,7 +242,7 @@ def missing_paths(root: Path) -> list[Finding]:
 
 
 def missing_commands(root: Path) -> list[Finding]:
-    """Finds commands of ./wr and options that a page or the README names and that do not exist."""
+    """Finds missing commands of ./wr and missing options that a page or the README names."""
     code = "".join(
         path.read_text(encoding="utf-8") for path in files_below(root, PROGRAMS, (".py",))
     )
@@ -260,7 +260,7 @@ def missing_commands(root: Path) -> list[Finding]:
 
 
 def missing_parts(root: Path) -> list[Finding]:
-    """Finds products, programs and pins that a page names and that do not exist."""
+    """Finds missing products, programs and pins that a page names."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     targets, keys = _targets(root), _keys(root)
@@ -303,7 +303,7 @@ def _targets(root: Path) -> set[str]:
 
 
 def _sources(model: Model) -> dict[str, Place]:
-    """Page -> the place that it was generated from."""
+    """Page -> the place of its source."""
     places = {f"modules/{module.name}.html": module.place for module in model.modules.values()}
     places |= {f"patterns/{item.id}.html": item.place for item in model.patterns.values()}
     places |= {f"requirements/{item.id}.html": item.place for item in model.requirements.values()}

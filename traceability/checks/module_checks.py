@@ -27,7 +27,7 @@ MEANING = re.compile(
 )
 
 
-# Values with a unit; a text states it, or that the value has no meaning here.
+# Values with a unit. A text states the unit, or that the value has no meaning here.
 QUANTITY = re.compile(
     r"(const )?(std::optional<)?(Velocity|Tension|Current|Angle|StepRate|DutyCycle|Microseconds)\b"
 )
@@ -58,8 +58,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _unused(model: Model, facts: Facts) -> list[Finding]:
-    """Modules that are not reachable from a composition by names in the code and by base
-    classes."""
+    """Finds modules that no composition reaches by names in the code and by base classes."""
     named: dict[str, set[str]] = {}  # module, or "" for a composition -> names in its code
     for name in facts.syntax.names:
         user = facts.user(name.by, name.place)
@@ -74,7 +73,7 @@ def _unused(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             module.place,
             "module-used",
-            f"no composition uses {module.name}: no product has it",
+            f"no composition uses {module.name}, so no product contains it",
             "let a builder construct it, or remove it",
         )
         for module in model.modules.values()
@@ -167,7 +166,7 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             module.place,
             "module-count",
-            f"{module.name} has a @datatype, and is a module of {module.logic} in the design",
+            f"{module.name} has a @datatype, but is a module of {module.logic} in the design",
             "remove the mark, or correct the design",
         )
         for module in model.modules.values()
@@ -177,7 +176,10 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
     total = facts.declared.total
     if total is not None and {len(listed), len(set(listed))} != {total}:
         different = len(set(listed))
-        text = f"the design lists {len(listed)} modules, {different} different; the paper {total}"
+        text = (
+            f"the design lists {len(listed)} modules, {different} different, but the paper has "
+            f"{total}"
+        )
         fix = "correct the lists of design/modules.toml"
         findings.append(Finding(Place("design/modules.toml", 1), "module-count", text, fix))
     return findings
@@ -194,7 +196,7 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> li
     else:
         functions[words_of(module.function)] = module.name
         return []
-    fix = "write above the class the purpose of only this module"
+    fix = "write above the class a purpose that no other module has"
     return [Finding(module.place, "module-function", wrong, fix)]
 
 
@@ -278,8 +280,7 @@ def _units(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _has_words(place: Place, facts: Facts) -> bool:
-    """Tables and interrupt lines of the hardware need a comment; an object is described by its
-    class."""
+    """Whether a declaration has a comment. For an object, the comment of its class is enough."""
     if facts.comments.at(place.file, place.end or 0).tags:
         return True
     above, line = facts.lines_of(place.file)[max(0, place.line - 2) : place.line]
@@ -341,7 +342,7 @@ def _specification(method: Method) -> list[Finding]:
         if not method.returns:
             missing.append("@return")
         elif NUMBER.search(_result_of(method)) and not MEANING.search(method.returns):
-            missing.append("unit or meaning of its result")
+            missing.append("unit or meaning of the result")
     if method.kind != "constructor" and not INTERRUPT.match(method.interrupt):
         missing.append("@isr{yes} or @isr{no}")
     return [
@@ -381,12 +382,12 @@ def _folders(model: Model, facts: Facts) -> list[Finding]:
             texts = {"@brief": logic.brief, "@function": logic.function, "@secret": logic.secret}
             missing = [name for name, text in texts.items() if not text]
             if not missing and not says(logic.secret):
-                missing = ["@secret with a text of its own"]
+                missing = ["@secret with a separate text"]
             secret = words_of(logic.secret)
             if not missing and secret in (words_of(logic.function), words_of(logic.brief)):
-                missing = ["@secret besides its public description"]
+                missing = ["@secret that differs from its public description"]
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
-                missing = [f"@secret of its own: it is that of {secrets[secret]}"]
+                missing = [f"separate @secret: {secrets[secret]} has the same"]
         findings += [
             Finding(
                 logic.place,

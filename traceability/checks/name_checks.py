@@ -26,7 +26,7 @@ IN_DESIGN = re.compile(r"`([A-Za-z_]\w*(?:::\w+)*)`")
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 FOR_A_TOOL = ("NOLINT", "clang-format")
 PLACEHOLDER = "Class"  # docs/ writes Class::method for any method
-# The check that a file of the design belongs to.
+# The check of each file of the design.
 CHECKS = {"concordance": "paper-stale", "changes": "pattern-change"}
 
 
@@ -50,7 +50,7 @@ class Words:
         return member in self.members(owner)
 
     def members(self, owner: str) -> set[str]:
-        """Returns the own, inherited and nested names of a class."""
+        """Returns the names that a class declares, inherits or nests."""
         fact = self.facts.classes.get(owner)
         if fact is None:
             return set()
@@ -69,7 +69,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
             place,
             CHECKS.get(Path(place.file).stem, "doc-name"),
             f"the text names {name}, which the code does not have",
-            "write the name that it has now",
+            "write the present name",
         )
         for place, name in named
         if not words.knows(name)

@@ -41,18 +41,18 @@ def _unlinked(
     links: RequirementNumbers | None,
     without: dict[str, Place],
 ) -> Iterator[Finding]:
-    """Numbers without a linked constant in the design."""
+    """Finds numbers without a linked constant in the design."""
     for number in stated.keys() - (links.constants.keys() if links else set()):
         if f"{requirement.id} {number}" not in without:
-            text = f"{requirement.id} states {number}, and no constant is linked with it"
-            fix = f"name the constant in {LINKS}, or state there why there is none"
+            text = f"{requirement.id} states {number}, but no constant is linked with it"
+            fix = f"name the constant in {LINKS}, or state there why no constant exists"
             yield Finding(requirement.place, "req-number", text, fix)
 
 
 def _linked(
     entry: RequirementNumbers, stated: dict[str, Quantity], facts: Facts
 ) -> Iterator[Finding]:
-    """Links to a number that does not exist, or to a constant with another value."""
+    """Finds links to a missing number, or to a constant with another value."""
     for number, name in entry.constants.items():
         place = facts.declared.entries.line_in(entry.place, number)
         constants = constants_named(name, facts.syntax.values)
@@ -60,7 +60,7 @@ def _linked(
             text = f"{entry.requirement} does not state {number}"
             yield Finding(place, "req-number", text, "correct the number, or remove the link")
         elif not constants:
-            text = f"{name}, which has the {number} of {entry.requirement}, is no constant"
+            text = f"{name} is no constant, but is linked with {number} of {entry.requirement}"
             yield Finding(place, "req-number", text, "correct the name of the constant")
         elif not any(is_same(stated[number], quantity_of(constant)) for constant in constants):
             value = f"{constants[0].number} {constants[0].unit}".strip()

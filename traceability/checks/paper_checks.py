@@ -16,7 +16,7 @@ EXACT = (
     "method",
     "state",
     "application",
-)  # kinds whose names equal the names in the code
+)  # kinds that have the same names in the code
 COUNT, CONSTANT = "figure-of-design", "constant"
 PAGES = ("view", "docs")  # only in the built site
 
@@ -62,7 +62,7 @@ def _unstated(model: Model) -> Iterator[Finding]:
 
 
 def _complete(model: Model, facts: Facts) -> list[Finding]:
-    """Each element has one entry, and each entry an element."""
+    """Each element has one entry, and each entry has an element."""
     concordance = facts.declared.concordance
     entries: dict[tuple[str, str], PaperElement] = {}
     findings: list[Finding] = []
@@ -70,7 +70,9 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
         key = (entry.kind, entry.name)
         if key in entries:
             text = f"the {entry.kind} {entry.name} has a second entry"
-            findings.append(Finding(entry.place, "paper-complete", text, "remove one of the two"))
+            findings.append(
+                Finding(entry.place, "paper-complete", text, "remove one of the two entries")
+            )
         elif key not in concordance.named:
             text = f"design/paper.toml lists no {entry.kind} {entry.name}"
             fix = "correct the kind or the name, or remove the entry"
@@ -81,7 +83,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
             place,
             "paper-complete",
             f"the {key[0]} {key[1]} of the paper has no entry in the concordance",
-            "write in design/concordance.toml where it is here",
+            "write its counterpart in design/concordance.toml",
         )
         for key, place in concordance.lines.items()
         if key not in entries
@@ -90,7 +92,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
         Finding(
             entry.place,
             "paper-complete",
-            f"no entry contains the counterpart of the {entry.kind} {entry.name} is here",
+            f"the entry of the {entry.kind} {entry.name} names neither a part nor a deviation",
             "name the part that replaces it, or write a deviation with the reason",
         )
         for entry in model.paper
@@ -100,7 +102,7 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _arrows(model: Model) -> list[Finding]:
-    """Each arrow of the high-level diagram is named by an entry of the concordance."""
+    """Entries of the concordance name each arrow of the high-level diagram."""
     said = {target.partition(":")[2] for entry in model.paper for target in entry.here}
     fix = "correct the arrow, or name it in the entry of Figure 5 and write the reason as deviation"
     return [
@@ -156,7 +158,7 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
 
 
 def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
-    """A name that differs from the paper has a reason; an equal name has none."""
+    """Each name that differs from the paper has a reason, and no equal name has one."""
     if entry.kind not in EXACT or not entry.here:
         return []
     same = entry.name in {_name_here(target, model) for target in entry.here}
@@ -166,7 +168,9 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
         )
         return [Finding(entry.place, "paper-alias", text, "remove the alias")]
     if not same and not entry.alias:
-        text = f"the paper's {entry.name} is {' and '.join(entry.here)} here, without an alias"
+        text = (
+            f"the paper's {entry.name} is named {' and '.join(entry.here)} here, but has no alias"
+        )
         return [
             Finding(entry.place, "paper-alias", text, "write the reason, or use the paper's name")
         ]
@@ -213,7 +217,7 @@ def _name_here(target: str, model: Model) -> str:
 
 
 def check_pages(model: Model, facts: Facts, site: Path) -> list[Finding]:
-    """The generated pages that entries name exist in the built site, and so do their anchors."""
+    """Finds generated pages and anchors that entries name and that the built site lacks."""
     named = [
         (entry.place, target, "paper-stale", f"the paper's {entry.kind} {entry.name}")
         for entry in model.paper

@@ -13,8 +13,8 @@ ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
-# The purpose is in the comment of an abstraction, or of its subclass if it has several
-# applications.
+# The comment of an abstraction contains the purpose. With several applications, the subclass
+# contains it.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
 # The roles of subclasses; the subclasses of a Decorator among them; abstractions with alternatives.
@@ -77,8 +77,10 @@ def _declared_once(model: Model, facts: Facts) -> list[Finding]:
         for tag in facts.comment_of(module.name).of("patternapp"):
             name = tag.argument
             if name in first:
-                words = f"{name} is declared above {first[name]} already"
-                findings.append(Finding(tag.place, "pattern-known", words, "remove one of the two"))
+                words = f"{name} is already declared above {first[name]}"
+                findings.append(
+                    Finding(tag.place, "pattern-known", words, "remove one of the two tags")
+                )
             first.setdefault(name, module.name)
     return findings
 
@@ -91,7 +93,7 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
             problem = _role_problem(binding, model, facts)
             if problem is None and (binding.application, binding.role) in seen:
                 again = f"{module.name} has two tags for {binding.role} in {binding.application}"
-                problem = again, "remove one of the two"
+                problem = again, "remove one of the two tags"
             seen.add((binding.application, binding.role))
             if problem:
                 text, fix = problem
@@ -100,7 +102,7 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _lost(model: Model, facts: Facts) -> list[Finding]:
-    """Marks in comments that are not above a module, so that no document shows them."""
+    """Finds marks that are not above a module; no document shows such marks."""
     above = {(b.place.file, b.place.line) for m in model.modules.values() for b in m.roles}
     above |= {(pattern.place.file, pattern.place.line) for pattern in model.patterns.values()}
     checks = {"role": "pattern-role-unknown", "patternapp": "pattern-known"}
@@ -154,7 +156,7 @@ def _undeclared(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _undecided(facts: Facts) -> list[Finding]:
-    """Every clause of the design has a function that decides it, and every function a clause."""
+    """Each clause of the design has a function that decides it, and each function has a clause."""
     clauses = facts.declared.clauses
     if not clauses:
         return []
@@ -180,7 +182,7 @@ def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, s
     problems: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
         fix = "correct the id, or write its function in traceability/checks/pattern_clauses.py"
-        problems.append((f"nothing decides the clause {clause.id}", clause.id, fix))
+        problems.append((f"no function decides the clause {clause.id}", clause.id, fix))
     if not clause.id.startswith(f"pattern-{clause.pattern.split()[0].lower()}-"):
         text = f"{clause.id} is not a clause of the pattern {clause.pattern}"
         problems.append((text, clause.pattern, "correct the pattern"))
@@ -278,7 +280,7 @@ def _missing_roles(application: PatternApplication, model: Model, facts: Facts) 
 
 
 def _heirs(model: Model, facts: Facts) -> list[Finding]:
-    """A nested Command is the body of a thread; any other subclass has the role of a subclass."""
+    """Finds subclasses without a role; a nested Command is the body of a thread and needs none."""
     findings: dict[str, Finding] = {}
     for application in model.patterns.values():
         for binding in application.roles:
@@ -296,7 +298,7 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
                         "pattern-heir-unbound",
                         f"{heir} derives from {binding.module}, which is {binding.role} in "
                         f"{application.id}, and plays no role of a subclass",
-                        "bind it to such a role, or derive it from something else",
+                        "bind it to such a role, or derive it from another class",
                     ),
                 )
     return list(findings.values())

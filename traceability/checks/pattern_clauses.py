@@ -18,7 +18,7 @@ Broken = Iterator[tuple[Place, str]]
 
 @dataclass
 class Shape:
-    """One application, with the queries of its clauses."""
+    """An application, with queries that the functions of clauses use."""
 
     application: PatternApplication
     facts: Facts
@@ -112,7 +112,7 @@ class Shape:
         }
 
     def calls(self, module: str) -> Iterator[tuple[str, Place]]:
-        """The methods that the bodies of a class call, as declared."""
+        """Returns the methods that the bodies of a class call, by their declared names."""
         for body in self.bodies(module):
             for call in body.calls:
                 yield call.target, call.place
@@ -188,7 +188,10 @@ def state_unmarked(shape: Shape) -> Broken:
             state = own.get((name.target, name.member))
             beside = owner_of(name.by) not in ("", context)  # a data type in the same header
             if state and context not in states and not beside:
-                yield name.place, f"{context} asks for {state} by {name.target}::{name.member}"
+                yield (
+                    name.place,
+                    f"{context} uses the number of {state}: {name.target}::{name.member}",
+                )
     yield from state_unasked(shape, {target for target, _ in own})
 
 
@@ -240,7 +243,7 @@ def called(role: str) -> Callable[[Shape], Broken]:
 
 
 def state_change(shape: Shape) -> Broken:
-    """The field of the Context that refers to the State is assigned by one operation."""
+    """One operation of the Context assigns the field that refers to the State."""
     for base in shape.playing("State"):
         states = shape.family(base)
         for context in shape.playing("Context"):
@@ -339,7 +342,10 @@ def decorator_forwards(shape: Shape) -> Broken:
         if not extending and module not in decorators:
             yield shape.place(module), f"{module} extends no operation"
     for name in sorted(set(shape.replaced) - replaced):
-        yield shape.declared_at, f"no decorator replaces {name}, unlike in the design"
+        yield (
+            shape.declared_at,
+            f"no decorator replaces {name}, but the design lists it as replaced",
+        )
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
@@ -508,7 +514,7 @@ def builder_parts(shape: Shape) -> Broken:
     for part in sorted(parts_of(shape, builders)):
         for place, maker in makers(shape, part):
             if maker in shape.facts.modules - shape.facts.builders:
-                yield place, f"{maker} makes a {part}, which is a part that {builders[0]} makes"
+                yield place, f"{maker} makes a {part}, which only {builders[0]} may make"
 
 
 def parts_of(shape: Shape, builders: list[str]) -> set[str]:
@@ -574,12 +580,12 @@ def singleton_one(shape: Shape) -> Broken:
         if not gives or len(instances) > 1:
             yield shape.place(module), f"{module} does not return its only instance"
         for heir in shape.facts.heirs.get(module, []):
-            yield shape.place(heir), f"each {heir} is one more {module}"
+            yield shape.place(heir), f"each {heir} is a second {module}"
         for body in shape.facts.syntax.bodies:
             made = [call.place for call in body.calls if call.target == f"{module}::{module}"]
             if body.id not in {method.id for method in gives[:1]}:
                 for place in made:
-                    yield place, f"{body.id} makes one more {module}"
+                    yield place, f"{body.id} makes a second {module}"
 
 
 def singleton_constructor(shape: Shape) -> Broken:
@@ -616,7 +622,7 @@ def serializer_used(shape: Shape) -> Broken:
     for element in shape.playing("Concrete Element"):
         operations = [body for body in shape.bodies(element) if body.overrides]
         if not operations:
-            yield shape.place(element), f"{element} has no operation of its own"
+            yield shape.place(element), f"{element} declares no operation"
         for body in operations:
             owners = {owner_of(target) for target in shape.calls_from(body.id, element)}
             if not owners.intersection(abstractions):

@@ -34,7 +34,7 @@ def _numbers(facts: Facts) -> Iterator[Finding]:
                 )
                 written = re.compile(rf'\b{number}, *name *= *"{re.escape(str(name))}"')
                 at = next((n for n, line in enumerate(lines, 1) if written.search(line)), 1)
-                fix = "correct the number; a number on the line never changes its meaning"
+                fix = "correct the number; never give a new meaning to a number on the line"
                 yield Finding(Place(FRAMES, at), "doc-frame", text, fix)
 
 

@@ -1,4 +1,4 @@
-"""secret-registers: only its owners name a block of registers."""
+"""secret-registers: only the owners of a block of registers name the block."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
 REGISTERS = "src/k64/registers.hpp"  # the table of all blocks
-REGISTER = "src/k64/Register.hpp"  # where a number becomes an address
+REGISTER = "src/k64/Register.hpp"  # converts a number to an address
 CLASS = "Register"
-PERIPHERALS = 0x4000_0000  # where the addresses of the registers begin
-CORE = 0xE000_0000  # where the addresses of the core begin
+PERIPHERALS = 0x4000_0000  # the first address of the registers
+CORE = 0xE000_0000  # the first address of the core
 OWNERS = "design/register_owners.toml"
 START_UP = "/start_up/"  # the drivers are in this range of folders only
 MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # reads or writes memory
@@ -152,7 +152,7 @@ def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
 
 
 def _outside(facts: Facts) -> list[Finding]:
-    """Finds an offset that reaches from one block of registers to another block."""
+    """Finds an offset that leads from one block of registers to another block."""
     blocks: dict[str, list[int]] = {}
     for _, block, address in _table(facts):
         if address is not None:
@@ -207,7 +207,7 @@ def _borrowed(facts: Facts) -> list[Finding]:
 
 
 def _given(facts: Facts) -> list[Finding]:
-    """Finds a register that a module passes to others, which then need not name its block."""
+    """Finds a register that a module passes to other modules."""
     flows = facts.syntax.flows
     table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
     table.add(f"result {CLASS}::at")
@@ -221,13 +221,13 @@ def _given(facts: Facts) -> list[Finding]:
             own = _module_of(body.place.file) == _module_of(flow.file)
             if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
                 continue
-            text = f"{function} {'gives' if word == 'result' else 'is handed'} a register"
+            text = f"{function} {'returns' if word == 'result' else 'gets'} a register"
             fix = "let the owner read or write it, and return the meaning of its value"
             findings[body.place.file, body.place.line] = _finding(body.place, text, fix)
     for fact in facts.syntax.classes:
         for field in fact.fields:
             if field.access == "public" and CLASS in field.classes:
-                text = f"{fact.name}::{field.name} is a register that others can use"
+                text = f"{fact.name}::{field.name} is a register that other modules can use"
                 fix = "make it private"
                 findings[field.place.file, field.place.line] = _finding(field.place, text, fix)
     return list(findings.values())

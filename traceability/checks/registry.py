@@ -31,41 +31,61 @@ class Check:
 
 # The first word of an id names its family.
 WHY = {
-    "syntax": "All other checks read the syntax tree: they need a tree without errors.",
+    "syntax": "All other checks read the syntax tree, and need a tree without errors.",
     "design": "The checks compare design/ with the code; they cannot compare an unreadable file.",
-    "doc": "Every document is generated from these texts, and copies their mistakes.",
-    "module": "A module that is small, has a known place and a specification can be found, "
-    "understood and replaced without reading the others.",
-    "secret": "A change stays in one module only as long as no other module uses the hidden names.",
-    "pattern": "A pattern absorbs the changes for which it was chosen only as long as the code "
-    "keeps its shape; each clause is a part of that shape.",
+    "doc": "Every document is generated from these texts, and repeats their mistakes.",
+    "module": (
+        "A module that is small, has a known place and a specification can be found, understood "
+        "and replaced by a developer who has not read the other modules."
+    ),
+    "secret": (
+        "If another module uses hidden names, a change of the secret must also change that module."
+    ),
+    "pattern": (
+        "A pattern makes changes easy only while the code keeps the structure of the pattern. "
+        "Each clause states a part of this structure."
+    ),
     "change": "A change of a value must show the other values that depend on it.",
-    "uses": "The allowed uses of a module decide which modules must be reused together with it, "
-    "and which changes can break it.",
+    "uses": (
+        "The allowed uses of a module show which modules must be reused together with it, and "
+        "which changes can break it."
+    ),
     "board": "The virtual K64 replaces the hardware: a mistake that it does not detect reaches the "
     "robot.",
-    "tree": "A tree shows how the code fulfils a requirement: it must be possible "
-    "in the code, and occur in a run.",
-    "fsm": "A state machine is read instead of the code of its states: both must be equal.",
-    "proof": "A test shows some sequences of events; a proof of the model covers all of them.",
-    "exec": "Contexts of different priorities share data: a call in the wrong place causes a fault "
-    "perhaps only once in a thousand cycles.",
-    "stack": "The threads and interrupts share one stack: it must be large enough for the worst "
-    "moment, which may occur in no test.",
-    "time": "A cycle that comes too late is a fault of a control system; the longest one may occur "
-    "in no test.",
-    "req": "A requirement counts as fulfilled only when code, tests and results show it.",
-    "suspect": "A verdict is valid for the texts that were judged: the baseline shows which of "
-    "them changed.",
-    "hazard": "The safety case argues from each hazard to tests that ran: a missing link "
-    "breaks the argument unnoticed.",
-    "paper": "The paper is the reference of the design: its names must be used here, or the "
-    "difference must be stated.",
+    "tree": (
+        "A tree shows how the code fulfils a requirement. Its calls must be possible in the "
+        "code, and occur in a run."
+    ),
+    "fsm": "Readers read a state machine instead of the code of its states, so both must be equal.",
+    "proof": "A test covers some sequences of events. A proof covers all sequences of the model.",
+    "exec": (
+        "Contexts of different priorities share data. A wrong call may cause a fault only once "
+        "in a thousand cycles."
+    ),
+    "stack": (
+        "The threads and interrupts share one stack: it must be large enough for the deepest "
+        "calls, which may occur in no test."
+    ),
+    "time": (
+        "A cycle that is too long disturbs the control. The longest cycle may occur in no test."
+    ),
+    "req": "A requirement is fulfilled only when code, tests and results show this.",
+    "suspect": (
+        "A verdict is valid for the judged texts. The baseline shows which of these texts changed."
+    ),
+    "hazard": (
+        "The safety case links each hazard with tests that ran. A missing link makes the "
+        "argument invalid, and a reader may not notice it."
+    ),
+    "paper": (
+        "The paper is the reference of the design: the project uses its names, or states the "
+        "difference."
+    ),
     "arch": "The architecture is the first picture that a newcomer sees: it must match the code.",
     "link": "A reader who follows a link must find the target.",
 }
 
-_TEXT_BLIND = "whether the words are true and useful; only a reader can judge that."
+_TEXT_BLIND = "whether the texts are true and useful; only a reader can judge that."
 
 _FIXED = [
     Check(
@@ -87,9 +107,9 @@ _FIXED = [
         "doc-name",
         "Names in texts exist",
         "Each class, method, function, constant or value that a comment of the code, a literal of "
-        "a page of docs/ or a text of design/ names exists in the code or in the paper. In "
-        "design/concordance.toml it is found by `paper-stale`, in design/changes.toml by "
-        "`pattern-change`.",
+        "a page of docs/ or a text of design/ names exists in the code or in the paper. "
+        "`paper-stale` checks the names in design/concordance.toml, and `pattern-change` the "
+        "names in design/changes.toml.",
         "names that are also English words, such as the class Wheel; a name that "
         "means something else now.",
         "write its present name.",
@@ -124,15 +144,15 @@ _FIXED = [
         "module-function",
         "Each design module has a function",
         "The comment above every design module has @brief and one @function, and no two modules "
-        "state the same.",
+        "have the same @function.",
         _TEXT_BLIND,
         "write the paragraph above the class.",
     ),
     Check(
         "module-secret",
         "Each design module has exactly one secret",
-        "The comment above every design module has exactly one @secret, which is not its function, "
-        "and no two modules state the same.",
+        "The comment above every design module has exactly one @secret, which differs from its "
+        "function, and no two modules have the same @secret.",
         "whether the code hides the subject of the secret.",
         "state above the class the one likely change that the module hides.",
     ),
@@ -144,15 +164,15 @@ _FIXED = [
         "inherited from the method that it overrides. The text of a plain number has its unit or "
         "the counted items, the text of a parameter with a unit has the unit, and each unit "
         "equals the unit of the type. Every other public part of a header has a brief: classes, "
-        "types, functions, members, constants, friends, and the values of an enumeration when one "
-        "of them has.",
+        "types, functions, members, constants, friends, and all values of an enumeration when one "
+        "value has a brief.",
         _TEXT_BLIND,
         "complete the comment above the declaration.",
     ),
     Check(
         "module-name",
         "A header is named after its class",
-        "Every design module has the name of its header, and no header contains two.",
+        "Every design module has the name of its header, and no header contains two modules.",
         "whether the name is good.",
         "rename the file or the class, or mark a value type with @datatype.",
     ),
@@ -177,16 +197,16 @@ _FIXED = [
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
-        "a computation without condition and loop; the work of a free function on the data.",
+        "a computation without condition and loop; a free function that works on the data.",
         "move the behaviour into a module.",
     ),
     Check(
         "pattern-known",
         "Known pattern applications",
         "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
-        "@changes, and is declared once, above its abstraction; every application of "
-        "the design is declared, and so is every clause that a check decides, with its pattern "
-        "and roles of it.",
+        "@changes, and is declared once, above its abstraction. Every application of the design "
+        "is declared. Every clause that a check decides is declared with its pattern and its "
+        "roles.",
         _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
     ),
@@ -195,7 +215,7 @@ _FIXED = [
         "Tuned constants are declared",
         "A constant whose name or comment mentions control cycles or ticks is computed from "
         "SystemConstants, or design/tuned.toml declares that it depends on it. The page of the "
-        "change lists both.",
+        "change lists the computed and the declared constants.",
         "a value that depends on another constant, when its name and comment do not show this.",
         "compute the value from the constant, or add it to design/tuned.toml.",
     ),
@@ -203,9 +223,9 @@ _FIXED = [
         "pattern-change",
         "Likely changes name existing parts",
         "Every pattern has a recipe in design/changes.toml, which lists roles of the pattern: the "
-        "subclasses that it adds or alters, and their base classes. An entry for one application "
-        "names an existing one, and existing modules: those with a role in it, and "
-        "examples of an extension. Each name in backticks in a step exists.",
+        "subclasses that it adds or alters, and their base classes. An entry for an application "
+        "names this application, modules with a role in it, and modules of extensions as "
+        "examples; all of them exist. Each name in backticks in a step exists.",
         "whether the steps are sufficient; the extensions show this for some steps.",
         "correct the name.",
     ),
@@ -215,15 +235,16 @@ _FIXED = [
         "For each application of a pattern a folder of changes/ with its name makes the likely "
         "change: it names a class that derives from a base class of the recipe, or edits a "
         "module that the recipe alters; it has tests on the host and on the virtual K64, which "
-        "exist; it has a reason for the existing lines that it changes.",
-        "whether the change is a likely one, and whether its tests would notice a fault in it.",
+        "exist; it states why it changes existing lines.",
+        "whether the change is likely, and whether its tests find a fault in it.",
         "complete the kit as changes/README.md explains.",
     ),
     Check(
         "pattern-role-unknown",
         "Known roles",
-        "Every @role names an application that is declared and a role of it, and is once above "
-        "a module that the design binds to that role, or above one of an extension.",
+        "Every @role names an application that is declared, and a role of its pattern. The tag is "
+        "once above a module that the design binds to that role, or above a module of an "
+        "extension.",
         "a class that has a role without a mark; the clauses of the pattern find some of these "
         "classes.",
         "correct the application or the role, or change the design.",
@@ -232,7 +253,7 @@ _FIXED = [
         "pattern-role-missing",
         "All roles bound",
         "Every module that the design binds to a role of a declared application has the @role.",
-        "a role that nobody listed; `pattern-role-required` finds that.",
+        "a role that the design does not list; `pattern-role-required` finds it.",
         "write the @role above the class.",
     ),
     Check(
@@ -254,12 +275,12 @@ _FIXED = [
         "pattern-heir-unbound",
         "Every subclass has a role",
         "Every class that derives from an abstraction of an application has the role of a "
-        "subclass: one of a State, a Strategy or an Abstract Class in each of its "
+        "subclass. A subclass of a State, a Strategy or an Abstract Class has it in each of its "
         "applications, unless it extends a component or is an extended component. A Command that "
         "is nested in "
         "a module is the body of a thread, and needs no role.",
         "whether the role is right.",
-        "bind the subclass to a role, or derive it from something else.",
+        "bind the subclass to a role, or derive it from another class.",
     ),
     Check(
         "uses-allowed",
@@ -281,8 +302,9 @@ _FIXED = [
     Check(
         "uses-board",
         "Drivers and virtual board are independent",
-        "No file of sim/ or tests/ includes one that is for the K64 only, and no file of "
-        "sim/emulator one of the design: a driver and its model must not share a mistake. The "
+        "No file of sim/ or tests/ includes a file that is only for the K64. No file of "
+        "sim/emulator includes a file of the design, because a driver and its model must not "
+        "share a mistake. The "
         "programs of "
         "tests/k64/program and tests/usual_design/k64 are compositions of drivers, which run on "
         "the virtual K64 itself. In src, `uses-allowed` shows the users of src/k64.",
@@ -293,11 +315,10 @@ _FIXED = [
         "secret-registers",
         "A block of registers has owners",
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
-        "design/register_owners.toml; each owner uses it; no address is in two of them; no "
-        "other place defines a register, converts a number to an address, names a volatile object, "
-        "or "
-        "passes a register to others, nor does the linker; no number in an offset reaches from one "
-        "block to another; only the drivers use instructions of the processor.",
+        "design/register_owners.toml; each owner uses it, and no address is in two blocks. No "
+        "other place, and no linker script, defines a register, converts a number to an address, "
+        "names a volatile object, or passes a register to others. No offset leads from one block "
+        "to another. Only the drivers use instructions of the processor.",
         "which channel or pin of a block an owner uses; an offset that is computed elsewhere; "
         "the effect of a register on another block.",
         "call an operation of the owner, or change the design.",
@@ -306,7 +327,7 @@ _FIXED = [
         "board-finding",
         "Each finding of the virtual K64 has a test",
         "Every finding in design/board_findings.toml is named in a test of tests/sim/emulator, and "
-        "every finding that a seeded fault of a driver caused is declared there.",
+        "that file declares every finding that a seeded fault of a driver caused.",
         "whether the test causes the finding; its result shows this.",
         "write a test that causes the finding, or correct the id.",
     ),
@@ -314,9 +335,8 @@ _FIXED = [
         "board-belief",
         "Each belief of the virtual K64 has a source",
         "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
-        "file of sim/emulator that contains it, and a declared source; it is marked as shared "
-        "exactly "
-        "when this source is not outside. Every register of that file has a belief.",
+        "file of sim/emulator that contains it, and a declared source; it is marked as shared if, "
+        "and only if, this source is inside the project. Every register of that file has a belief.",
         "a value of a register that is not listed, and whether the source confirms the belief.",
         "correct the entry, or find an outside source.",
     ),
@@ -332,8 +352,8 @@ _FIXED = [
     Check(
         "uses-unused",
         "No allowance without use",
-        "Every use that design/uses.toml allows occurs in the code and is allowed once, and every "
-        "declared cycle is a cycle, within its folder.",
+        "Every use that design/uses.toml allows occurs in the code and is allowed once. Every "
+        "declared cycle is a cycle within its folder.",
         "whether the declared reason is good.",
         "remove the entry.",
     ),
@@ -358,10 +378,9 @@ _FIXED = [
         "exec-declared",
         "Contexts, pipes and protections are declared",
         "Every handler in the table of vectors belongs to one context of design/execution.toml, "
-        "and a call enables its interrupt line; each handler and body named there exists, the "
-        "lines of a "
-        "context have its priority, each pipe of the robot has a name, and each member named there "
-        "is shared.",
+        "and a call enables its interrupt line. Each handler, body and shared member that the file "
+        "names exists. The lines of a context have its priority, and each pipe of the robot has "
+        "a name.",
         "handlers of products that have other interrupts.",
         "correct the entry, or declare the missing one.",
     ),
@@ -369,8 +388,9 @@ _FIXED = [
         "exec-isr",
         "No interrupt calls a forbidden method",
         "No method with @isr{no} is reached from the handler of an interrupt, and no method with "
-        "@isr{yes} calls one with @isr{no}. Calls of an abstraction reach the objects that the "
-        "builders gave.",
+        "@isr{yes} calls a method with @isr{no}. Calls of an abstraction reach the objects that "
+        "the "
+        "builders passed.",
         "calls through pointers to functions; methods without @isr; whether @isr{yes} is true.",
         "let a thread call the method, or make it safe and write @isr{yes}.",
     ),
@@ -400,10 +420,10 @@ _FIXED = [
     Check(
         "exec-shared",
         "Shared data of contexts is protected",
-        "A member that one context changes and another one uses is a Pipe, or has its "
-        "protection in design/execution.toml: a member declared as atomic is atomic, and an "
-        "InterruptLock is at each place declared as masked. A pipe has one context that writes and "
-        "one that reads it.",
+        "A member that one context changes and another context uses is a Pipe, or has its "
+        "protection in design/execution.toml. A member that is declared as atomic is atomic. "
+        "Each use of a member that is declared as masked is under an InterruptLock. One context "
+        "writes a pipe, and one context reads it.",
         "changes through parameters that are references and in the standard library; whether the "
         "protection is sufficient; two threads of one kind.",
         "put a Pipe between the contexts, or state the protection.",
@@ -419,17 +439,18 @@ _FIXED = [
     Check(
         "stack-recursion",
         "No function of the image calls itself",
-        "No function calls itself, directly or over functions of its file, and no chain of calls "
+        "No function calls itself, directly or through functions of its file, and no chain of "
+        "calls "
         "from a handler enters a function twice. A chain of decorators "
         "passes at most once through each Concrete Decorator of its application.",
-        "a decorator that wraps another object of its own class.",
+        "a decorator that wraps another object of the same class.",
         "write a loop with a bound.",
     ),
     Check(
         "stack-bound",
         "The stack is large enough for the worst case",
         "The sum of the deepest chains of calls of all priorities fits into the stack; "
-        "each frame has a bound; and no run in closed loop used more than this sum.",
+        "each frame has a bound; no run in closed loop used more than this sum.",
         "the words that the hardware stores for a fault in a fault handler.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
@@ -445,9 +466,9 @@ _FIXED = [
     Check(
         "time-seen",
         "No run needs more time than the bound",
-        "The longest time to the report in the runs of the bench, and to the end of the main "
-        "thread in the published record of random drives, is at most the bound of the control "
-        "cycle. The time of each path in its recording is at most the bound of the path.",
+        "The bound of the control cycle is at least the longest time to the report in the runs of "
+        "the bench, and the longest time to the end of the main thread in the published random "
+        "drives. The time of each path in its recording is at most the bound of the path.",
         "interrupts that come more often than in design/times.toml.",
         "correct the bound that is too small.",
     ),
@@ -457,8 +478,8 @@ _FIXED = [
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
         "Concrete States of the application; each event refers to an operation of the State, and "
         "each transition states, an event and at least one requirement that exist; a method of "
-        "one of its two states serves the requirement. Each event is used, and a guard "
-        "distinguishes the transitions of a state at one event apart. A number with a unit equals "
+        "one of its two states serves the requirement. Each event is used, and guards distinguish "
+        "the transitions of a state at the same event. A number with a unit equals "
         "a number of a requirement.",
         "the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
@@ -473,7 +494,7 @@ _FIXED = [
         "has no transition that stays. The only transition of an operation has a guard exactly "
         "when the code makes it conditional. Before each change the code evaluates the conditions "
         "that [guards] states for its guard, and the operations of a state call the methods that "
-        "[actions] states for their actions, before the change, and no others of this list.",
+        "[actions] states for their actions, before the change, and no other methods of this list.",
         "whether the name of a guard or an action fits the code; whether a "
         "condition must be true or false; states that extensions add.",
         "correct the code, or the transition in design/fsm.",
@@ -481,12 +502,12 @@ _FIXED = [
     Check(
         "fsm-seen",
         "Each transition is made in a test",
-        "In the recorded calls of a test that passed on the host the Context calls the operation "
-        "of the state, and only the successor fits the next call of a state. Each requirement "
+        "In the recorded calls of a test that passed on the host, the Context calls the operation "
+        "of the state, and the next call of a state fits only the successor. Each requirement "
         "that a transition names has a test that makes the transition. No test makes a change "
         "that is not declared.",
-        "which guard kept a state; the last state of a test that calls no state afterwards; "
-        "nothing is compared while results are stale.",
+        "which guard kept a state; a change after which the test calls no state. The check "
+        "compares nothing while results are stale.",
         "test the transition through its Context, in a test of its requirement, or correct the "
         "machine.",
     ),
@@ -512,14 +533,14 @@ _FIXED = [
         "Each property is proven",
         "Spin explored every state of the model, and found no sequence of events that violates "
         "the property.",
-        "nothing is compared while Spin did not run on the present design.",
+        "a proof of an older design: it compares nothing until Spin ran on the present design.",
         "correct the design, or the formula; the page Proofs shows the counterexample.",
     ),
     Check(
         "uses-apart",
         "Controllers and sensors are independent",
-        "The modules that design/uses.toml separates never name one another nor include the "
-        "other's header: no controller names a sensor, no sensor names a controller.",
+        "Modules that design/uses.toml separates neither name one another nor include each other's "
+        "header. No controller names a sensor, and no sensor names a controller.",
         "a third module that passes one to the other.",
         "pass the value through a pipe.",
     ),
@@ -536,7 +557,7 @@ _FIXED = [
     Check(
         "module-preprocessor",
         "No macro, no condition",
-        "The preprocessor only includes named files: every product compiles the same text.",
+        "The preprocessor only includes named files, so every product compiles the same text.",
         "the files that the build leaves out of a product; the tests of the products check them.",
         "use a constant, a template, or another module that the build chooses.",
     ),
@@ -544,7 +565,7 @@ _FIXED = [
         "secret-open",
         "No access except through the interface",
         "No module has public variables, a friend outside itself, or an operation "
-        "that returns a reference to its own number, through which the number can be changed. No "
+        "that returns a reference through which a caller can change a number of the module. No "
         "source "
         "file declares a name that another file defines.",
         "an operation that returns an object or a record of the module, such as a part of a "
@@ -554,10 +575,10 @@ _FIXED = [
     Check(
         "secret-hidden",
         "Hidden names stay inside",
-        "A header, class, function or constant that @hides names is used by its module only; one "
-        "that a logic module hides, by its folder only. No other constant has the value of a "
-        "hidden one and a similar name.",
-        "the same fact that is written again under a different name.",
+        "Only the module uses a header, class, function or constant that its @hides names. If a "
+        "logic module hides the name, only files of its folder use it. No other constant has the "
+        "value of a hidden constant and a similar name.",
+        "a copy of the same fact with a different name.",
         "call an operation of the module instead.",
     ),
     Check(
@@ -586,10 +607,10 @@ _FIXED = [
     Check(
         "tree-order",
         "The order and the number of calls match the tree",
-        "The body of each parent makes the calls in the order of the tree. A node without a mark "
-        "is "
-        "called by one statement that no condition guards; ? marks a call under a condition or "
-        "after a condition that may return, * a call in a loop or by several statements.",
+        "The body of each parent makes the calls in the order of the tree. One statement without a "
+        "condition calls a node without a mark. The mark ? means a call under a condition, or "
+        "after a condition that may return. The mark * means a call in a loop or by several "
+        "statements.",
         "which condition guards the call; the order of calls in different turns of a loop.",
         "restore the code, or correct the order or the mark in the tree.",
     ),
@@ -598,8 +619,8 @@ _FIXED = [
         "Each tree was executed",
         "The tree is contained in the recorded calls of a test that passed and that verifies the "
         "requirement: each child within the call of its parent, in order.",
-        "operations that the platform implements, such as operations of a port, are not recorded; "
-        "nothing is compared while results are stale.",
+        "operations that the platform implements, such as operations of a port, because they are "
+        "not recorded. The check compares nothing while results are stale.",
         "correct the tree, or test the requirement so that the calls are made.",
     ),
     Check(
@@ -615,8 +636,8 @@ _FIXED = [
         "Requirements have level, product and method",
         "Every requirement has one @level: system, software or driver; a @product: all, or names "
         "of products that exist; and one @method of verification: test, analysis, measurement or "
-        "inspection. A test is named in the @verifies of a test; a measurement and an analysis "
-        "have @evidence, or a test with a measurement.",
+        "inspection. A requirement with the method test is named in the @verifies of a test. A "
+        "measurement and an analysis have @evidence, or a test with a measurement.",
         "whether the method suits the requirement; parts that a requirement without @partly "
         "leaves unverified.",
         "write the attribute, or correct its value.",
@@ -627,17 +648,18 @@ _FIXED = [
         "Each number with a unit in a requirement, in digits or as a word, is linked with a "
         "constant in design/requirement_numbers.toml, and the constant has this value. The file "
         "lists the other numbers with the reason why there is no constant.",
-        "numbers without a unit of the list; whether the linked constant determines the property "
-        "of the sentence.",
+        "numbers whose unit is not in the list; whether the linked constant determines the "
+        "property of the sentence.",
         "correct the constant or the requirement, or name the constant in the file.",
     ),
     Check(
         "req-source",
         "Sources are references",
-        "Every @source has the form 'kind: name', several separated by semicolons. A paper names a "
-        "place of design/paper.toml, a goal one of design/safety_case.toml that the requirement "
-        "has as @goal, a protocol a heading of docs/protocol.rst, a data sheet one that "
-        "design/safety_case.toml lists. A decision has its text.",
+        "Every @source has the form 'kind: name'; semicolons separate several sources. The name of "
+        "a paper is a place of design/paper.toml. The name of a goal is in "
+        "design/safety_case.toml and in a @goal of the requirement. The name of a protocol is a "
+        "heading of docs/protocol.rst. The name of a data sheet is in design/safety_case.toml. A "
+        "decision has its text.",
         "whether the source supports the requirement; only a reader can judge that.",
         "write the source in this form.",
     ),
@@ -645,7 +667,7 @@ _FIXED = [
         "req-satisfied",
         "Each requirement is satisfied",
         "Every requirement is named in the @satisfies of a method.",
-        "whether the method really does this; the tests show it.",
+        "whether the method fulfils the requirement; the tests show this.",
         "tag the method that does the work.",
     ),
     Check(
@@ -668,7 +690,7 @@ _FIXED = [
         "req-caller",
         "Each public method has a caller",
         "Code of the firmware calls every public method of a design module, or the method that it "
-        "overrides: a builder calls each step and uses each part. Other methods are justified in "
+        "overrides. A builder calls each step and uses each part. Other methods are justified in "
         "design/justified.toml.",
         "whether the caller runs: a call in dead code is accepted.",
         "call the method, remove it, or justify it.",
@@ -677,15 +699,16 @@ _FIXED = [
         "req-test",
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
-        "tools recognise its macro. No test is disabled, and none that verifies a requirement "
-        "skips itself.",
+        "tools recognise its macro. No test is disabled, and no test of a requirement skips "
+        "itself.",
         "whether the test tests the requirement; mutants show this.",
         "tag the test, remove it, or justify it; use a macro that the tools recognise.",
     ),
     Check(
         "req-justified",
         "Justifications are needed",
-        "Every name in design/justified.toml belongs to a method, a test or a line that needs it. "
+        "Every name in design/justified.toml is a method, a test or a line that needs a "
+        "justification. "
         "Every entry of design/mutants.toml quotes a line of its method; after a mutation test of "
         "all mutants of these sources, no test finds its changes.",
         "whether the reason is good.",
@@ -695,7 +718,7 @@ _FIXED = [
         "req-evidence",
         "Measured requirements are met",
         "Each @evidence of a requirement names a metric that was measured in this run and meets "
-        "its bound: at most, at least or exactly.",
+        "its bound. A bound has the form at most, at least or exactly.",
         "whether the metric shows the property that the requirement demands.",
         "correct the measured code, or run the command that measures it.",
     ),
@@ -726,15 +749,16 @@ _FIXED = [
         "Results belong to the present sources",
         "The last test run used exactly the present sources. So did the build of the image whose "
         "size and stack are compared.",
-        "nothing: it compares contents, not dates.",
+        "no known case, because it compares contents, not dates.",
         "run ./wr test.",
     ),
     Check(
         "req-line",
         "Each line serves a requirement",
         "Each line of a method of the design is executed by a passing test of a requirement that "
-        "the method serves: its tree contains the method, the method is tagged with it, or a "
-        "caller of the method serves it. Other lines are justified in design/justified.toml.",
+        "the method serves: the tree of the requirement contains the method, the method has its "
+        "tag, or a caller of the method serves it. Other lines are justified in "
+        "design/justified.toml.",
         "the drivers of the K64, whose lines the page of the virtual K64 lists; whether the test "
         "checks the effect of the line.",
         "test the line for its requirement, remove it, or justify it.",
@@ -775,8 +799,8 @@ _FIXED = [
     Check(
         "hazard-requirement",
         "Goals and requirements name each other",
-        "Every requirement with a @goal is listed by this goal, and every listed one exists and "
-        "has the @goal.",
+        "Each goal lists the requirements that name it in @goal. Each listed requirement exists "
+        "and has the @goal.",
         "whether the requirement serves the goal. A goal whose requirements are not all verified "
         "is not a finding: its page shows it as open.",
         "add the missing link.",
@@ -784,8 +808,8 @@ _FIXED = [
     Check(
         "hazard-scenario",
         "Fault scenarios have goals and passed",
-        "Every file of sim/scenario/safety names a safety goal that lists it, is played by a test, "
-        "and passed on each target that the test is built for; every scenario that a goal lists "
+        "Every file of sim/scenario/safety names a safety goal that lists it. A test plays it, and "
+        "passed on each target for which the test is built. Every scenario that a goal lists "
         "exists. A result that is older than the sources is not counted as passed.",
         "faults without a scenario.",
         "complete the links, play the scenario in a test, or correct the failure.",
@@ -793,9 +817,9 @@ _FIXED = [
     Check(
         "hazard-assumption",
         "Each assumption of use covers a hazard",
-        "Every assumption of use is named by a hazard.",
+        "A hazard names every assumption of use.",
         "whether people follow it.",
-        "name it in a hazard, or remove it.",
+        "name the assumption in a hazard, or remove it.",
     ),
     Check(
         "hazard-priority",
@@ -842,8 +866,9 @@ _FIXED = [
     Check(
         "req-review",
         "A record of a review is a review",
-        "Each record in requirements/reviews.toml names a person with an address, and by git this "
-        "person wrote no line of the texts; it has a remark, and an answer to each question.",
+        "Each record in requirements/reviews.toml names a person with an address. According to "
+        "git, this person wrote no line of the texts. The record has a remark, and an answer to "
+        "each question.",
         "how careful the reviewer was. A requirement without a review is not a finding: its page "
         "shows that.",
         "remove the record, and let another person run ./wr review with the id.",
@@ -852,9 +877,8 @@ _FIXED = [
         "paper-complete",
         "The concordance with the paper is complete",
         "Every picture, table, section and named element of the paper that design/paper.toml lists "
-        "has one entry in design/concordance.toml: its place here, or the reason why it is missing "
-        "here. "
-        "Each arrow of the high-level diagram is named by an entry.",
+        "has one entry in design/concordance.toml. The entry names its counterpart, or the reason "
+        "why it has none. Entries name each arrow of the high-level diagram.",
         "an element that is missing in the list, which was written by hand from the paper.",
         "write the entry, or correct its kind or name.",
     ),
@@ -879,10 +903,9 @@ _FIXED = [
     ),
     Check(
         "paper-alias",
-        "Names that differ from the paper's have a reason",
-        "A module, method or state whose name here differs from the paper's, and an application "
-        "with "
-        "another title, has an alias with the reason, and others have none.",
+        "Each name that differs from the paper has a reason",
+        "A module, method or state has an alias with a reason if, and only if, its name differs "
+        "from the name in the paper. For an application, this is its title.",
         "whether the reason is good.",
         "state why the name differs, or use the name of the paper.",
     ),
@@ -903,9 +926,9 @@ _FIXED = [
     ),
     Check(
         "doc-example",
-        "Worked examples of the protocol are whole",
-        "The check sum of each example in docs/protocol_examples.txt and its bytes on the line "
-        "follow from its body.",
+        "Worked examples of the protocol are consistent",
+        "For each example in docs/protocol_examples.txt, the body determines the check sum and the "
+        "bytes on the line.",
         "whether the body has the described content; tests of the firmware and of the client "
         "decode it.",
         "run tests/python/client/examples.py.",
@@ -913,19 +936,18 @@ _FIXED = [
     Check(
         "link-doc",
         "Links of hand-written pages",
-        "Every reference in docs/ has a target, and every file that a page of docs/, the README or "
-        "a text of design/ names by its path exists. Each command of ./wr that a page or the "
-        "README names exists, with its options, and so does each product, each program of tests, "
-        "each used pin and each key.",
+        "Every reference in docs/ has a target. Every path of a file in a page of docs/, the "
+        "README or a text of design/ exists. Each command of ./wr with its options, each "
+        "product, each test program, each used pin and each key that a page or the README names "
+        "exists.",
         "whether the target is the right one.",
         "correct the target.",
     ),
     Check(
         "link-site",
         "Links of the site",
-        "Every link of every page of the site, diagrams included, has a target page and anchor, "
-        "and so "
-        "has every click of design/questions.toml.",
+        "Every link of the site, also in diagrams, has a target page and anchor. Every click of "
+        "design/questions.toml has a target page.",
         "links to other sites.",
         "correct the source of the page.",
     ),

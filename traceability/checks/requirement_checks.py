@@ -1,6 +1,6 @@
 """req-*, suspect-*: each requirement is satisfied by code and verified by tests that passed.
 
-The texts of its links are as in its baseline, and each review is valid.
+Its texts are as in its baseline, and each review is valid.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
         if requirement.method not in METHODS:
             wrong.append(f"no @method ({', '.join(METHODS)})")
         elif not _has_way(requirement):
-            wrong.append(f"the @method {requirement.method} and no test or evidence for it")
+            wrong.append(f"the @method {requirement.method} but no test and no evidence")
         if not requirement.products:
             wrong.append("no @product (all, or names of products)")
         unknown = set(requirement.products) - {"all", *PRODUCTS}
@@ -228,7 +228,7 @@ def _unneeded(model: Model) -> list[Finding]:
         Finding(
             item.place,
             "req-justified",
-            f"no {item.kind} needs this: {', '.join(spare)}",
+            f"no {item.kind} needs this justification: {', '.join(spare)}",
             "remove the names, or correct them",
         )
         for item in model.justified
@@ -237,7 +237,7 @@ def _unneeded(model: Model) -> list[Finding]:
 
 
 def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Entries of design/mutants.toml that name a line or a mutant that does not exist."""
+    """Finds entries of design/mutants.toml that name a missing line or a missing mutant."""
     bodies: dict[tuple[str, str], list[BodyFact]] = {}
     for body in facts.syntax.bodies:
         bodies.setdefault((body.place.file, body.id), []).append(body)
@@ -250,11 +250,19 @@ def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
     for entry in facts.declared.equivalents:
         held = bodies.get((entry.file, entry.method), [])
         if not any(entry.line in _lines_of(facts.root, body) for body in held):
-            text = f"no line of {entry.method} in {entry.file} is: {entry.line}"
-            yield Finding(entry.place, "req-justified", text, "quote the line, or remove the entry")
+            text = f"{entry.method} in {entry.file} does not contain the line: {entry.line}"
+            yield Finding(
+                entry.place,
+                "req-justified",
+                text,
+                "quote a line of the method, or remove the entry",
+            )
         for change in entry.changes if whole else []:
             if (entry.file, entry.method, change) not in missed:
-                text = f"a test finds this change of {entry.method}, or it does not exist: {change}"
+                text = (
+                    f"a test finds this change of {entry.method}, or no mutant makes the change: "
+                    f"{change}"
+                )
                 yield Finding(entry.place, "req-justified", text, "correct or remove the change")
 
 
@@ -299,10 +307,11 @@ def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place
 
 
 def _old_image(model: Model, facts: Facts) -> list[Finding]:
-    """The checks of the image and of its stack do not run while it is older than the sources."""
+    """Finds an image that is older than the sources: its checks and those of its stack do not
+    run."""
     if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
         return []
-    text = "the image is older than the sources, so its size and its stack are not compared"
+    text = "the image is older than the sources, so no check compares its size and its stack"
     place = _first_place(model, lambda one: bool(one.evidence))
     return [Finding(place, "req-stale", text, "run ./wr firmware")]
 
@@ -337,7 +346,7 @@ def unmet(
     """Evidence that is missing or beyond its bound.
 
     ``others`` are the findings of the other checks. Evidence that counts these findings, or that is
-    not measured because results are stale, is not reported a second time.
+    not measured because results are stale, is not reported again.
     """
     checks = {finding.check for finding in others}
     return [
@@ -370,7 +379,7 @@ def _results(model: Model) -> list[Finding]:
             test.place,
             "req-passed",
             f"{test.id} {words[result.result]} on the {binding}"
-            + (f", and it verifies {', '.join(test.verifies)}" if test.verifies else ""),
+            + (f", but it verifies {', '.join(test.verifies)}" if test.verifies else ""),
             "correct the code or the test, then run ./wr test",
         )
         for test in model.tests.values()
@@ -432,7 +441,9 @@ def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
                     yield Finding(tag.place, "req-unknown", text, "correct the id")
                 if tag.text:
                     text = f"this @{tag.name} names more than one requirement"
-                    yield Finding(tag.place, "req-unknown", text, "write a tag for each")
+                    yield Finding(
+                        tag.place, "req-unknown", text, "write a tag for each requirement"
+                    )
 
 
 def _twice(facts: Facts) -> Iterator[Finding]:
@@ -447,7 +458,7 @@ def _twice(facts: Facts) -> Iterator[Finding]:
 
 
 def _tags(model: Model) -> list[Finding]:
-    """A test that is named after a requirement verifies it."""
+    """A test with the id of a requirement in its name verifies this requirement."""
     findings: list[Finding] = []
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
@@ -499,8 +510,8 @@ def _suspects(model: Model) -> list[Finding]:
             f"suspect-{_LINKS[suspicion.kind]}",
             f"{', '.join(ids)}: {NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} "
             f"{suspicion.text}",
-            f"review it: ./wr review {ids[0]}; or accept the change, without a review: "
-            f"./wr review --baseline {' '.join(ids)}",
+            f"review it: ./wr review {ids[0]}; or accept the change without a review: ./wr review "
+            f"--baseline {' '.join(ids)}",
         )
         for suspicion, ids in asking.items()
     ]
@@ -531,7 +542,12 @@ def _reviews(model: Model) -> Iterator[Finding]:
         for review in requirement.reviews:
             for objection in review.objections:
                 text = f"the record for {requirement.id} is no review: {objection}"
-                yield Finding(review.place, "req-review", text, "remove it, and review again")
+                yield Finding(
+                    review.place,
+                    "req-review",
+                    text,
+                    "remove the record, and review the requirement again",
+                )
 
 
 def _macros(facts: Facts) -> Iterator[Finding]:
@@ -557,5 +573,5 @@ def _switched_off(model: Model, facts: Facts) -> Iterator[Finding]:
             disabled = DISABLED in case.id
             if disabled or (SKIPS in case.code and test.verifies):
                 said = "is disabled" if disabled else "skips itself"
-                fix = "let it run, or remove it"
+                fix = "let the test run, or remove it"
                 yield Finding(test.place, "req-test", f"{test.id} {said}", fix)

@@ -35,7 +35,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _names(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Ids have their form, and each named part exists."""
+    """Each id has the form of its kind, and each named part exists."""
     case = model.safety
     kinds = (("HZ", case.hazards), ("SG", case.goals), ("AU", case.assumptions))
     for prefix, items in kinds:
@@ -43,7 +43,7 @@ def _names(model: Model, facts: Facts) -> Iterator[Finding]:
             if not re.fullmatch(rf"{prefix}-\d+", item.id):
                 text = f"{item.id} is not an id of a {ID[prefix]}"
                 yield Finding(
-                    _at(facts, item), "hazard-name", text, f"call it {prefix}- and a number"
+                    _at(facts, item), "hazard-name", text, f"write {prefix}- and a number"
                 )
     for hazard in case.hazards.values():
         for name, declared in (
@@ -98,44 +98,44 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _times(model: Model, facts: Facts) -> Iterator[Finding]:
-    """The time of a goal follows from its formula, and the firmware reacts within it."""
+    """The time of a goal follows from its formula, and the firmware reacts within this time."""
     for goal in model.safety.goals.values():
         if goal.computed is None:
             text = f"the formula of {goal.id} has no value: {goal.formula}"
             yield Finding(_at(facts, goal), "hazard-time", text, "write a formula of numbers")
         elif goal.time > goal.computed + 1e-9 or goal.time < 0.9 * goal.computed:
-            text = f"{goal.id} has {goal.time:g} s, and its formula gives {goal.computed:.3g} s"
+            text = f"{goal.id} has {goal.time:g} s, but its formula gives {goal.computed:.3g} s"
             fix = "round the value of the formula down, or correct the formula"
             yield Finding(_at(facts, goal), "hazard-time", text, fix)
         if goal.reaction > goal.time:
             needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
-            text = f"the firmware needs {needed} for {goal.id}, which allows {allowed}"
-            fix = "react sooner, or derive another time"
+            text = f"the firmware needs {needed} for {goal.id}, but the goal allows {allowed}"
+            fix = "make the firmware react sooner, or derive another time"
             yield Finding(_at(facts, goal), "hazard-time", text, fix)
 
 
 def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """A scenario of a goal without exceptions accepts no reaction after the time of the goal."""
+    """If a goal has no exceptions, its scenarios accept no reaction after the time of the goal."""
     for goal in model.safety.goals.values():
         for scenario in () if goal.exceptions else scenarios_of(model, goal):
             for line, bound in scenario.bounds.items():
                 if bound > goal.time:
                     accepts, allowed = f"accepts {bound:g} s", f"allows {goal.time:g} s"
-                    text = f"the scenario {scenario.name} {accepts}, and {goal.id} {allowed}"
+                    text = f"the scenario {scenario.name} {accepts}, but {goal.id} {allowed}"
                     fix = f"shorten the time, or add an exception to {goal.id}"
                     yield Finding(Place(scenario.place.file, line), "hazard-time", text, fix)
 
 
 def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Each requirement with a goal is listed by it."""
+    """Each goal lists the requirements that name it."""
     for requirement in model.requirements.values():
         for name in requirement.goals:
             goal = model.safety.goals.get(name)
             if goal is None:
-                text = f"{requirement.id} names {name}, and there is no such goal"
+                text = f"{requirement.id} names the goal {name}, which does not exist"
                 yield Finding(requirement.place, "hazard-requirement", text, "correct the @goal")
             elif requirement.id not in goal.requirements:
-                text = f"{requirement.id} serves {name}, which does not list it"
+                text = f"{requirement.id} serves {name}, but this goal does not list it"
                 fix = f"add it to the requirements of {name} in design/safety_case.toml"
                 yield Finding(requirement.place, "hazard-requirement", text, fix)
 
@@ -148,7 +148,7 @@ def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
             if requirement is None:
                 text, fix = f"{goal.id} lists {name}, which does not exist", "correct the id"
             elif goal.id not in requirement.goals:
-                text = f"{goal.id} lists {name}, which does not name it"
+                text = f"{goal.id} lists {name}, but this requirement does not name the goal"
                 fix = f"write @goal {goal.id} below {name}, or remove it from the list"
             else:
                 continue
@@ -166,10 +166,10 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
         for name in scenario.goals:
             goal = model.safety.goals.get(name)
             if goal is None:
-                text = f"the scenario {scenario.name} names {name}, and there is no such goal"
+                text = f"the scenario {scenario.name} names the goal {name}, which does not exist"
                 yield Finding(where, check, text, "correct the id")
             elif scenario.name not in goal.scenarios:
-                text = f"the scenario {scenario.name} is about {name}, which does not list it"
+                text = f"the scenario {scenario.name} names {name}, but this goal does not list it"
                 fix = f"add it to the scenarios of {name} in design/safety_case.toml"
                 yield Finding(where, check, text, fix)
         if not scenario.tests:
@@ -193,7 +193,9 @@ def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
                 text = f"{goal.id} lists the scenario {name}, which is not in {SCENARIOS}"
                 yield Finding(place, "hazard-scenario", text, "correct the name")
             elif goal.id not in scenario.goals:
-                text = f"{goal.id} lists the scenario {name}, which does not name it"
+                text = (
+                    f"{goal.id} lists the scenario {name}, but the scenario does not name the goal"
+                )
                 fix = f"write '# goal {goal.id}' into the scenario, or remove it from the list"
                 yield Finding(place, "hazard-scenario", text, fix)
 
@@ -219,5 +221,5 @@ def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
         least = max(demanded, key=PRIORITIES.index, default="low")
         present = requirement.priority
         if present in PRIORITIES and PRIORITIES.index(present) < PRIORITIES.index(least):
-            text = f"{requirement.id} has the priority {present}, and its goals demand {least}"
+            text = f"{requirement.id} has the priority {present}, but its goals demand {least}"
             yield Finding(requirement.place, "hazard-priority", text, f"write @priority {least}")

@@ -46,8 +46,7 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _given_out(model: Model, facts: Facts) -> list[Finding]:
-    """Finds an operation whose result is a reference through which a number of the module can
-    change."""
+    """Finds an operation that returns a reference through which a caller can change the module."""
     results: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         results.setdefault(flow.into, []).extend(flow.sources)
@@ -78,7 +77,7 @@ def _declared_again(facts: Facts) -> list[Finding]:
         Finding(
             place,
             "secret-open",
-            f"{name} is declared here, and no header of its module declares it",
+            f"{name} is declared here, but no header of its module declares it",
             "include the header of the module, and call an operation of the module",
         )
         for name, place in facts.syntax.declared_again.items()
@@ -104,7 +103,7 @@ def _hidden(model: Model, facts: Facts) -> list[Finding]:
     for hidden in _declared(model):
         uses = _uses(hidden.name, facts)
         if uses is None or not any(hidden.allows(place.file) for place in uses):
-            text = f"{hidden.owner} hides {hidden.name}, and does not use it"
+            text = f"{hidden.owner} hides {hidden.name}, but does not use it"
             fix = "name a header, a constant, a function or a type of the module"
             findings.append(Finding(hidden.place, "secret-hidden", text, fix))
             continue

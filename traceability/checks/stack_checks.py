@@ -1,4 +1,4 @@
-"""stack-*: the greatest stack use of the image is known, and fits."""
+"""stack-*: the largest stack use of the image is computed, and fits into the stack."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def _bound(proof: StackProof) -> list[Finding]:
         calls = [call for level in proof.levels for call in level.chain]
         largest = max(calls, key=lambda call: call.bytes)
         text = (
-            f"the stack has {proof.limit} bytes, and {proof.total} may be needed; of the deepest "
+            f"the stack has {proof.limit} bytes, but {proof.total} may be needed; in the deepest "
             f"chains {largest.name} has the largest frame, {largest.bytes} bytes"
         )
         fix = "make this frame smaller, or raise stackSize in this file"

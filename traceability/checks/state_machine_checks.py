@@ -21,7 +21,7 @@ _WITH_UNIT = re.compile(
 )
 _ALIKE = (
     "another transition of this state has the same event, and no guard distinguishes the two",
-    "remove one of the two, or write a different guard for each",
+    "remove one of the two transitions, or write a different guard for each",
 )
 
 
@@ -73,14 +73,16 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
         text = (
             f"{machine.id} has no state for {name}, a Concrete State of {declared.id}"
             if name in states
-            else f"{machine.id} has a state {name}, which is no Concrete State of {declared.id}"
+            else f"{machine.id} has the state {name}, which is no Concrete State of {declared.id}"
         )
         findings.append(finding(text, "correct the states of the machine", f'"{name}"'))
     base = declared.roles.get("State", [""])[0]
     for event, operation in machine.events.items():
         if facts.method(base, operation) is None:
             text = f"the event '{event}' calls {base}::{operation}, which does not exist"
-            findings.append(finding(text, "name the operation of the state that is called", event))
+            findings.append(
+                finding(text, "name the operation of the state that the event calls", event)
+            )
     if machine.initial not in machine.states:
         text = f"the initial state {machine.initial} is not a state of {machine.id}"
         findings.append(finding(text, "name one of its states", "initial"))
@@ -95,7 +97,7 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
             findings.append(finding(text, fix, step.event, step))
         if not step.requirements:
             text = f"{words(step)} serves no requirement"
-            findings.append(finding(text, "name the requirements of it", "requirements", step))
+            findings.append(finding(text, "name its requirements", "requirements", step))
         findings += [
             finding(text, fix, word, step)
             for text, fix, word in _asked_for(step, machine, model, facts)
@@ -131,7 +133,7 @@ def _asked_for(
     family = ends.union(*(facts.classes[end].bases for end in ends if end in facts.classes))
     problems += [
         (
-            f"no method of {' or '.join(sorted(ends))} serves {requirement.id}, which is to demand "
+            f"no method of {' or '.join(sorted(ends))} serves {requirement.id}, which shall demand "
             f"{words(step)}",
             "name the requirement that demands it, or tag the method",
             requirement.id,
@@ -180,8 +182,12 @@ def words(step: Transition) -> str:
 
 def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
     if not code.composition or not code.holders:
-        what = "class of the robot that contains all its states" if code.holders else "Context"
-        text = f"the code has no {what}, so the transitions of {machine.id} cannot be compared"
+        what = (
+            "class of the robot that contains all states of the machine"
+            if code.holders
+            else "Context"
+        )
+        text = f"the code has no {what}, so no check can compare the transitions of {machine.id}"
         return [Finding(machine.place, "fsm-code", text, "compose the states in one class")]
     findings = _initial(machine, code, facts)
     for state in machine.states:
@@ -194,7 +200,7 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
     if code.initial == {machine.initial}:
         return []
     given = ", ".join(sorted(code.initial)) or "no state"
-    text = f"{code.composition} begins with {given}, and the machine with {machine.initial}"
+    text = f"{code.composition} begins with {given}, but the machine with {machine.initial}"
     fix = "correct 'initial', or give the first state to the Context"
     place = facts.declared.entries.line_in(machine.place, "initial")
     return [Finding(place, "fsm-code", text, fix)]
@@ -203,8 +209,8 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
 def _operation(
     machine: StateMachine, code: MachineCode, state: str, operation: str
 ) -> list[Finding]:
-    """Compares the changes in one operation of a state with the rows: their numbers must be equal
-    for each target."""
+    """Compares the changes in one operation of a state with the rows. For each target, the number
+    of changes and rows must be equal."""
     rows = [
         step
         for step in machine.transitions
@@ -281,14 +287,14 @@ def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
             findings.append(Finding(row.place, "fsm-code", text, "write it, or correct the guard"))
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):
-                text = f"{words(row)} needs '{question}', and the code does not check it"
+                text = f"{words(row)} needs '{question}', but the code does not check it"
                 fix = "correct the guard, or the code"
                 findings.append(Finding(change.place, "fsm-code", text, fix))
     for change in code.changes:
         evaluated = _known_before(machine, code, change)
         for question in sorted(set(change.asked) - evaluated):
             change_text = f"the change from {change.source} to {change.target}"
-            text = f"{change_text} checks '{question}', and no guard contains this condition"
+            text = f"{change_text} checks '{question}', but no guard contains this condition"
             fix = f"declare it in [guards] of {machine.place.file}, or remove it"
             findings.append(Finding(change.place, "fsm-code", text, fix))
     return findings
@@ -314,7 +320,7 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
             declared = {name for row in rows for name in machine.actions.get(row.action, ())}
             every = {name for names in machine.actions.values() for name in names}
             for name in sorted((every & called) - declared) if rows else []:
-                text = f"{method} calls {name}, and no transition has it as an action"
+                text = f"{method} calls {name}, but no transition has this action"
                 fix = "declare the action, or remove the call"
                 findings.append(Finding(bodies[0].place, "fsm-code", text, fix))
     return findings
@@ -338,7 +344,7 @@ def _is_in(body: BodyFact, place: Place) -> bool:
 def _guarded(row: Transition, change: Change) -> Finding:
     made = "on some paths only" if change.sometimes else "on every path"
     declared = "a guard" if row.guard else "no guard"
-    text = f"{words(row)} has {declared}, and {change.source}::{change.operation} makes it {made}"
+    text = f"{words(row)} has {declared}, but {change.source}::{change.operation} makes it {made}"
     return Finding(change.place, "fsm-code", text, "declare the guard, or correct the code")
 
 

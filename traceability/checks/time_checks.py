@@ -1,4 +1,4 @@
-"""time-*: the greatest time of the image is known, and no run needed more."""
+"""time-*: the longest time of the image is computed, and no run needed more."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _loops(proof: TimeProof) -> list[Finding]:
     call = "call an object that a builder passes, or declare the call in design/stack.toml"
     return [
         *(
-            Finding(place, "time-bound", f"nothing bounds a loop or a copy in {name}", bound)
+            Finding(place, "time-bound", f"a loop or a copy in {name} has no bound", bound)
             for name, place in proof.unbound
         ),
         *(

@@ -90,7 +90,7 @@ def _order(
     if child.often_in_code is not None and child.often_in_code != child.often:
         code, says = OFTEN[child.often_in_code], OFTEN[child.often]
         mark = child.often_in_code or "no mark"
-        fix = f"restore the code, or write {mark} behind the node"
+        fix = f"restore the code, or write {mark} after the node"
         texts.append((f"{node.label} calls {child.label} {code}, not {says} ({tree})", fix))
     if child.too_early:
         text = f"{node.label} calls {child.label} before {child.too_early} ({tree})"
@@ -114,14 +114,14 @@ def _executed(requirement: Requirement, model: Model) -> list[Finding]:
         return []
     if requirement.runs:
         return []
-    # Without a recording of a passed test no node is measured, and the finding is at the root.
+    # If no passed test has a recording, no node is measured, and the finding is at the root.
     failed = next((node for node in nodes if node.ran is False), requirement.tree)
     return [
         Finding(
             failed.place,
             "tree-dynamic",
-            f"no passing test of {requirement.id} made the call of {failed.label} in this place "
-            f"of the tree",
+            f"no passing test of {requirement.id} made the call of {failed.label} at this place of "
+            "the tree",
             "correct the tree, or test the requirement so that the calls are made",
         )
     ]

@@ -71,7 +71,8 @@ def _read_by(constant: Written) -> set[str]:
 
 
 def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> Iterator[Finding]:
-    """A value that seems to depend on a constant is computed from it, or declared."""
+    """Finds values that seem to depend on a constant, and are neither computed from it nor
+    declared."""
     computed = {(fact.name, fact.target) for fact in facts.syntax.initial}
     declared = {(name, item.to) for item in model.tuned for name in item.constants}
     for constant in constants.values():

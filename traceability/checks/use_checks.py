@@ -45,8 +45,8 @@ def _board(root: Path) -> list[Finding]:
             elif file.startswith(VIRTUAL_BOARD) and include.target.startswith(OF_FIRMWARE):
                 text = f"the virtual K64 includes {include.target} of the firmware"
                 fix = (
-                    "write the facts from the manual of the microcontroller, so that mistakes are "
-                    "not shared"
+                    "write the facts from the manual of the microcontroller, so that both do not "
+                    "share a mistake"
                 )
             else:
                 continue
@@ -67,7 +67,7 @@ def _forbidden(model: Model) -> list[Finding]:
         Finding(
             place,
             "uses-allowed",
-            f"{use.source} uses {use.target}, which design/uses.toml does not allow",
+            f"{use.source} uses {use.target}, but design/uses.toml does not allow this use",
             "remove the include or the call, or allow the use with a reason",
         )
         for use in model.uses
@@ -148,7 +148,7 @@ def _allowed_twice(model: Model) -> list[Finding]:
             "uses-unused",
             f"every module may use {allowed.target}, so the entry of {allowed.source} has no "
             "effect",
-            "remove one of the two",
+            "remove one of the two entries",
         )
         for allowed in model.allowed_uses
         if allowed.source != "*" and allowed.target in everybody
@@ -156,7 +156,7 @@ def _allowed_twice(model: Model) -> list[Finding]:
 
 
 def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
-    """Cycles of allowed uses; a use that is not allowed is already a finding."""
+    """Finds cycles of allowed uses. A use that is not allowed is already a finding."""
     declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
     findings: list[Finding] = []
     for use in uses:
@@ -199,7 +199,7 @@ def _apart(facts: Facts) -> list[Finding]:
         (place.file, place.line, user, target): Finding(
             place,
             "uses-apart",
-            f"{user} names {target}, and design/uses.toml keeps them apart",
+            f"{user} names {target}, but design/uses.toml separates the two modules",
             "pass the value through a pipe",
         )
         for user, target, place in named
@@ -215,7 +215,7 @@ def _apart(facts: Facts) -> list[Finding]:
 
 
 def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
-    """A declared cycle that the uses do not form."""
+    """Finds a declared cycle that the uses do not form."""
     graph = _graph(model.uses, depth=9)
     return [
         Finding(

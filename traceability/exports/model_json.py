@@ -102,7 +102,7 @@ def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
     if isinstance(kind, type) and dataclasses.is_dataclass(kind):
         name = kind.__name__
         if name not in definitions:
-            definitions[name] = {}  # a class may contain objects of its own type
+            definitions[name] = {}  # a class may contain objects of the same class
             definitions[name] = _class(kind, definitions)
         return {"$ref": f"#/$defs/{name}"}
     return _composed(kind, [_type(argument, definitions) for argument in typing.get_args(kind)])

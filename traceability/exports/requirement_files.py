@@ -23,7 +23,7 @@ from traceability.model.report import Report
 
 CSV, NEEDS, REQIF = "requirements.csv", "needs.json", "requirements.reqif"
 PROJECT = "weeding_robot"
-# ReqIF demands instants. The file contains no time of the export, so equal models give equal files.
+# ReqIF demands dates. This date is fixed, so that equal models give equal files.
 EPOCH = "1970-01-01T00:00:00+00:00"
 NAMESPACE = "http://www.omg.org/spec/ReqIF/20110401/reqif.xsd"
 NEED_TYPES = {REQUIREMENT: "req", TEST: "test", METHOD: "impl"}

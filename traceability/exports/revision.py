@@ -21,7 +21,7 @@ WORDS = 8  # words of context around a change of a text
 
 @dataclass(frozen=True)
 class RequirementState:
-    """A requirement of a revision; ``state`` is empty where nothing was measured."""
+    """A requirement of a revision; ``state`` is empty if no step measured it."""
 
     text: str
     rationale: str

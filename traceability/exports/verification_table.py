@@ -22,7 +22,7 @@ SCHEMA = "verification.schema.json"
 
 @dataclass(frozen=True)
 class ReviewResult:
-    """The review of a requirement by a person; it holds while no text has changed."""
+    """The review of a requirement by a person. It is valid until a text changes."""
 
     reviewer: str
     date: str

@@ -73,7 +73,7 @@ DRIVERS = f"{SRC}/k64/"
 
 
 class Built(NamedTuple):
-    """The model for pages and exports, and its input facts, for the checks."""
+    """The model for pages and exports, and the facts behind it for the checks."""
 
     model: Model
     facts: Facts
@@ -165,7 +165,7 @@ def _assemble(
 
 
 def _last(root: Path, sources: str) -> dict[str, LastRecord]:
-    """Returns the last records of the commands that do not run in each build."""
+    """Returns the last record of each command that does not run in each build."""
     records = {
         "mutation": last_mutation(root, sources),
         "drift": last_seeded(root),
@@ -215,7 +215,8 @@ def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
 
 
 def _places(facts: Facts) -> list[Place]:
-    """Returns the places of classes and functions: a folder may contain functions only."""
+    """Returns the places of classes, and of functions, because a folder may contain only
+    functions."""
     classes = [fact.place for fact in facts.syntax.classes]
     return classes + [body.place for body in facts.syntax.bodies]
 

@@ -1,4 +1,4 @@
-"""The model: everything that is the source of checks, pages, charts and exports.
+"""The model: the source of all checks, pages, charts and exports.
 
 It is built once per run (``traceability.model.build``) from the comments, the syntax tree, the
 declarations in ``design/``, test results, traces, coverage and sizes.
@@ -71,18 +71,18 @@ class Model:
     logic_modules: Mapping[str, LogicModule] = field(default_factory=dict)
     modules: Mapping[str, Module] = field(default_factory=dict)
     functions: Mapping[str, Function] = field(default_factory=dict)
-    constants: Mapping[str, Constant] = field(default_factory=dict)  # by the names that texts use
+    constants: Mapping[str, Constant] = field(default_factory=dict)  # name in texts -> constant
     tuned: Sequence[Tuned] = field(default_factory=list)
     patterns: Mapping[str, PatternApplication] = field(default_factory=dict)
     requirements: Mapping[str, Requirement] = field(default_factory=dict)
     tests: Mapping[str, Test] = field(default_factory=dict)
     justified: Sequence[Justified] = field(default_factory=list)
-    mutation: Mutation | None = None  # of these sources
+    mutation: Mutation | None = None  # result for these sources
     machines: Mapping[str, StateMachine] = field(default_factory=dict)
     contexts: Mapping[str, ExecutionContext] = field(default_factory=dict)
-    prices: Mapping[str, PatternPrice] = field(default_factory=dict)  # by application
-    times: TimeProof | None = None  # of the image, when it was built from the present sources
-    stack: StackProof | None = None  # of the image, when it was built from the present sources
+    prices: Mapping[str, PatternPrice] = field(default_factory=dict)  # application -> price
+    times: TimeProof | None = None  # for the image, if it was built from the present sources
+    stack: StackProof | None = None  # for the image, if it was built from the present sources
     pipes: Sequence[SharedPipe] = field(default_factory=list)
     shared: Sequence[SharedMember] = field(default_factory=list)
     uses: Sequence[Use] = field(default_factory=list)
@@ -96,31 +96,31 @@ class Model:
     paper: Sequence[PaperElement] = field(default_factory=list)
     statements: Sequence[PaperStatement] = field(default_factory=list)
     paper_places: Sequence[PaperPlace] = field(default_factory=list)
-    changes: Mapping[str, LikelyChange] = field(default_factory=dict)  # by application
-    ports: Mapping[str, Port] = field(default_factory=dict)  # to other devices, by folder
+    changes: Mapping[str, LikelyChange] = field(default_factory=dict)  # application -> change
+    ports: Mapping[str, Port] = field(default_factory=dict)  # ports to other devices, by folder
     comparison: Comparison | None = None  # the last comparison of two commits
     board_findings: Mapping[str, BoardFinding] = field(default_factory=dict)
     beliefs: Sequence[BoardBelief] = field(default_factory=list)
     belief_sources: Mapping[str, BeliefSource] = field(default_factory=dict)
-    driver_faults: Sequence[DriverFault] | None = None  # of these sources
+    driver_faults: Sequence[DriverFault] | None = None  # results for these sources
     # File of the drivers -> line -> whether the tests executed it on the virtual K64.
     board_lines: Mapping[str, dict[int, bool]] | None = None
     line_gaps: Sequence[LineGap] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)  # of texts without a requirement
     reviews_of_nothing: Sequence[str] = field(default_factory=list)  # removed requirements
-    # The elements that the design demands, whether the code has them or not.
+    # The elements that the design demands. The code may lack some of them.
     designed_modules: Sequence[str] = field(default_factory=list)
     designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: Sequence[LoopScenario] = field(default_factory=list)
     safety: SafetyCase = field(default_factory=SafetyCase)
     proofs: Proofs = field(default_factory=Proofs)
-    # Records of other steps; ``None`` when they are not of the present sources.
+    # Records of other steps; ``None`` when the sources have changed since.
     bench: Mapping[str, BenchScenario] | None = None
     bench_paper: Mapping[str, BenchScenario] | None = None  # without safety functions
     products: Mapping[str, ProductImage] | None = None
-    faults: Sequence[Fault] = field(default_factory=list)  # that are seeded to test the checks
-    outcomes: Sequence[Outcome] | None = None  # their results
-    last: Mapping[str, LastRecord] = field(default_factory=dict)  # by test of the tests
+    faults: Sequence[Fault] = field(default_factory=list)  # seeded to test the checks
+    outcomes: Sequence[Outcome] | None = None  # results of the seeded faults
+    last: Mapping[str, LastRecord] = field(default_factory=dict)  # name of a test -> record
     campaigns: Mapping[str, Published] = field(default_factory=dict)  # the published records
     build: BuildEvidence | None = None
     measured: Mapping[str, Any] = field(default_factory=dict)  # metrics of other steps

@@ -1,4 +1,4 @@
-"""Sentences of the design, and facts in pages, that no check can compare with the code."""
+"""Sentences of the design and facts of pages that no check can compare with the code."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ WORDS = 3  # a shorter text is a name, which checks compare with the code
 
 
 def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Name, place and text of each sentence in the files of the design and of the changes."""
+    """Returns name, place and text of each sentence in the files of the design and of the
+    changes."""
     files = [*(root / "design").glob("*.toml"), *(root / "changes").glob("*/change.toml")]
     for path in sorted(files):
         file = str(path.relative_to(root))
@@ -31,7 +32,7 @@ def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
         try:
             content = tomllib.loads(source)
         except tomllib.TOMLDecodeError:
-            continue  # the check of the file reports it
+            continue  # the check of the file reports this error
         for name, text in _sentences(content):
             if not f"{file} {name}".startswith(OF_REQUIREMENTS):
                 yield f"{file} {name}", Place(file, _line_of(text, source)), text
@@ -84,7 +85,8 @@ def _line_of(text: str, source: str) -> int:
 
 
 def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Name, place and facts of each section of a page: its numbers, pins and names, in order.
+    """Returns name, place and facts of each section of a page. Facts are numbers, pins and names,
+    in order.
 
     Other words of a section may change freely.
     """

@@ -1,4 +1,4 @@
-"""Evidence of requirements that no call fulfils: metrics that a tool measures in this run."""
+"""Evidence of requirements that no call fulfils. A tool measures its metrics in this run."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def measured_values(
 
 
 def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
-    """Returns a metric by its key. ``bench.scenarios.max_ms`` is the greatest of all scenarios."""
+    """Returns a metric by its key. ``bench.scenarios.max_ms`` is the maximum of all scenarios."""
     value = figures.get(name)
     if value is None:
         above, _, part = name.rpartition(".")

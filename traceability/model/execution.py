@@ -1,9 +1,8 @@
-"""The execution contexts, the methods that each of them executes, and the members that two of them
+"""The execution contexts, the methods that each of them executes, and the members that two contexts
 share.
 
-A context is a handler that the hardware calls, or the command that a thread executes. The methods
-that it reaches are found in the syntax tree: a call of an abstraction reaches the objects that the
-builders passed.
+A context is a handler that the hardware calls, or the command that a thread executes. Its methods
+are found in the syntax tree. A call of an abstraction reaches the objects that the builders passed.
 """
 
 from __future__ import annotations
@@ -26,7 +25,7 @@ ENABLE = "K64Thread::enable"  # line, priority
 
 @dataclass
 class Code:
-    """The facts of the code about the contexts, for the checks."""
+    """The facts about the contexts in the code, for the checks."""
 
     lines: dict[str, list[int]] = field(default_factory=dict)  # handler -> interrupt lines
     reached: dict[str, dict[str, str]] = field(default_factory=dict)  # context -> method -> caller
@@ -91,7 +90,7 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Interrupt line that has a handler, and that no call enables -> its handler."""
+    """Interrupt line with a handler that no call enables -> its handler."""
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
         constants[name]: handlers[0]

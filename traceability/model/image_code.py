@@ -1,4 +1,4 @@
-"""The code of the image of the robot, read once for the proofs about it."""
+"""The code of the image of the robot, which is read once for all proofs."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def read_program(elf: Path) -> Program:
 
 @dataclass(frozen=True)
 class ImageCode:
-    """The functions of an image: as the compiler reports them, and their instructions."""
+    """The functions of an image: the reports of the compiler, and the instructions."""
 
     elf: Path
     graph: dict[str, Function]

@@ -1,8 +1,8 @@
 """The possible effects of a change: modules by their distance, and the items to review again.
 
-A change of a module may affect the modules that name it, call it or derive from it, and the modules
-that these affect in turn. A reference to an abstraction hides the object behind it: a change of a
-subclass does not affect modules that name only the abstraction.
+A change of a module may affect the modules that name it, call it or derive from it, and, through
+these modules, further modules. A change of a subclass does not affect modules that name only the
+abstraction.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from traceability.schema import Requirement
 
 @dataclass
 class Reached:
-    """An affected element, its distance from the change in uses, and the reason."""
+    """An affected element, the number of uses between it and the change, and the reason."""
 
     id: str
     distance: int
@@ -167,7 +167,7 @@ class Impacts:
     def _from(self, impact: Impact, start: dict[str, str]) -> Impact:
         modules = set(start) & set(self.model.modules)
         impact.modules = [Reached(name, 0, why) for name, why in start.items() if name in modules]
-        for reached in impact.modules:  # the list grows while it is read
+        for reached in impact.modules:  # the loop appends to this list
             for name, why in sorted(self.affected.get(reached.id, {}).items()):
                 if name not in modules:
                     modules.add(name)
@@ -222,5 +222,6 @@ class Impacts:
 
 
 def record_reached(reached: dict[str, Reached], name: str, distance: int, why: str) -> None:
-    """The first reason is kept, because it has the shortest distance."""
+    """Records an affected element. The first reason is kept, because it has the shortest
+    distance."""
     reached.setdefault(name, Reached(name, distance, why))

@@ -1,8 +1,8 @@
-"""The greatest cost of a path through a function, as a linear program (HiGHS).
+"""The maximum cost of a path through a function, as a linear program (HiGHS).
 
 The variable of each edge between two blocks is the number of times that a path uses it: the
-implicit path enumeration of Li and Malik. Its value need not be an integer: this can only make the
-bound greater.
+implicit path enumeration of Li and Malik. Its value may be a fraction, which can only increase the
+bound.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from traceability.reading.machine_code import REFILL, Code, Loop
 
 @dataclass(frozen=True)
 class FlowFact:
-    """A sum of executions of blocks, each with its factor, that does not exceed a number."""
+    """The upper limit of a weighted sum of executions of blocks."""
 
     factors: Mapping[int | str, int]  # block, or callee with a separate count -> factor
     most: int
@@ -29,7 +29,7 @@ class Problem:
     """The paths of a function as a linear program: a variable for each edge between blocks."""
 
     code: Code
-    cost: Mapping[int, int]  # of each block
+    cost: Mapping[int, int]  # cost of each block
     rounds: Iterable[tuple[Loop, Bound]]
     counted: Sequence[tuple[int, int]]  # block, and the greatest number of its executions
     facts: Iterable[FlowFact] = field(default_factory=list)

@@ -26,8 +26,8 @@ from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, Clause, Proofs, Requirement, SafetyCase
 from traceability.sources import file_hash
 
-METHODS = ("test", "analysis", "measurement", "inspection")  # of verification
-OF_OTHER_STEPS = (  # metrics that are null until a step measures them
+METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verification
+OF_OTHER_STEPS = (  # metrics that are null before a step measures them
     *("coverage.line", "coverage.branch", "firmware.flash_bytes"),
     *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
     *("bench.scenarios", "bench.image_sha256", "sim.real_time_factor"),
@@ -93,7 +93,7 @@ def image(root: Path) -> dict[str, Any]:
 
 
 def forbidden(model: Model) -> dict[str, Any]:
-    """Counts the forbidden features of the images, and modules that their product does not have."""
+    """Counts forbidden features of the images, and modules that do not belong to the product."""
     products = model.products
     if products is None:
         return {}

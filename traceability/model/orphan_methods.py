@@ -1,4 +1,4 @@
-"""The reverse direction: the methods and tests that serve no requirement."""
+"""The methods and tests that serve no requirement."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Justified, Method, Module, Test
 
-JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # the checks compare these with the code
+JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # the checks compare these entries with the code
 
 
 def serving_methods(model: Model) -> set[str]:

@@ -25,7 +25,7 @@ Site = tuple[int, set[str]]  # address of the call, and the classes that it can 
 def prices(
     root: Path, model: Model, facts: Facts, image: ImageCode | None
 ) -> dict[str, PatternPrice]:
-    """Application -> its price; empty when the bench has not run with the present sources."""
+    """Returns the price of each application; empty if the bench has not run with these sources."""
     measured = read_json(root / MEASURED)
     if image is None or model.bench is None or not isinstance(measured, dict):
         return {}

@@ -45,18 +45,15 @@ def guards_of(machine: StateMachine) -> list[str]:
 def whole(
     machines: Mapping[str, StateMachine], composition: str, proof: ProofProperty | None = None
 ) -> str:
-    """Returns the model that Spin reads: the machines, the composition, and one property.
-
-    Variables that only observe, and that the property does not need, are not part of the state
-    space.
-    """
+    """Returns the model that Spin reads: the machines, the composition, and one property. The state
+    space contains no variables that only observe and that the property does not need."""
     claim = f"ltl {proof.name} {{ {' '.join(proof.formula.split())} }}\n" if proof else ""
     text = without(composition, proof.formula) if proof else composition
     return "\n".join([HEAD, *map(step_of, machines.values()), text, claim])
 
 
 def observed(composition: str) -> dict[str, set[str]]:
-    """Returns each observed name with the variables from which its value is computed."""
+    """Returns each observed name, and the variables that determine its value."""
     body = composition.partition("inline observe() {")[2].partition("\n}")[0]
     values = re.findall(r"^    (\w+) = ([^;]+);", body, re.MULTILINE)
     return {name: set(WORD.findall(value)) for name, value in values}

@@ -29,5 +29,5 @@ class Report:
     goals: Mapping[str, Verdict] = field(default_factory=dict)
     # Fault scenario -> "verified", "failed", "stale" or "unverified".
     scenarios: Mapping[str, str] = field(default_factory=dict)
-    clauses: Mapping[str, Sequence[Clause]] = field(default_factory=dict)  # by application
+    clauses: Mapping[str, Sequence[Clause]] = field(default_factory=dict)  # application -> clauses
     measured: Mapping[str, float | None] = field(default_factory=dict)  # by metric of an evidence

@@ -1,4 +1,4 @@
-"""The numbers with a unit that requirements state, and the constants of the code that have them."""
+"""The numbers with a unit in requirements, and the constants of the code with these numbers."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Upper bounds of the response times of the robot: of each interrupt, of the control cycle, and of
 paths from an input to its effect.
 
-A response time adds each interrupt as often as it can come until the response.
+A response time includes each interrupt as often as it can occur before the response.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ DECLARED_IN = Path("design/times.toml")
 # cycles of the hardware for an interrupt, including the change to the next interrupt
 ENTRY_AND_EXIT = 12 + 10 + 6
 # following one
-RETRY = 12  # cycles of a loop with LDREX and STREX that an interrupt causes to repeat
+RETRY = 12  # cycles of a loop with LDREX and STREX, which an interrupt can repeat
 CYCLE_TIMER, TICK_TIMER = "cycle-timer", "tick-timer"
 MOST_ROUNDS = 100
 CLOCK = 120_000  # cycles in a tick of 1 ms
-NANOSECONDS = 1_000_000  # in a millisecond
+NANOSECONDS = 1_000_000  # nanoseconds in a millisecond
 
 
 def prove_times(
@@ -179,7 +179,7 @@ def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
 
 
 def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, float]:
-    """Cycles for which an interrupt of each context may wait for its handler."""
+    """Returns the cycles for which an interrupt of each context may wait for its handler."""
     waits: dict[str, float] = {bound.context: 0 for bound in contexts if bound.entries is not None}
     for _ in range(MOST_ROUNDS):
         now = {

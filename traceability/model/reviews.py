@@ -1,9 +1,8 @@
 """The changes since the baseline of a requirement, and its reviews.
 
-The baseline contains a hash of each text on which the verdict of a requirement depends, and so
-shows changes.
-A review is the judgement of a person who wrote none of these texts. Git stores the texts
-themselves.
+The baseline contains a hash of each text on which the verdict of a requirement depends. A different
+hash shows a change. A review is the judgement of a person who wrote none of these texts. Git stores
+the texts themselves.
 """
 
 from __future__ import annotations
@@ -70,7 +69,7 @@ NAMES_OF_TEXTS = {
     "function": "{}",
 }
 KINDS = tuple(NAMES_OF_TEXTS)
-DESIGN = "design"  # the name of the texts that belong to no requirement, in place of an id
+DESIGN = "design"  # replaces the id for texts that belong to no requirement
 OF_DESIGN = ("reason", "facts", "function")
 LINKS = "links"  # requirement -> its texts
 NEEDS: Keys = {
@@ -100,7 +99,7 @@ LEAST_REMARK = 20  # characters
 
 @dataclass(frozen=True)
 class LinkText:
-    """A text on which a link of a requirement depends. Its place has its last line, where known."""
+    """A text on which a link of a requirement depends. Its place has the last line, if known."""
 
     kind: str  # see NAMES_OF_TEXTS
     name: str
@@ -204,7 +203,7 @@ class LinkTexts:
         return LinkText("method", name, specified[0][0], "\n".join(text for _, text in specified))
 
     def _bodies(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Yields the bodies of the methods that satisfy it or are in its tree; their constants."""
+        """Yields the bodies and the constants of the methods that satisfy it or are in its tree."""
         files: set[str] = set()
         for name in sorted(self._methods(requirement)):
             bodies = self.facts.bodies.get(name, [])
@@ -218,7 +217,7 @@ class LinkTexts:
                 yield LinkText("constants", file, Place(file, 1), text)
 
     def _justifications(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Reasons why tests do not execute some lines of its methods."""
+        """Yields the reasons why tests do not execute some lines of its methods."""
         for item in self.facts.declared.justified:
             if item.kind == "line" and set(item.names) & self._methods(requirement):
                 yield LinkText("justification", item.names[0], item.place, item.why)
@@ -265,7 +264,7 @@ class LinkTexts:
 
 
 def _effect(machine: StateMachine, step: Transition) -> str:
-    """Guard and action of a transition, with their conditions and calls in the code."""
+    """Returns guard and action of a transition, with their conditions and calls in the code."""
     conditions = machine.guards.get(step.guard or step.event, ())
     called = machine.actions.get(step.action, ())
     return f"{step.guard} = {', '.join(conditions)} / {step.action} = {', '.join(called)}"
@@ -362,7 +361,8 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
 
 
 def authors(root: Path, place: Place) -> set[str]:
-    """Returns the names and addresses of the authors of the lines, by git, in lower case."""
+    """Returns names and addresses of the authors of the lines in lower case, as git records
+    them."""
     lines = ["-L", f"{place.line},{place.end}"] if place.end else []
     command = ["git", "-C", str(root), "blame", "-w", "--line-porcelain", *lines, "--", place.file]
     run = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -24,10 +24,9 @@ from traceability.schema import (
 
 
 def safety_of(model: Model, facts: Facts) -> SafetyCase:
-    """Returns the case with the tests that play its scenarios, and the counts of git.
-
-    A parameterised test that names the folder may play each scenario in it; its results show which.
-    """
+    """Returns the case with the tests that play its scenarios, and the counts of git. A
+    parameterised test that names the folder may play each scenario in it. Its results show the
+    played scenarios."""
     case = facts.declared.safety
     if not case.goals:
         return case

@@ -1,8 +1,9 @@
-"""The greatest stack use of the image, from each call of each function that a context may execute.
+"""The largest stack use of the image, computed from all calls of functions that a context may
+execute.
 
 Frames and calls are read from the reports of the compiler. An indirect call reaches the methods of
 the objects that the builders passed, according to the model. A chain of decorators passes once
-through each Concrete Decorator of its application; no other method repeats in a chain.
+through each Concrete Decorator of its application; no other method occurs twice in a chain.
 """
 
 from __future__ import annotations
@@ -77,7 +78,7 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
-    """Returns the greatest number of nested calls of each method of a chain of objects."""
+    """Returns the maximum number of nested calls of each method of a chain of objects."""
     entries = {
         method.id: most
         for name, most in declared.entries.items()

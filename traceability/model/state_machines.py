@@ -1,8 +1,8 @@
 """State machines: the changes that the code can make, and the changes that the tests make.
 
 A machine is declared in ``design/fsm``. Its states are the Concrete States of an application of the
-State pattern. This module finds the changes again in the bodies of the states, and in the recorded
-calls of the tests.
+State pattern. This module finds the changes in the bodies of the states, and in the recorded calls
+of the tests.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class Change:
 
     source: str  # name of the state
     operation: str
-    target: str  # "" when the code does not show it
+    target: str  # "" when the code does not show the state
     place: Place
     path: tuple[str, ...]  # methods of the state between its operation and the change
     sometimes: bool
@@ -233,13 +233,13 @@ class Watcher:
         self.constructors = {f"{name}::{name}" for name in code.holders}
 
     def known(self) -> list[object]:
-        """Returns the inputs that the result depends on, for the key of the cache."""
+        """Returns the inputs on which the result depends, for the key of the cache."""
         runners = [(method, sorted(states)) for method, states in sorted(self.runners.items())]
         others = (self.foreign, self.helpers, self.changers, self.constructors)
         return [runners, self.code.runs, self.code.holders, *(sorted(item) for item in others)]
 
     def turns(self, method: str) -> bool:
-        """Returns whether its call may change the state."""
+        """Returns whether a call of the method may change the state."""
         return method in self.changers | self.constructors | self.foreign
 
     def concerns(self, method: str) -> bool:

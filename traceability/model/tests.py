@@ -1,4 +1,4 @@
-"""The tests: the requirements, the result on each target and the executed modules of each."""
+"""The tests, each with its requirements, its result on each target, and its executed modules."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def _result_of(result: Result | None, model: Model, binding: str) -> BindingResu
 
 
 def written_tests(root: Path) -> dict[str, list[Case]]:
-    """File -> its tests, of the files that are built for a target."""
+    """File -> its tests, for the files that are built for a target."""
     files = {str(path.relative_to(root)): path for path in files_below(root, ("tests",), (".cpp",))}
     return {
         file: list(read_tests(path.read_text(encoding="utf-8")))

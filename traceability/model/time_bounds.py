@@ -30,7 +30,8 @@ UNALIGNED = 2  # additional cycles of an unaligned access
 
 @dataclass(frozen=True)
 class Limit:
-    """A method whose calls below another method are counted by the facts about that method."""
+    """A method with a limited number of calls below another method, by the facts about that
+    method."""
 
     method: str
     within: str
@@ -39,8 +40,8 @@ class Limit:
 
 @dataclass(frozen=True)
 class Spread:
-    """A method whose loop has a greatest number of rounds in all calls below another method: a
-    number, or a counter of the facts about that method."""
+    """A method with a maximum number of rounds of its loop in all calls below another method. The
+    maximum is a number, or a counter of the facts about that method."""
 
     method: str
     within: str
@@ -61,7 +62,7 @@ class DeclaredFacts:
 
 
 class Times:
-    """The bound of each function, with all that it calls [cycle]."""
+    """The bound of each function, including its calls [cycle]."""
 
     def __init__(
         self, program: Program, bounds: Bounds, prover: Prover, facts: DeclaredFacts
@@ -71,19 +72,21 @@ class Times:
         self.once = frozenset(facts.once)
         self.limited = {one.method: one for one in facts.limited}
         self.spread = {(one.within, one.method): one for one in facts.spread}
-        self.inside: frozenset[str] = frozenset()  # methods with facts that are now being entered
+        self.inside: frozenset[str] = (
+            frozenset()
+        )  # methods with facts whose bounds are being computed
         self.without: frozenset[str] = frozenset()  # methods that this activation does not call
         self.flows = facts.flows
-        self.rounds: int | None = None  # of the loops of a method in ``spread``
+        self.rounds: int | None = None  # rounds of the loops of a method in ``spread``
         self.known: dict[tuple[object, ...], int] = {}
-        # The longest path of a function, for each cost of its blocks and of its counted calls.
+        # The longest path of a function, by the costs of its blocks and of its counted calls.
         self.paths: dict[tuple[object, ...], int] = {}
         self.copies: dict[tuple[str, int], int] = {}  # function and bytes -> cycles
         self.unbound: set[tuple[str, Place]] = set()  # loops without a bound: function and place
         self.unresolved: set[tuple[str, Place]] = set()  # calls without a known target
 
     def use_body(self, body: str, without: Iterable[str] = ()) -> None:
-        """The command that the next thread executes, and the methods that it does not call."""
+        """Sets the command that the next thread executes, and the methods that it does not call."""
         self.prover.body = body
         self.without = frozenset(without)
         self.known.clear()
@@ -120,11 +123,9 @@ class Times:
         return self.known[key]
 
     def _round(self, spread: Spread) -> tuple[int, int]:
-        """Two numbers: a call with N rounds needs at most the first, and N times the second.
-
-        The greatest cost of a call is concave in its number of rounds, as the optimum of a linear
-        program. The line through its values at one and at two rounds is therefore above it.
-        """
+        """Returns A and B: a call with N rounds needs at most A + N * B cycles. The maximum cost of
+        a call is concave in its number of rounds, because it is the optimum of a linear program.
+        The line through its values at one and at two rounds is therefore an upper bound."""
         costs = []
         for rounds in (1, 2):
             self.rounds = rounds
@@ -253,7 +254,7 @@ class Times:
     def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
         home = self._home(symbol)
         if home in self.prover.graph and short_name(self.prover.graph[home].name) in self.limited:
-            return 0  # counted by the facts about the method that limits it
+            return 0  # the facts about the limiting method count it
         if home not in self.codes or self.prover.is_full(home, entered):
             return 0
         if home in self.prover.graph:
@@ -373,7 +374,9 @@ class Times:
             return Bound(self.rounds, False)
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
         if any(one.name.startswith("strex") for one in instructions):
-            return Bound(1, False)  # repeated only after an interrupt, whose bound includes it
+            return Bound(
+                1, False
+            )  # repeated only after an interrupt; its bound includes the repetition
         ways = [
             self.places.get(code.blocks[start].instructions[-1].address, []) for start in loop.back
         ]

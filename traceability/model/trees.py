@@ -178,7 +178,7 @@ def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: 
     """Returns the previous node, if the body makes all calls of this node after all calls of the
     previous node.
 
-    A loop over objects of different classes may call a method of each in turn.
+    A loop over objects of different classes may alternate between their methods.
     """
     for body in bodies:
         first, second = (
@@ -196,7 +196,7 @@ def _last(calls: list[CallFact]) -> int:
 
 
 def _is_activated(callees: set[str], facts: Facts) -> bool:
-    """A thread executes a command: the body is a command, or a command calls it."""
+    """Whether a thread executes a body: the body is a command, or a command calls it."""
     commands = set(facts.overriders.get("Command::execute", []))
     called = {
         target
@@ -266,7 +266,7 @@ class Search:
     run: Run
 
     def asked(self) -> object:
-        """Returns the inputs that the result depends on, for the key of the cache."""
+        """Returns the inputs on which the result depends, for the key of the cache."""
         return self.requirement, self.run.binding, self.passing, self._shape(self.tree)
 
     def _shape(self, node: TreeNode) -> object:

@@ -62,14 +62,14 @@ class ClassFact:
     place: Place
     end: int
     abstract: bool = False
-    local: bool = False  # in an anonymous namespace, or in a function
-    access: str = "invalid"  # of a nested class
+    local: bool = False  # declared in an anonymous namespace, or in a function
+    access: str = "invalid"  # access of a nested class
     bases: list[str] = field(default_factory=list)
     base_places: list[Place] = field(default_factory=list)
     methods: list[MethodFact] = field(default_factory=list)
     fields: list[FieldFact] = field(default_factory=list)
-    values: list[FieldFact] = field(default_factory=list)  # of an enumeration
-    parameters: list[str] = field(default_factory=list)  # of a template
+    values: list[FieldFact] = field(default_factory=list)  # values of an enumeration
+    parameters: list[str] = field(default_factory=list)  # parameters of a template
     comment: int = 0
 
 
@@ -81,9 +81,9 @@ class CallFact:
     declared: str = ""  # the file that declares a function outside classes
     on: list[str] = field(default_factory=list)  # objects on which a method is called, see flow
     args: list[list[str]] = field(default_factory=list)  # names in each argument
-    # Below a condition, or after a condition that may have left the function.
+    # Below a condition, or after a condition with a possible return.
     sometimes: bool = False
-    repeated: bool = False  # below a loop
+    repeated: bool = False  # called in a loop
     end: int = 0  # offset in the file: a call ends after the calls in its arguments
     asked: list[str] = field(default_factory=list)  # operands of these conditions, see conditions
 
@@ -97,13 +97,13 @@ class BodyFact:
     place: Place
     end: int
     overrides: str | None = None
-    local: bool = False  # no other file can call it
+    local: bool = False  # no other file can call the function
     calls: list[CallFact] = field(default_factory=list)
     assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
     floats: int = 0  # first line with a floating-point number; 0 if there is none
     branches: bool = False  # whether it has a condition or a loop
-    loops: list[int] = field(default_factory=list)  # lines of loops that count no rounds
+    loops: list[int] = field(default_factory=list)  # lines of loops that do not count their rounds
 
 
 @dataclass
@@ -111,7 +111,7 @@ class NameFact:
     """A use of the name of a class in the code of another class. ``how``: type, member, construct,
     base.
 
-    A member of a namespace has no class; its ``member`` has the name of the namespace.
+    For a member of a namespace, ``member`` contains the namespace, because no class exists.
     """
 
     by: str
@@ -119,13 +119,12 @@ class NameFact:
     how: str
     place: Place
     member: str = ""
-    file: str = ""  # where the class is defined, when the unit sees that
+    file: str = ""  # definition of the class, if the unit contains it
 
 
 @dataclass
 class BlockFact:
-    """A namespace inside the namespace of the project, declared in ``file``, is opened or used at a
-    place."""
+    """A place that opens or uses a namespace of ``file`` inside the namespace of the project."""
 
     block: str
     file: str
@@ -151,7 +150,7 @@ class ConstantFact:
 
 @dataclass
 class InitialFact:
-    """The first value of a constant or of a member calls a method."""
+    """A call of a method in the initialiser of a constant or of a member."""
 
     name: str  # Class::member, or File::name
     target: str
@@ -169,7 +168,7 @@ class EnumNumberFact:
 
 @dataclass
 class BranchFact:
-    """A branch in a body depends on the address of an object, or on the number of an enumerator."""
+    """A branch that depends on the address of an object, or on the number of an enumerator."""
 
     by: str  # the owner of the body
     target: str  # the class, or the enumeration
@@ -194,7 +193,7 @@ class Syntax:
     includes: list[IncludeFact] = field(default_factory=list)
     blocks: list[BlockFact] = field(default_factory=list)
     casts: list[Place] = field(default_factory=list)  # numbers converted to addresses
-    instructions: list[Place] = field(default_factory=list)  # of an assembler
+    instructions: list[Place] = field(default_factory=list)  # assembler instructions
     volatile: list[Place] = field(default_factory=list)  # volatile memory
     objects: list[FieldFact] = field(default_factory=list)  # variables that no class contains
     flows: list[FlowFact] = field(default_factory=list)

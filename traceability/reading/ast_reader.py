@@ -105,7 +105,7 @@ class Reader:
         self.chances = 0  # conditions around the statement
         self.loops = 0
         self.initialised = ""  # the constant or member whose first value is read
-        self.left = False  # whether a condition before it may have left the function
+        self.left = False  # whether an earlier condition may have left the function
         self.asked: list[list[str]] = []  # by the conditions around the statement
         self.left_by: list[str] = []  # conditions that may have left the function
 
@@ -120,7 +120,7 @@ class Reader:
     def walk(
         self, cursor: Cursor, body: BodyFact | None, owner: str, sure: int | None = None
     ) -> None:
-        """Visits the children; all after the first ``sure`` children are conditional."""
+        """Visits the children. All children after the first ``sure`` children are conditional."""
         before: Cursor | None = None
         for number, child in enumerate(cursor.get_children()):
             if before is not None and before.kind == CursorKind.MEMBER_REF:
@@ -253,17 +253,17 @@ class Reader:
             value = next(value.get_children(), None)
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
             digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
-            with contextlib.suppress(ValueError):  # keyword with another form in Python
+            with contextlib.suppress(ValueError):  # Python does not read some numbers of C++
                 self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
 
     def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """A variable that lives as long as the program."""
+        """Records a variable that exists during the whole program."""
         inside = cursor.semantic_parent.kind in CLASSES
         lasts = cursor.storage_class == StorageClass.STATIC if body else not inside
         member = self.field_fact(cursor, place)
         if lasts and not member.constant and "&" not in member.type:
             marks = [p for p in cursor.get_children() if p.kind == CursorKind.UNEXPOSED_ATTR]
-            placed = any("section" in _words(mark) for mark in marks)  # it outlives a reset
+            placed = any("section" in _words(mark) for mark in marks)  # it survives a reset
             self.facts.objects += [] if placed else [member]
 
     def touch(self, cursor: Cursor, body: BodyFact) -> None:
@@ -337,8 +337,8 @@ class Reader:
             self.name(owner, made.get_declaration(), "construct", place)
 
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Code that gets the address of a function may call the function. The name in a call is not
-        counted."""
+        """Records that code with the address of a function may call it. The name in a call does not
+        count."""
         pending = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
         if target.kind in FUNCTIONS and function_id(target) not in pending:
             self.call(target, body, place, virtual=False)
@@ -372,7 +372,7 @@ class Reader:
             self.facts.variables[self.flow.node(cursor).removeprefix("var ")] = member
 
     def friend(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """A friend that the class defines itself is a part of it."""
+        """Records a friend, except a friend that the class itself defines."""
         for part in cursor.get_children():
             inside = part.is_definition() or "default" in _words(part)
             if part.kind in FUNCTIONS and not inside:
@@ -402,7 +402,7 @@ class Reader:
             self.block(cursor.referenced, place, declares=False)
 
     def past_interface(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Numbers instead of enumerators, offsets of registers, and second declarations."""
+        """Records numbers instead of enumerators, offsets of registers, and second declarations."""
         if cursor.kind in _ENUM_MAKERS and cursor.type.get_canonical().kind == TypeKind.ENUM:
             kind, number = class_name(cursor.type.get_declaration()), evaluated(cursor)
             named = any(part.kind == CursorKind.DECL_REF_EXPR for part in cursor.walk_preorder())
@@ -417,7 +417,7 @@ class Reader:
             self.facts.declared_again[cursor.spelling] = place
 
     def run_time(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
-        """Floating-point numbers, and loops whose head does not count."""
+        """Records floating-point numbers, and loops whose head does not count rounds."""
         kind = cursor.type.get_canonical().kind
         if kind in _FLOATS and not body.floats:
             body.floats = place.line
@@ -643,7 +643,7 @@ def _words(cursor: Cursor) -> list[str]:
 
 
 def expressions_in(cursors: Iterable[Cursor]) -> Iterator[Cursor]:
-    """Expressions with all their parts."""
+    """Yields expressions with all their parts."""
     for cursor in cursors:
         yield from (part for part in cursor.walk_preorder() if part.kind.is_expression())
 
@@ -660,7 +660,7 @@ def register_of(call: Cursor) -> int | None:
 
 
 def _is_declared_again(cursor: Cursor) -> bool:
-    """A name of another file that a source file declares without its header."""
+    """Whether a source file declares a name of another file without its header."""
     first = cursor.canonical == cursor and cursor.get_definition() is None
     is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
     is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
@@ -675,7 +675,7 @@ def _has_no_condition(cursor: Cursor) -> bool:
 
 
 def _is_bare_asm(cursor: Cursor) -> bool:
-    """An instruction outside of a function."""
+    """Whether this is an instruction outside of a function."""
     bare_kind = cursor.kind == CursorKind.UNEXPOSED_DECL
     return bare_kind and _words(cursor)[:1] in (["asm"], ["__asm__"], ["__asm"])
 

@@ -1,5 +1,5 @@
-"""The baseline design and the design of the robot: their costs, and the extent of likely
-changes."""
+"""The costs and the extent of likely changes, in the baseline design and in the design of the
+robot."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ TITLES = {
     "waiting_k": "a state that warns, WaitingK",
     "wheel_algorithm": "a new algorithm of the wheel",
 }
-# Greatest increase over the baseline design [per cent].
+# Maximum increase over the baseline design [per cent].
 TARGETS = {"report_avg": 5, "cycle_avg": 5, "flash": 10}
 
 

@@ -19,7 +19,7 @@ from traceability.reading.task_record import is_fresh
 from traceability.schema import BenchRun, BenchScenario, ExceptionCost, Latency, Profile, Spread
 
 BENCH = RESULTS / "bench.json"
-PAPER_BENCH = RESULTS / "bench_paper.json"  # of the product without safety functions
+PAPER_BENCH = RESULTS / "bench_paper.json"  # record of the product without safety functions
 FOLDER = Path("sim/scenario/bench")
 IMAGE = image_of(DEFAULT, ".bin")
 ELF = image_of(DEFAULT, ".elf")
@@ -123,7 +123,7 @@ def orders_in(text: str) -> list[Order]:
 
 
 def measured_orders(text: str) -> list[Order]:
-    """The order of each measured cycle: the last cycles of the scenario."""
+    """Returns the order of each measured cycle. The last cycles of the scenario are measured."""
     each = [
         order for order in orders_in(text) for _ in range(order.first, order.last + 1, PERIOD_MS)
     ]
@@ -221,7 +221,7 @@ Frames = list[tuple[str, str]]  # function and file, the innermost first
 
 
 def profile(raw: dict[str, Any], root: Path) -> Profile:
-    """Average instructions in a cycle, of modules and functions: of the whole cycle, and up to the
+    """Returns the mean instructions of modules and functions, in the whole cycle and up to the
     report."""
     counts = {int(address): tuple(pair) for address, pair in raw["profile"].items()}
     return profile_of(counts, frames_of(root / ELF, counts))

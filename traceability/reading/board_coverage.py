@@ -1,9 +1,9 @@
 """The lines of the design that were executed on the virtual K64.
 
 The drivers are built for the K64 only, so no coverage of this machine includes them. A test on the
-virtual K64 sets one bit for each half-word that it executed: first those of the lower RAM, from
-which the program runs, then those of the flash. The debug data of the image contain the source line
-of each instruction.
+virtual K64 sets one bit for each half-word that it executed. The first bits belong to the lower
+RAM, which contains the program. The other bits belong to the flash. The debug data of the image
+contain the source line of each instruction.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def read_stretches(root: Path) -> list[Stretch]:
 def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict[int, bool]]:
     """File -> line -> whether any of its instructions was executed.
 
-    The bits end with the last executed instruction.
+    The last bit belongs to the last executed instruction.
     """
     files: dict[str, dict[int, bool]] = {}
     last = 8 * len(executed)

@@ -87,7 +87,7 @@ def read_run(root: Path, name: str) -> TestRun | None:
 
 
 def _hashes(root: Path) -> list[FileHash]:
-    """Existing files only. An image is used when it was built from the present sources."""
+    """Returns the hashes of existing files. Images must be built from the present sources."""
     results = (*(f"{run}.json" for run in RUNS.values()), *OF_RESULTS)
     images = [str(image_of(product, ".bin")) for product in PRODUCTS] if read_image(root) else []
     listed = [

@@ -48,10 +48,8 @@ class Function:
 
 
 def read_graph(root: Path, elf: Path) -> dict[str, Function]:
-    """Symbol -> function, of all functions that the image holds.
-
-    ``root`` is the tree of sources from which the image was built.
-    """
+    """Symbol -> function, for all functions of the image. ``root`` is the source folder of the
+    image."""
     reported: dict[str, Function] = {}
     own = [*elf.parent.glob(f"{elf.stem}.*.ci"), *elf.parent.glob("*/**/*.ci")]
     for file in sorted(own):
@@ -76,8 +74,7 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
 
 
 def short_name(name: str) -> str:
-    """``Class::method`` of a readable name; the name itself for a function outside of the
-    project."""
+    """Returns ``Class::method``, or the unchanged name of a function outside of the project."""
     match = SHORT.search(name)
     return match["name"] if match else name
 

@@ -47,7 +47,7 @@ class Activation:
 
     exception: int
     priority: int | None  # None: no exception
-    raised: int  # instant of the request, or of the entry if no request was recorded [ns]
+    raised: int  # time of the request, or of the entry if no request was recorded [ns]
     begin: int
     end: int
     below: int  # the interrupted activation
@@ -60,14 +60,14 @@ class Activation:
 
 @dataclass
 class Span:
-    """A call of a method or function: its instants [ns], and its place in the calls around it."""
+    """A call of a method or function: its times [ns], and its place among the other calls."""
 
     method: str
     begin: int
     end: int
-    depth: int  # in its activation
+    depth: int  # depth in the activation
     activation: int
-    parent: int  # its caller in the same activation; -1: none
+    parent: int  # caller in the same activation; -1: none
 
 
 @dataclass(frozen=True)

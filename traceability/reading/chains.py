@@ -14,9 +14,9 @@ from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, value_name
 
 CHAIN: Keys = {"name": str, "title": str, "says": str, "recording": str, "steps": list}
 OPTIONAL: Keys = {"last": bool}
-WITHIN = "> "  # a marked step is within the call of the last step without a mark
+WITHIN = "> "  # the call of the last step without a mark contains a step with the mark
 HEAD = 4  # bytes before the payload: of the byte stuffing, version, type, sequence number
-CHANNELS = 8  # of an FTM
+CHANNELS = 8  # channels of an FTM
 BYTES = ("byte_received", "byte_sent")
 
 
@@ -37,7 +37,7 @@ class Step:
 
     wanted: str
     at: int
-    depth: int  # below the step that contains it
+    depth: int  # depth below the containing step
     span: int | None = None
     text: str = ""
 
@@ -72,7 +72,7 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
         try:
             frame = decode(bytes(event.value for event in events))
         except FrameError:
-            continue  # its first bytes came before the recording
+            continue  # the first bytes of the frame came before the recording
         layout = next(
             (frame_layout for frame_layout in LAYOUTS.values() if frame_layout.kind == frame.kind),
             None,

@@ -17,10 +17,10 @@ from traceability.schema import HOST, VIRTUAL_K64, Place
 FOLDER = Path("changes")
 RESULT = RESULTS / "changes.json"
 DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
-UNCHANGED = "weeding_robot_paper"  # the image that a kit without an extension is compared with
-# The composition: the files that make the parts and bind them to each other.
+UNCHANGED = "weeding_robot_paper"  # reference image for a kit without an extension
+# The composition: the files that create the parts and connect them.
 COMPOSITION = ("src/construction/", "src/k64/start_up/")
-# The composition of the pattern design that is compared with the baseline design.
+# The composition of the pattern design, for the comparison with the baseline design.
 COMPARED = "tests/usual_design/patterns/PatternDesign."
 ON_BOARD = "OnBoard"  # end of the name of a suite that runs the image of a kit
 TEST = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)")
@@ -42,12 +42,12 @@ class Kit:
     image: str = ""
     base: str = UNCHANGED  # image without the change
     tests: dict[str, Place] = field(default_factory=dict)  # Suite.Name -> its place
-    named_tests: list[str] = field(default_factory=list)  # of an extension
+    named_tests: list[str] = field(default_factory=list)  # tests of an extension
     files: list[str] = field(default_factory=list)  # added, without tests
     bases: dict[str, str] = field(default_factory=dict)  # class of a file -> base class
     patched: list[str] = field(default_factory=list)  # existing files
     composition_lines: int = 0  # existing lines of the composition, removed or changed
-    outside_lines: int = 0  # the same in other files
+    outside_lines: int = 0  # changed lines in other files
     added_lines: int = 0  # new lines in existing files
 
 

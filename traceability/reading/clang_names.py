@@ -1,4 +1,4 @@
-"""The names in the model of the elements of a syntax tree."""
+"""Names of the elements of a syntax tree, as the model uses them."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ def csv_of(scenario: str, binding: str) -> Path:
 
 
 def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]:
-    """Returns the scenarios, each with the plots and values that have all their keys."""
+    """Returns the scenarios with their complete plots and values."""
     entries = entries or Entries(root)
     may: Keys = {"plot": list, "figure": list}
     scenarios = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
@@ -130,8 +130,8 @@ def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
 def column(rows: Rows, name: str) -> Points:
     """Returns the valid values of a column with their times [ms].
 
-    For a true value this is the time of the reading; for a value of a report it is the time of the
-    clock pulse.
+    The time of a true value is the time of the reading. The time of a reported value is the time of
+    the clock pulse.
     """
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
@@ -176,7 +176,7 @@ def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> LoopFigure:
 
 
 def measure(figure: dict[str, Any], points: Points) -> float | None:
-    """Computes a metric; None when there are no points, or the value never settles."""
+    """Computes a metric. Returns None when there are no points, or the value never settles."""
     if not points:
         return None
     target = float(figure.get("target", 0))
@@ -196,7 +196,8 @@ def measure(figure: dict[str, Any], points: Points) -> float | None:
 
 
 def settling(points: Points, start: float, target: float, band: float) -> float | None:
-    """Time from the start to the first value after which all are within the band."""
+    """Returns the time from the start to the first value after which all values are within the
+    band."""
     inside: float | None = None
     for at, value in points:
         if abs(value - target) > band * abs(target):

@@ -18,8 +18,8 @@ from traceability.schema import Place
 from traceability.sources import files_below
 
 SUFFIXES = (".hpp", ".cpp", ".dox")
-# The name of a tag is followed by arguments in braces, a word, or a text. Doxygen's settings
-# declare the tags that are not built in.
+# Arguments in braces, a word, or a text follow the name of a tag. The settings of Doxygen declare
+# the additional tags.
 IN_BRACES = {"role": 2, "patternapp": 3, "isr": 1, "hides": 1}
 WORD = ("param", "tparam", "throws", "satisfies", "verifies", "requirement", "dir", "page")
 OF_CODE = ("brief", "return", "pre", "post", "errors", "function", "secret", "why", "changes")
@@ -45,10 +45,8 @@ NEXT_ARGUMENT = re.compile(r"(?<!\\),\s*")
 
 @dataclass
 class Tag:
-    """``text`` is its paragraph, ``more`` the paragraphs after it, ``source`` the text as written.
-
-    The text before the first tag of a comment is a tag without a name.
-    """
+    """``text`` is the paragraph of the tag, ``more`` are the paragraphs after it, and ``source`` is
+    the original text. The text before the first tag of a comment is a tag without a name."""
 
     name: str
     arguments: list[str]
@@ -64,7 +62,7 @@ class Tag:
 
 @dataclass
 class Comment:
-    place: Place  # its first and last line
+    place: Place  # first and last line of the comment
     tags: list[Tag]
 
     def of(self, name: str) -> list[Tag]:
@@ -86,8 +84,7 @@ class Comment:
         return {tag.argument: tag.text for tag in self.of(name)}
 
     def parts(self, name: str) -> Iterator[Comment]:
-        """For each of these tags, a comment with the tag and the tags before the next of these
-        tags."""
+        """Splits the comment before each of these tags. Each part is a comment."""
         starts = [number for number, tag in enumerate(self.tags) if tag.name == name]
         for start, end in pairwise([*starts, len(self.tags)]):
             yield Comment(self.tags[start].place, self.tags[start:end])

@@ -25,7 +25,9 @@ class Concordance:
 
     places: list[PaperPlace] = field(default_factory=list)
     named: dict[tuple[str, str], list[str]] = field(default_factory=dict)  # -> ids of places
-    lines: dict[tuple[str, str], Place] = field(default_factory=dict)  # where paper.toml names it
+    lines: dict[tuple[str, str], Place] = field(
+        default_factory=dict
+    )  # line of the name in paper.toml
     entries: list[PaperElement] = field(default_factory=list)
     statements: list[PaperStatement] = field(default_factory=list)
 

@@ -1,4 +1,4 @@
-"""The parts of a condition: the operations, members and comparisons that determine a branch."""
+"""The operations, members and comparisons in the condition of a branch."""
 
 from __future__ import annotations
 
@@ -16,7 +16,8 @@ IsOwn = Callable[[Cursor | None], bool]  # whether a declaration belongs to the 
 
 
 def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
-    """``Class::operation``, or ``Class::member >= 3``; a local variable is its first value."""
+    """Returns parts such as ``Class::operation`` or ``Class::member >= 3``. The initialiser
+    replaces a local variable."""
     variable = _local(condition)
     if variable is not None:
         return questions(variable, is_own)

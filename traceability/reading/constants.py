@@ -1,4 +1,4 @@
-"""The values of constants: of variables, values of enumerations, and operations that return one."""
+"""The values of constants: variables, enumerators, and operations that return a constant."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """The lines and branches of the design that each test executed, on this machine and on the K64.
 
-On this machine the counters of gcc show it, see ``arcs``. On the virtual K64 each test records one
-bit for each half-word of the flash that it executed, see ``board_coverage``: lines only, no
-branches.
+On this machine, the counters of gcc show these lines and branches, see ``gcov_arcs``. On the
+virtual K64 each test records one bit for each half-word of the flash that it executed, see
+``board_coverage``: lines only, no branches.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ from traceability.schema import HOST, VIRTUAL_K64
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-# Folders of programs that may be next to the test program: code that only these programs contain is
+# Folders of other programs next to the test program. Code that only these programs contain is
 # ignored.
 OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 
 @dataclass
 class Coverage:
-    """The executable code of a target, and the part that each recording executed."""
+    """The executable code of a target, and the executed part for each recording."""
 
     whole: Covered = field(default_factory=Covered)
     recordings: dict[str, Covered] = field(default_factory=dict)
@@ -141,7 +141,7 @@ def _executed(root: Path, graphs: dict[int, Graph], line: str) -> Covered:
 
 
 def _of_design(root: Path, covered: Covered) -> Covered:
-    """Only the files of the design, their paths relative to the root."""
+    """Returns only the files of the design, with paths relative to the root."""
     own = Covered()
     for path, lines in covered.lines.items():
         if file := design_file(root, path):

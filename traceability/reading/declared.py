@@ -44,7 +44,7 @@ class ClauseText:
     pattern: str
     says: str
     fix: str
-    about: list[str]  # roles whose modules the clause is about
+    about: list[str]  # roles of the modules that the clause concerns
     place: Place
 
 
@@ -61,7 +61,7 @@ class KnownApplication:
 
 @dataclass
 class KnownPattern:
-    """A pattern: the roles that each application binds, and how many applications there are."""
+    """A pattern: the roles that each application binds, and the number of applications."""
 
     name: str
     applications: int
@@ -123,7 +123,7 @@ class Declared:
     shared: list[SharedFunctions] = field(default_factory=list)
     names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
     name_places: dict[str, Place] = field(default_factory=dict)  # logic module -> its entry
-    total: int | None = None  # how many modules the design has
+    total: int | None = None  # number of modules of the design
     blocks: list[Block] = field(default_factory=list)
     contexts: dict[str, ExecutionContext] = field(default_factory=dict)
     ends: list[str] = field(default_factory=list)  # methods that end the firmware
@@ -342,8 +342,10 @@ def _machines(root: Path, entries: Entries, declared: Declared) -> None:
     for path in sorted((root / "design" / "fsm").glob("*.toml")):
         machine = _machine(Place(str(path.relative_to(root)), 1), path, entries)
         if machine is not None and machine.id in declared.machines:
-            text = f"{declared.machines[machine.id].place.file} has a machine {machine.id} already"
-            entries.problems.append(Problem(machine.place, text, "give each machine its own id"))
+            text = f"{declared.machines[machine.id].place.file} already has a machine {machine.id}"
+            entries.problems.append(
+                Problem(machine.place, text, "give each machine a different id")
+            )
         elif machine is not None:
             declared.machines[machine.id] = machine
 
@@ -410,12 +412,12 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
             current, stack = words, []
             if words in declared.trees:
                 text = f"{words} has a tree in {_told(declared.trees[words][0])} already"
-                declared.tree_errors.append((place, text, "remove one of the two"))
+                declared.tree_errors.append((place, text, "remove one of the two trees"))
             declared.trees[current] = (place, None)
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
-            fix = "write 'FR-n', or 'Class::method' with its indentation, and ? or * behind it"
+            fix = "write 'FR-n', or 'Class::method' with its indentation, and ? or * after it"
             declared.tree_errors.append((place, "this line is not an id and not a node", fix))
             continue
         depth = len(match[1]) // 2

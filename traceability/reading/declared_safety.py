@@ -180,7 +180,7 @@ def read_sources(text: str) -> list[SourceReference]:
 
 
 def read_scenarios(root: Path) -> dict[str, FaultScenario]:
-    """Name -> scenario: the first comment is its title, "# goal SG-1" names its goals."""
+    """Name -> scenario. The first comment is its title, and "# goal SG-1" names a goal."""
     paths = files_below(root, (str(SCENARIOS),), (".scenario",))
     return {path.stem: _scenario(root, path) for path in paths}
 

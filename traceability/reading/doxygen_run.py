@@ -21,12 +21,12 @@ from traceability.whole_file import write_whole
 
 INPUTS = (*DESIGN, "tests", "requirements")
 DOXYFILE = Path("traceability/doxygen/Doxyfile")
-# Ids of requirements and names of tags are checked where the comments are read.
+# The reader of comments checks ids of requirements and names of tags.
 NOT_OURS = re.compile(r"[Rr]equirement|satisfies|verifies|Found unknown command")
 
 
 def doxygen_executable() -> str:
-    """Returns the program next to the running Python, else the one on the path."""
+    """Returns the program next to the running Python, or else the program on the path."""
     installed = Path(sys.executable).parent / "doxygen"
     return str(installed) if installed.exists() else (shutil.which("doxygen") or "doxygen")
 

@@ -29,7 +29,7 @@ CHANCES = {
     *LOOPS,
 }
 DECLARATIONS = {CursorKind.DECL_STMT, CursorKind.VAR_DECL}  # before a condition
-KEEPS = {"store", "exchange", "push_back", "operator="}  # of the standard library
+KEEPS = {"store", "exchange", "push_back", "operator="}  # functions of the standard library
 ASSIGNMENTS = {CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR}
 COMPARISONS = {"==", "!=", "<", ">", "<=", ">="}
 INDEXED = {CursorKind.ARRAY_SUBSCRIPT_EXPR, CursorKind.CALL_EXPR}
@@ -43,7 +43,7 @@ EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.L
 
 @dataclass
 class FlowFact:
-    """A flow: the place may refer to the objects to which the sources refer."""
+    """A flow: the place may refer to the objects of the sources."""
 
     into: str
     sources: list[str]
@@ -78,7 +78,8 @@ class FlowReader:
         return names.get(cursor.kind, "")
 
     def function(self, cursor: Cursor) -> str:
-        """Returns the id of a function; with its file when it is local to the file."""
+        """Returns the id of a function. A function that is local to a file has the file in its
+        id."""
         name = function_id(cursor)
         if "::" in name or cursor.linkage == LinkageKind.EXTERNAL:
             return name
@@ -86,7 +87,7 @@ class FlowReader:
         return f"{at.file}:{name}" if at else name
 
     def sources(self, cursor: Cursor) -> list[str]:
-        """Returns the places that an expression names, without the steps that lead to them."""
+        """Returns the places that an expression names, without intermediate steps."""
         return list(dict.fromkeys(self._sources(cursor)))
 
     def _sources(self, cursor: Cursor) -> Iterator[str]:
@@ -140,7 +141,7 @@ class FlowReader:
         return self.sources(base) if base is not None else []
 
     def note(self, cursor: Cursor, function: str, place: Place) -> None:
-        """Records the references that any other statement passes."""
+        """Records the references that other statements pass."""
         kind = cursor.kind
         if kind == CursorKind.VAR_DECL:
             self.variable(cursor, place)

@@ -11,7 +11,7 @@ ENTRIES = "entries"  # the calls of the method
 
 @dataclass(frozen=True)
 class Inequality:
-    """The left side does not exceed the right side; without a name: a number."""
+    """The left side does not exceed the right side. A term without a name is a number."""
 
     factors: Mapping[
         str, int

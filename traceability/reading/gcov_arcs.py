@@ -66,7 +66,7 @@ class Graph:
     lines: dict[int, list[Line]] = field(default_factory=dict)  # block -> lines
 
     def solve(self, counters: tuple[int, ...]) -> list[int]:
-        """How often each arc was taken."""
+        """Returns how often the program took each arc."""
         given = iter(counters)
         taken: list[int | None] = [next(given, 0) if arc.counted else None for arc in self.arcs]
         leaving, entering = self._sides()
@@ -134,7 +134,7 @@ class Graph:
 
 
 def read_graphs(path: Path) -> dict[int, Graph]:
-    """Number of a function -> its graph, of one object."""
+    """Number of a function -> its graph, for one object file."""
     graphs: dict[int, Graph] = {}
     graph, file = Graph(), ""
     for tag, words in records(path.read_bytes()):

@@ -24,7 +24,7 @@ class Case:
     suite: str
     name: str
     line: int
-    body: str  # with its macro
+    body: str  # body with the macro
 
     @property
     def id(self) -> str:

@@ -12,6 +12,6 @@ TOTALS = Path("build/results/image_k64.json")  # flash and RAM of the image that
 
 
 def read_image(root: Path) -> dict[str, Any] | None:
-    """Returns the record of the image, when it was built from the present sources."""
+    """Returns the record of the image, if it was built from the present sources."""
     record = read_json(root / TOTALS)
     return record if isinstance(record, dict) and is_fresh(root, IMAGES) else None

@@ -1,8 +1,5 @@
-"""The texts that a requirement's links depend on, without comments and layout.
-
-Each is found in the text of its file. Therefore the earlier text can be read from an earlier
-version of the file in git.
-"""
+"""The texts on which the links of a requirement depend, without comments and layout. Each text is
+found in its file, so an earlier version of the file in git contains the earlier text."""
 
 from __future__ import annotations
 

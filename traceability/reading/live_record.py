@@ -14,7 +14,7 @@ KEYS = ("ready_s", "bytes", "real_time_factor", "scenarios_equal", "scenarios")
 
 
 def read_live(root: Path) -> dict[str, Any] | None:
-    """Returns the record, when it was measured with the present sources."""
+    """Returns the record, if it was measured with the present sources."""
     record = read_json(root / RECORD)
     return record if isinstance(record, dict) and is_fresh(root, LIVE) else None
 

@@ -1,4 +1,4 @@
-"""The greatest number of rounds of loops: from comments in the source, or from their heads."""
+"""The maximum number of rounds of loops, from comments in the source or from the heads of loops."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Place = tuple[str, int]
 
 @dataclass(frozen=True)
 class Bound:
-    """Greatest number of rounds for each entry of the loop, or for a call of its function."""
+    """Maximum number of rounds for each entry of the loop, or for a call of its function."""
 
     rounds: int
     in_all: bool
@@ -56,7 +56,7 @@ class Bounds:
         return Bound(rounds, match is not None and match[2] is not None)
 
     def passes(self, place: Place) -> int | None:
-        """Greatest number of executions of a line in a call of its function."""
+        """Returns the maximum number of executions of a line in a call of its function."""
         lines = self._lines(place[0])
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
         match = PASSES.match(before)

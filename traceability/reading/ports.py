@@ -17,7 +17,7 @@ RESULT = RESULTS / "ports.json"  # folder of a port -> the suites of its tests
 
 
 def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
-    """Folder -> its port, with the results of its tests when they are of these sources."""
+    """Folder -> its port, with the results of its tests if these sources gave them."""
     data = read_json(root / RESULT)
     results = data if isinstance(data, dict) and is_fresh(root, PORTS) else {}
     ports = {}

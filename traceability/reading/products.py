@@ -21,7 +21,7 @@ LIST = Path("design/products.toml")
 
 @dataclass(frozen=True)
 class Product:
-    """A product: its composition, and its modules that some products do not have."""
+    """A product: its composition, and those of its modules that other products lack."""
 
     name: str
     commands: str
@@ -92,7 +92,7 @@ def modules_of(listed: str) -> set[str]:
 
 
 def read_products(root: Path) -> dict[str, ProductImage] | None:
-    """Product -> its image, when all were built from the present sources."""
+    """Product -> its image, if all images were built from the present sources."""
     images = read_record(root / RESULTS, dict[str, ProductImage])
     fresh = images is not None and set(images) == set(PRODUCTS) and read_image(root) is not None
     return images if fresh else None

@@ -28,7 +28,7 @@ class ProofEvent:
 
     id: str
     says: str
-    actions: Sequence[str]  # none: it cannot be played
+    actions: Sequence[str]  # none: nothing can play the event
     ends: str  # action of the next round without the event
     wait: int  # [ms] duration of the event
 

@@ -31,7 +31,7 @@ def texts_hash(root: Path) -> str:
 
 
 def write_prose(root: Path, findings: int) -> None:
-    """Keeps the number of findings, with the hash of the texts."""
+    """Writes the number of findings, with the hash of the texts."""
     content = {"findings": findings, "texts": texts_hash(root)}
     (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
     (root / RECORD).write_text(json.dumps(content), encoding="utf-8")

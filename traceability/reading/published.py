@@ -41,7 +41,7 @@ def read_published(root: Path, name: str) -> Published | None:
 
 
 def last_score(root: Path, name: str) -> LastRecord | None:
-    """Returns the last published result of a mutation test; it is of earlier sources."""
+    """Returns the last published result of a mutation test, which belongs to earlier sources."""
     record = read_published(root, name)
     if record is None:
         return None

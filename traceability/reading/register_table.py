@@ -24,10 +24,10 @@ class Register:
 
 @dataclass(frozen=True)
 class RegisterBlock:
-    name: str  # of its namespace
+    name: str  # name of the namespace
     brief: str
     registers: list[Register]
-    distance: int  # from one block of its kind to the next [byte]; 0: there is only one
+    distance: int  # distance to the next block of its kind [byte]; 0 for a single block
 
 
 def read_registers(root: Path) -> list[RegisterBlock]:

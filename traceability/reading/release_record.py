@@ -11,8 +11,8 @@ RECORD = RESULTS / "release.json"
 
 
 def release_metrics(root: Path, commit: str) -> dict[str, Any]:
-    """Returns whether two builds of this commit were equal byte by byte; nothing when they were not
-    compared."""
+    """Returns whether two builds of this commit were equal byte by byte, or nothing without a
+    comparison."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not commit or not record["commit"].startswith(commit):
         return {}

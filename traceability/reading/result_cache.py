@@ -15,7 +15,8 @@ Result = TypeVar("Result")
 
 
 def cached_result(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
-    """Returns the cached result if it was computed from these parts; else computes and stores it.
+    """Returns the result that was computed from these parts. Computes and stores it if it is not
+    cached.
 
     The ``repr`` of each part identifies it.
     """

@@ -19,7 +19,7 @@ RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
 RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that is used for a target
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
-TYPE = re.compile(r"/\d+$")  # of a suite of typed tests
+TYPE = re.compile(r"/\d+$")  # suffix of a suite of typed tests
 PLAIN = "plain"  # the run without records
 # The counts of gcovr: the totals, and the lines of each file.
 COVERAGE = RESULTS / "coverage.json"
@@ -31,7 +31,7 @@ BOARD_ONLY = (
 )
 HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
-COMPARED = "tests/usual_design/"  # run by the comparison of the designs, and only there
+COMPARED = "tests/usual_design/"  # only the comparison of the designs runs them
 
 
 @dataclass
@@ -40,7 +40,7 @@ class Result:
     milliseconds: float
     message: str
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
-    measured: str = ""  # text that the test itself reports: its property of this name
+    measured: str = ""  # text that the test reports in its property of this name
     instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
     images: list[str] = field(default_factory=list)  # products whose images the test ran
 

@@ -1,6 +1,6 @@
 """The cost of the safety functions: files and lines since a base commit.
 
-Only lines of code count in edited files: a changed comment costs nothing.
+Only lines of code count in edited files, and comments do not count.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ class Edit:
     put: str
 
     def apply(self, root: Path) -> int:
-        """Changes the file; returns the line where the change begins."""
+        """Changes the file. Returns the first line of the change."""
         path = root / self.file
         if not self.find:
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -32,7 +32,7 @@ class Edit:
         text = path.read_text(encoding="utf-8")
         match = re.search(self.find, text, re.MULTILINE | re.DOTALL)
         if match is None:
-            raise ValueError(f"nothing in {self.file} matches {self.find}")
+            raise ValueError(f"no text in {self.file} matches {self.find}")
         path.write_text(
             text[: match.start()] + match.expand(self.put) + text[match.end() :], encoding="utf-8"
         )
@@ -64,7 +64,7 @@ class Fault:
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             if re.search(self.at, line):
                 return number
-        raise ValueError(f"nothing in {self.place} matches {self.at}")
+        raise ValueError(f"no line in {self.place} matches {self.at}")
 
 
 def read_faults(root: Path) -> list[Fault]:

@@ -39,7 +39,7 @@ class Facts:
     bodies_of: dict[str, list[BodyFact]] = field(default_factory=dict)  # class -> all in its files
     names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> names in it
     includes_of: dict[str, list[IncludeFact]] = field(default_factory=dict)  # class -> its files'
-    warnings: list[tuple[Place, str]] = field(default_factory=list)  # of Doxygen
+    warnings: list[tuple[Place, str]] = field(default_factory=list)  # warnings of Doxygen
 
     def __post_init__(self) -> None:
         for body in self.syntax.bodies:
@@ -168,15 +168,14 @@ class Object:
     """``name`` is ``Class::member``, or ``file:variable``."""
 
     name: str
-    kind: str  # its class
+    kind: str  # class of the object
 
 
 class References:
     """The objects that each reference may refer to.
 
-    An object is a member or a variable whose type is a class of the project. Its references
-    are followed through constructors, parameters, members and results, in all files of the robot
-    itself.
+    An object is a member or a variable whose type is a class of the project. References to it are
+    followed through constructors, parameters, members and results, in all files of the robot.
     """
 
     def __init__(self, facts: Facts) -> None:

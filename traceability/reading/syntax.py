@@ -1,4 +1,4 @@
-"""Reads the facts of the code from libclang's syntax tree: they agree with the compiler.
+"""Reads the facts of the code from the syntax tree of libclang, so they agree with the compiler.
 
 The facts of a translation unit are kept in a cache, whose key is the content of the unit's files,
 and the code, without comments, of all files that they include.
@@ -121,7 +121,7 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
             file: file_hash(root / file) if file in own else code_hash(root / file)
             for file in sorted(included)
         },
-        "facts": pickle.dumps(facts),  # read only with the same reader
+        "facts": pickle.dumps(facts),  # only the same reader reads these facts
     }
     path = _entry(cache, unit)
     if facts.errors:
@@ -153,7 +153,7 @@ def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax
     return reader.facts, included
 
 
-# Recognises all forms that the preprocessor permits: after a comment, or with digraphs.
+# Matches all forms that the preprocessor permits, also after a comment or with digraphs.
 INCLUDE = re.compile(
     r'\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*include\s*(?:/\*.*?\*/\s*)?[<"]([^>"]+)[>"]'
 )

@@ -15,7 +15,7 @@ from typing import Any
 
 from traceability.schema import Place
 
-MAY_BE_EMPTY = ("guard", "action")  # of a transition
+MAY_BE_EMPTY = ("guard", "action")  # keys of a transition
 Keys = Mapping[str, type[Any]]
 Entry = tuple[dict[str, Any], Place]
 
@@ -74,7 +74,7 @@ class Entries:
                 continue
             if own and item[own] in seen:
                 text = f"{own} {item[own]} has an entry in line {seen[item[own]]} already"
-                self.problems.append(Problem(place, text, "remove one of the two"))
+                self.problems.append(Problem(place, text, "remove one of the two entries"))
                 continue
             if own:
                 seen[item[own]] = place.line
@@ -94,25 +94,25 @@ class Entries:
         missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
         for key in missing:
             text = f"the entry has no {key}, which is {_WORDS[needs[key]]}"
-            self.problems.append(Problem(place, text, "write it, or correct its name"))
+            self.problems.append(Problem(place, text, "write the key, or correct its name"))
         for key in [key for key, value in item.items() if _is_blank(key, value)]:
             text = f"{key} is empty"
             fix = "write its text, or remove the key"
             self.problems.append(Problem(self.line_in(place, key), text, fix))
         for key in [key for key in item if key not in keys]:
-            text = f"the entry has a key {key}, which nothing reads"
+            text = f"the entry has the key {key}, which no reader uses"
             self.problems.append(Problem(self.line_in(place, key), text, "correct its name"))
             del item[key]
         return not missing
 
     def line_in(self, place: Place, words: str) -> Place:
-        """Returns the line with some words in the entry that begins at a place; else the place
-        itself."""
+        """Returns the place of some words in the entry that begins at a place, or else this
+        place."""
         path = self.root / place.file
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         pattern = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
         header = lines[place.line - 1] if place.line <= len(lines) else ""
-        below = header.strip().rstrip("]") + "."  # its parts: [[entry.part]]
+        below = header.strip().rstrip("]") + "."  # prefix of the parts: [[entry.part]]
         for number, line in enumerate(lines[place.line - 1 :], place.line):
             if number > place.line and line.startswith("[[") and not line.startswith(below):
                 break

@@ -36,13 +36,13 @@ SOURCES = {
     ),
 }
 EXIT = 1 << 63
-REPEAT = 1 << 62  # with the number of the event at which equal calls begin
+REPEAT = 1 << 62  # flag; the other bits are the number of the event at which equal calls begin
 SHOWN = 60
 
 
 @dataclass(slots=True)
 class Row:
-    """A call: it contains the rows before ``end``, without the rows of an interrupt.
+    """A call, which contains the rows before ``end`` except rows of interrupts.
 
     Each entry of an interrupt has a different ``activation``; 0 is the code outside of interrupts.
     """
@@ -119,7 +119,7 @@ class Traces:
         rows: list[Row] = []
         addresses = shown | self.addresses(self.vectors)
         addresses |= {at | EXIT for at in addresses}
-        # Index of the row, or -1 for a handler that is not shown; and the previous activation.
+        # Index of the row, or -1 for a handler that is not shown, and the previous activation.
         open_calls: list[tuple[int, int]] = []
         depth, parent, activation, entries = 0, -1, 0, 0
         for event in [event for event in self.events(test) if event in addresses]:
@@ -159,7 +159,9 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
     for binding, source in SOURCES.items():
         traces = Traces(root / source.folder)
         tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
-        done = (root / RESULTS / f"{RUNS[binding]}.json").exists()  # else they are running
+        done = (
+            root / RESULTS / f"{RUNS[binding]}.json"
+        ).exists()  # without results the tests are running
         if tests and done and (root / source.executable).exists():
             cached = cache / f"symbols-{source.names}.json"
             traces.state = _state(traces.folder, root / source.executable)
@@ -263,7 +265,7 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
             position = index + 1
             for child in node.children:
                 if not child.children and not names[id(child)]:
-                    continue  # implemented outside the trace
+                    continue  # the recording does not contain the implementation
                 if child.kind == "post":
                     matched = fit(child, position, len(rows), None)
                 else:

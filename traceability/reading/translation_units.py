@@ -1,4 +1,4 @@
-"""The translation units of the design, and how the compiler of this machine or the K64 reads them.
+"""The translation units of the design, and the options with which each compiler reads them.
 
 A header and the source file of the same name are one unit; a header without a source file is a
 separate unit. Files below ``src/k64``, and those in the folder ``k64`` of an extension, are read
@@ -79,7 +79,9 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
     arguments = [
         "c++-header" if argument == "c++" else argument for argument in clang_arguments(board)
     ]
-    arguments.append("-fpch-instantiate-templates")  # else each unit parses them again
+    arguments.append(
+        "-fpch-instantiate-templates"
+    )  # without these headers, each unit parses them again
     text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {arguments}\n"
     if header.exists() and header.read_text(encoding="utf-8") == text:
         return

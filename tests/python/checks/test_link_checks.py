@@ -1,4 +1,4 @@
-"""Dead links of a site, and the place where each is written."""
+"""Dead links of a site, and the place of each link in the sources."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""hazard-*: bounds, results and names that the seeded faults in tests/drift do not reach."""
+"""hazard-*: bounds, results and names that the seeded faults in tests/drift do not test."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ def check(root: Path, model: Model) -> list[Finding]:
     [
         (("base =", "base ="), ""),
         (("time = 0.35", "time = 0.32"), ""),
-        (("time = 0.35", "time = 0.31"), "SG-1 has 0.31 s, and its formula gives 0.353 s"),
-        (("time = 0.35", "time = 0.36"), "SG-1 has 0.36 s, and its formula gives 0.353 s"),
+        (("time = 0.35", "time = 0.31"), "SG-1 has 0.31 s, but its formula gives 0.353 s"),
+        (("time = 0.35", "time = 0.36"), "SG-1 has 0.36 s, but its formula gives 0.353 s"),
         (("0.3 / 0.85", "way / speed"), "the formula of SG-1 has no value: way / speed"),
         (("reaction = 0.2", "reaction = 0.35"), ""),
         (
             ("reaction = 0.2", "reaction = 0.351"),
-            "the firmware needs 0.351 s for SG-1, which allows 0.35 s",
+            "the firmware needs 0.351 s for SG-1, but the goal allows 0.35 s",
         ),
         (('id = "HZ-1"', 'id = "H1"'), "H1 is not an id of a hazard"),
         (('["brake"]', '["brake", "fly"]'), "SG-1 names fly, which is not declared"),
@@ -55,7 +55,7 @@ def test_a_requirement_names_a_goal_that_exists(tmp_path: Path) -> None:
     model = make_model(tmp_path)
     model.requirements["FR-1"] = replace(model.requirements["FR-1"], goals=["SG-1", "SG-7"])
     texts = [one.text for one in check(tmp_path, model)]
-    assert texts == ["FR-1 names SG-7, and there is no such goal"]
+    assert texts == ["FR-1 names the goal SG-7, which does not exist"]
 
 
 def test_a_project_without_a_case_has_no_findings(tmp_path: Path) -> None:
@@ -68,13 +68,13 @@ def test_a_project_without_a_case_has_no_findings(tmp_path: Path) -> None:
         (f"# Lost.\n# goal SG-1\n{BRAKING.format(350)}", []),
         (
             f"# Lost.\n# goal SG-1\n{BRAKING.format(351)}",
-            ["the scenario lost accepts 0.351 s, and SG-1 allows 0.35 s"],
+            ["the scenario lost accepts 0.351 s, but SG-1 allows 0.35 s"],
         ),
         (
             "# Lost.\n# goal SG-8\n",
             [
-                "the scenario lost names SG-8, and there is no such goal",
-                "SG-1 lists the scenario lost, which does not name it",
+                "the scenario lost names the goal SG-8, which does not exist",
+                "SG-1 lists the scenario lost, but the scenario does not name the goal",
             ],
         ),
     ],
@@ -106,7 +106,7 @@ def test_a_scenario_passes_in_this_run(
     ("test", "played", "found"),
     [
         ("TEST(Safety, FR1_Stops) {\n}\n", [], True),
-        (FOLDER, [], False),  # it has not run: it may play each scenario
+        (FOLDER, [], False),  # the test has not run, so it may play each scenario
         (FOLDER, ["Files_Safety.FR1_Stops_lost"], False),
         (FOLDER, ["Files_Safety.FR1_Stops_found"], True),
     ],

@@ -1,4 +1,4 @@
-"""The exports for other tools: an independent tool reads each of them, or it fits a published
+"""The exports for other tools: an independent tool reads each file, or the file fits a published
 schema."""
 
 import csv

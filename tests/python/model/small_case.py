@@ -81,7 +81,7 @@ TEST = '/// @brief It stops.\nTEST(Safety, FR1_Stops) {\n  playScenario("lost");
 
 
 def write_case(root: Path, *changes: tuple[str, str]) -> None:
-    """Writes the case, with parts of its text replaced."""
+    """Writes the case, and replaces parts of its text."""
     text = CASE
     for old, new in changes:
         assert old in text, old

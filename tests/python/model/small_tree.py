@@ -1,10 +1,10 @@
-"""A small tree of sources, with the shape of the real one: two modes, two states, one test."""
+"""A small tree of sources with the structure of the real tree: two modes, two states, one test."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-# Two modes and two states, which differ in their names only.
+# Two modes and two states, which differ only in their names.
 MODE_HEADER = """\
 #pragma once
 

@@ -1,4 +1,4 @@
-"""Results of the virtual K64: those of its tests, and those of seeded faults in drivers."""
+"""Results of the virtual K64: of its tests, and of seeded faults in drivers."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_faults_count_only_for_the_sources_they_were_seeded_in(tmp_path: Path) -
         path.write_text(json.dumps({"sources": sources, "faults": [fault]}), encoding="utf-8")
         model, facts = build(root)
         assert (model.driver_faults and len(model.driver_faults)) == known
-    assert any("'F' gave the finding other" in one.text for one in check(model, facts))
+    assert any("'F' caused the finding other" in one.text for one in check(model, facts))
 
 
 def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
@@ -67,6 +67,6 @@ def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
     record_task(root, TESTS_BOARD, "src", "tests")
     model = build(root).model
     assert not model.stale_on(VIRTUAL_K64)
-    assert model.results_stale  # those of the host are missing
+    assert model.results_stale  # results of the host are missing
     assert model.tests["Findings.ClockGate"].passed
     assert model.tests["Findings.Nothing"].gave("failed") == [VIRTUAL_K64]

@@ -1,4 +1,4 @@
-"""The greatest use of the stack, from frames and calls."""
+"""The largest use of the stack, from frames and calls."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from traceability.model.state_machines import Change, MachineCode, Seen, Watcher
 from traceability.schema import Place
 
 PLACE = Place("src/lamp/Lamp.cpp", 1)
-# A lamp that a press switches; after some time it goes off. Off inherits the operation "wait".
+# A press switches a lamp. After some time the lamp goes off. Off inherits the operation "wait".
 CODE = MachineCode(
     holders={"Lamp": "Lamp::changeState"},
     operations=["press", "wait"],
@@ -31,7 +31,7 @@ STAYS_OFF = Seen("Off", "press", "Off")
 
 
 def watched(calls: str) -> list[Seen]:
-    """Each word is a call that is entered; ``/`` leaves the last one."""
+    """Each word enters a call, and ``/`` leaves the last call."""
     events: list[tuple[str, bool]] = []
     stack: list[str] = []
     for word in calls.split():

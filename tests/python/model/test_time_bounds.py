@@ -1,4 +1,4 @@
-"""The longest path through a small program: its loops, its calls, and a loop that is added."""
+"""The longest path through a small program with loops and calls, and with an added loop."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ LOOP = """
     bne 1b
     bx lr
 """
-# One path costs one division more than the other.
+# One path has an additional division.
 FORK = """
     cmp r0, #0
     beq 1f
@@ -45,7 +45,7 @@ FORK = """
 1:  adds r1, r1, #1
 2:  bx lr
 """
-# The loop begins at its first or at its second addition.
+# A path can enter the loop at its first or at its second addition.
 ENTERED_TWICE = """
     movs r0, #10
     cbz r2, 2f
@@ -140,7 +140,7 @@ def test_a_loop_that_is_entered_at_two_places_costs_its_rounds(tmp_path: Path) -
     code = code_of(tmp_path, ENTERED_TWICE)
     (loop,) = code.loops
     assert len(loop.blocks) == 2
-    # The bound permits a part of a round before the first whole one.
+    # The bound permits a part of a round before the first complete round.
     first = REFILL + 3 + REFILL
     assert longest(code, 10) == 1 + 1 + first + 10 * 4 + 9 * REFILL + 1 + REFILL
 
@@ -221,7 +221,7 @@ def test_a_loop_that_nothing_bounds_has_no_longest_path(tmp_path: Path) -> None:
 
 
 def test_a_fact_limits_a_sum_of_executions(tmp_path: Path) -> None:
-    """Each round of the loop takes one of seven units, and leaving the loop takes two."""
+    """Each round of the loop uses one of seven units, and the exit from the loop uses two units."""
     code = code_of(tmp_path, LOOP)
     cost = {start: block.cycles for start, block in code.blocks.items()}
     (loop,) = code.loops
@@ -281,7 +281,7 @@ def test_only_higher_and_equal_priorities_delay_an_interrupt() -> None:
 
 
 def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:
-    """A cycle of less than a tick, with and without the time of the wait more than a tick."""
+    """A cycle is shorter than a tick. With the waiting time, it may be longer than a tick."""
     waits = context("edge", 20_000, 1, entries=1)
     alone = [context("thread", 70_000, 12), waits]
     assert cycle_response(alone, noise=False) == 70_000 + 2 * (20_000 + RETRY)

@@ -1,4 +1,4 @@
-"""A requirement is verified only by code that was executed by tests of this requirement."""
+"""Only code that tests of a requirement executed verifies this requirement."""
 
 from __future__ import annotations
 
@@ -193,5 +193,5 @@ def test_an_image_that_is_older_than_the_sources_is_a_finding(tree: Path) -> Non
     source = next((tree / STATES).glob("*.cpp"))
     source.write_text(source.read_text() + "\n// Changed.\n")
     assert says() == [
-        "the image is older than the sources, so its size and its stack are not compared"
+        "the image is older than the sources, so no check compares its size and its stack"
     ]

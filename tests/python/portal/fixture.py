@@ -1,4 +1,4 @@
-"""A small project with its own model, which has every kind of page."""
+"""A small project with a model, which has every kind of page."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ def glossary(tmp_path: Path) -> GlossaryLinks:
 
 
 def linked(glossary: GlossaryLinks, html: str) -> list[tuple[str, str]]:
-    """The address and the words of each link to the glossary."""
+    """Returns the address and the words of each link to the glossary."""
     page = glossary.link(html, "../")
     assert re.sub(r'<a class="term"[^>]*>([^<]*)</a>', r"\1", page) == html
     return re.findall(r'<a class="term" href="([^"]*)" title="[^"]*">([^<]*)</a>', page)

@@ -76,7 +76,7 @@ def random_tree(chance: random.Random, depth: int = 0) -> dict[str, Any]:
     if depth and chance.random() < 0.2:
         found["post"] = 1
     if not children and depth and chance.random() < 0.1:
-        found["m"] = []  # implemented outside of the trace
+        found["m"] = []  # the recording does not contain the implementation
     return found
 
 

@@ -1,4 +1,4 @@
-"""The pages of the safety case, made from a small one."""
+"""The pages of a small safety case."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ BY_DOXYGEN = """<doxygen version="1.9.8"><compounddef id="classwr_1_1RC" kind="c
 
 
 class Site:
-    """A project, its model, and the site that is built from both."""
+    """A project, its model, and the site that is built from them."""
 
     def __init__(self, root: Path) -> None:
         self.root = root

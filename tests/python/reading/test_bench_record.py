@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[3]
 
 
 def raw(**changes: object) -> dict[str, object]:
-    """A run of 1000 cycles at 120 MHz, of which the last one costs twice as much."""
+    """A run of 1000 cycles at 120 MHz. The last cycle costs twice as much as the others."""
     twice = [1] * (CYCLES - 1) + [2]
     one = {
         "clock_hz": 120_000_000,

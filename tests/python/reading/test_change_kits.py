@@ -1,4 +1,4 @@
-"""The kits of likely changes: lines, classes and tests, and when a change counts as proven."""
+"""The kits of likely changes: lines, classes and tests, and the conditions of a proven change."""
 
 from __future__ import annotations
 

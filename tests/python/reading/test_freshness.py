@@ -1,4 +1,4 @@
-"""A result is valid only for the sources from which it was made."""
+"""A result is valid only for its sources."""
 
 from __future__ import annotations
 

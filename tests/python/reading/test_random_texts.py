@@ -1,4 +1,4 @@
-"""Damaged files of the design never end a tool: the reader returns the content, or a problem with
+"""Damaged files of the design never end a tool. The reader returns the content, or a problem with
 its place."""
 
 from __future__ import annotations

@@ -51,7 +51,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def shape(folder: Path, test: str) -> str:
     """Brackets of the calls, with a letter for each function in order of appearance.
 
-    A repeated call is written as the number of the event at which the first one begins.
+    A repeated call is the number of the event at which the first equal call begins.
     """
     events: array[int] = array("Q")
     events.frombytes((folder / f"Calls.{test}.bin").read_bytes())

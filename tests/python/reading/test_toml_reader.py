@@ -1,4 +1,4 @@
-"""The entries of the design: an unreadable one is reported with its line."""
+"""The entries of the design. The reader reports the line of an unreadable entry."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_a_sound_file_has_no_problem(tmp_path: Path) -> None:
         ('"green"', '"green', 9, "lamps.toml is no TOML: "),
         ('pins = ["PTA2"]\n', "", 8, "the entry has no pins, which is a list"),
         ('pins = ["PTA2"]', 'pins = "PTA2"', 8, "the entry has no pins, which is a list"),
-        ("why =", "because =", 11, "the entry has a key because, which nothing reads"),
+        ("why =", "because =", 11, "the entry has the key because, which no reader uses"),
         ('"green"', '"red"', 8, "name red has an entry in line 4 already"),
         ("total =", "sum =", 1, "no reader uses the values under sum"),
         ("[[lamp]]\nname = ", "[[lamps]]\nname = ", 4, "no reader uses the values under lamps"),

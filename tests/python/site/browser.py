@@ -36,12 +36,12 @@ function next() {
 async function probe(view) { const doc = view.document; %PROBE% }
 next();
 </script>"""
-Site = tuple[str, Path]  # its address, and its folder
+Site = tuple[str, Path]  # address and folder of the site
 
 
 class QuietHandler(SimpleHTTPRequestHandler):
     def log_message(self, *_arguments: Any) -> None:
-        """The tests look at the pages, not at the requests."""
+        """Writes nothing, because the tests check the pages and not the requests."""
 
 
 @contextmanager
@@ -63,7 +63,7 @@ def look(
 ) -> tuple[dict[str, Any], list[str]]:
     """Returns the result of the probe for each page, and the errors on the console.
 
-    A page is a name without the suffix, with a query or not.
+    A page is a name without the suffix, and may have a query.
     """
     address, site = server
     values = {"PAGES": json.dumps(pages), "WIDTH": str(width), "PROBE": probe}

@@ -47,7 +47,8 @@ class Reader:
         self.size = 0
 
     def read(self, element: HtmlElement, linked: bool = False, listing: bool = False) -> None:
-        """Reads an element; ``linked`` and ``listing`` say whether it is in a link or listing."""
+        """Reads an element. ``linked`` and ``listing`` state whether the element is in a link or
+        listing."""
         tag = element.tag
         if tag == "nav" or NAVIGATION.search(element.get("class", "")):
             return
@@ -98,8 +99,7 @@ def words(text: str) -> str:
 
 
 def section(address: str) -> str:
-    """The text of the element that an address names; without an element, the text of the whole
-    page."""
+    """Returns the text of the element that an address names, or else the text of the whole page."""
     page, _, part = address.partition("#")
     found = content(page)
     start, end = found.ids[part] if part else (0, len(found.text))

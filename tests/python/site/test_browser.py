@@ -1,4 +1,4 @@
-"""Pages in a browser: there is no error and no sideways scroll; search and theme work."""
+"""Pages in a browser have no error and no sideways scroll, and search and theme work."""
 
 from __future__ import annotations
 

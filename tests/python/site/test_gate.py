@@ -26,7 +26,7 @@ PAGES = [
     "docs/glossary", "source/index", "source/src/main_control/operation_modes/RC.cpp", "exports",
     "modules/RC", "modules/MainController", "plot",
 ]  # fmt: skip
-# Those that axe looks at: each part of a page is on one of them.
+# Pages that axe checks. They contain all parts of pages.
 LOOKED_AT = [
     "index", "answers/index", "answers/is-rc-a-state-or-a-decorator", "architecture", "structure",
     "patterns/index", "patterns/reading-modes", "machines", "changes/reading-modes", "products",
@@ -155,7 +155,8 @@ def test_pages_are_accessible(
 
 
 def test_escape_gives_the_focus_back_and_every_stop_is_seen(site: Site) -> None:
-    """From the name of a module into its card and back; the skip link leads into the content."""
+    """The focus moves from the name of a module into its card and back. The skip link leads into
+    the content."""
     seen, errors = look(site, ["patterns/reading-modes"], KEYBOARD)
     assert seen["patterns/reading-modes"] == [True, True, True, True, "main"]
     assert errors == []

@@ -84,7 +84,7 @@ process.stdout.write(JSON.stringify({
   active: at.map((instant) => lanes.activeAt(found, instant).map((context) => context.id)),
 }));
 """
-# In the page of the execution: play ten cycles, pause, and move the instant to the clock pulse.
+# On the page of the execution: play ten cycles, pause, and select the time of the clock pulse.
 LANES_OF_PAGE = """<!doctype html><meta charset="utf-8">
 <iframe style="width:1200px;height:900px"></iframe>
 <script>
@@ -145,7 +145,7 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
         one["module"] for beat in beats for one in beat["states"] if one["id"] == "operation-states"
     ]
     assert {"Working", "Waiting", "WaitingN", "Reconnecting"} <= set(states)
-    # A module is marked in the cycles in which the number of its calls rises, and in no other.
+    # A module is marked only in the cycles in which the number of its calls rises.
     for before, beat in pairwise(beats):
         risen = {name for name in STATES if beat["counts"][name] > before["counts"][name]}
         assert set(beat["active"]) == risen
@@ -155,7 +155,7 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
-    """The same drive: the warning comes one failed read before the last waiting state."""
+    """In the same drive, the warning occurs one failed read before the last waiting state."""
     products = ["weeding_robot_paper", "weeding_robot_warning"]
     order = {"do": "compare", "folder": "live/", "products": products, "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, order], 0)
@@ -183,7 +183,7 @@ process.stdout.write(JSON.stringify(lines.map((line) => frames.partsOf(line, lay
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
-    """Of all frames of a drive: the bytes in their order, and the number in each field."""
+    """Compares the order of the bytes and the number in each field, for all frames of a drive."""
     play = {"do": "play", "folder": "live/", "modules": [], "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, play], 20)
     lines = [frame["bytes"] for beat in sent for frame in beat.get("frames", ())]
@@ -224,7 +224,8 @@ def test_the_diagram_marks_the_called_modules_and_stops_when_paused() -> None:
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> None:
-    """A timer preempts a thread that began before the cycle; a second thread does not end in it."""
+    """A timer preempts a thread that began before the cycle. A second thread does not end in the
+    cycle."""
 
     def switch(line: int, entered: bool, at: int) -> dict[str, object]:
         return {"exception": 16 + line, "entered": entered, "at": at}

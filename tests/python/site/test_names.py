@@ -1,4 +1,4 @@
-"""Names of elements in the pages are links to them."""
+"""Names of elements in the pages are links to the elements."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the first page every page is near, by links of the content alone."""
+"""A reader reaches every page from the first page with few clicks on links of the content."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def model() -> dict[str, Any]:
 
 
 def farther(addresses: list[str], most: int) -> dict[str, int | None]:
-    """The addresses that need more clicks, or that cannot be reached."""
+    """Returns the addresses that need more clicks, or that no link reaches."""
     found = clicks()
     return {name: found.get(name) for name in addresses if found.get(name, 99) > most}
 

@@ -31,7 +31,7 @@ RANGES = {
 }
 REPORTS = 60
 PERIOD_MS = 100
-RESET = 30  # the report after a reset of the robot: its time begins again
+RESET = 30  # the first report after a reset of the robot, with a time that begins again
 # Chooses or drops a file, and returns the drawings, the changes and the findings of axe.
 SHOW = """
 const files = new view.DataTransfer();
@@ -148,7 +148,7 @@ def assert_same(plot: dict[str, Any], drawing: Drawing) -> None:
     assert [kind for kind, _ in plot["lines"]] == [line.kind for line in drawing.lines]
     for (_, path), line in zip(plot["lines"], drawing.lines, strict=True):
         assert re.sub(r"[-\d.]+", "", path) == re.sub(r"[-\d.]+", "", line.path)
-        # The two languages round a half differently.
+        # Python and JavaScript round halves differently.
         assert numbers_of(path) == pytest.approx(numbers_of(line.path), abs=0.11)
 
 

@@ -1,4 +1,4 @@
-"""The search of the built site: each page is found, and the first hit is the expected one."""
+"""The search of the built site: each page is found, and the first hit is the expected page."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ SEARCHES: dict[str, list[str]] = {
         Path(__file__).with_name("searches.toml").read_text(encoding="utf-8")
     ).items()
 }
-LEAST = 0.9  # share of the searches whose first hit is an expected one
+LEAST = 0.9  # minimum share of searches with an expected first hit
 SCREEN = 12  # rows that the list shows without scrolling
 SIZE = 5  # rows of a group that are shown at first
 SCRIPTS = ("minisearch", "search_index", "search")

@@ -1,4 +1,5 @@
-"""The worked examples of the page on the tools: each is applied to a copy and tested there."""
+"""The worked examples of the page on the tools: each example is applied to a copy and tested in the
+copy."""
 
 from __future__ import annotations
 
