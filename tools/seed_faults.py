@@ -171,8 +171,8 @@ class Copy:
                 changed = [edit.apply(self.tree) for edit in fault.edits]
                 lines[number] = fault.expected_line(self.tree, changed[0])
             new = [finding for finding in self.findings() if _key(finding) not in self.before]
-        except ValueError as problem:
-            error = [str(problem)]
+        except Exception as problem:  # also a fault of the project's own tools is an outcome
+            error = [f"{type(problem).__name__}: {problem}"]
         finally:
             self._restore(before)
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]

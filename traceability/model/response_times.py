@@ -20,7 +20,7 @@ from traceability.model.time_bounds import DeclaredFacts, Limit, Spread, Times
 from traceability.reading.call_record import BYTE_RECEIVED, read_recordings
 from traceability.reading.chains import Chain, declared_chains, follow, frames_in
 from traceability.reading.flow_facts import Inequality, read_inequality
-from traceability.reading.loop_bounds import Bounds
+from traceability.reading.loop_bounds import Bounds, Place
 from traceability.reading.results import numbers_reported
 from traceability.reading.source_facts import Facts
 from traceability.schema import VIRTUAL_K64, ExecutionContext, PathBound, TimeBound, TimeProof
@@ -70,9 +70,14 @@ def prove_times(
         noise_ms=cycle_response(contexts, noise=True) / CLOCK,
         seen_ms=_seen(root, model),
         paths=_paths(root, declared["path"], contexts, cycle_ms, times.bounds),
-        unbound=sorted((name, SourcePlace(*place)) for name, place in times.unbound),
-        unresolved=sorted((name, SourcePlace(*place)) for name, place in times.unresolved),
+        unbound=in_order(times.unbound),
+        unresolved=in_order(times.unresolved),
     )
+
+
+def in_order(places: Iterable[tuple[str, Place]]) -> list[tuple[str, SourcePlace]]:
+    """Returns functions and places, sorted by name, file and line."""
+    return [(name, SourcePlace(*place)) for name, place in sorted(places)]
 
 
 def declared_times(

@@ -10,7 +10,13 @@ import pytest
 
 from traceability.model.image_code import Program
 from traceability.model.longest_path import FlowFact, Problem
-from traceability.model.response_times import CLOCK, RETRY, cycle_response, with_responses
+from traceability.model.response_times import (
+    CLOCK,
+    RETRY,
+    cycle_response,
+    in_order,
+    with_responses,
+)
 from traceability.model.stack import Prover
 from traceability.model.time_bounds import DeclaredFacts, Spread, Times
 from traceability.reading.call_graph import Function
@@ -308,6 +314,15 @@ def test_a_fact_limits_the_rounds_of_a_callee(tmp_path: Path) -> None:
         costs.append(times.of("run"))
         assert not times.unbound
     assert costs[1] - costs[0] == 5 * (2 + REFILL)
+
+
+def test_two_loops_of_a_function_without_a_bound_are_in_order() -> None:
+    places = {("run", ("b.cpp", 2)), ("halt", ("b.cpp", 9)), ("run", ("a.cpp", 7))}
+    assert [(name, str(place.file)) for name, place in in_order(places)] == [
+        ("halt", "b.cpp"),
+        ("run", "a.cpp"),
+        ("run", "b.cpp"),
+    ]
 
 
 def test_an_interrupt_that_takes_all_the_time_has_no_bound() -> None:

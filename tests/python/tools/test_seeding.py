@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from tools.seed_faults import Copy
 from traceability.reading.seeded_fault_record import Outcome
 from traceability.reading.seeded_faults import Edit, Fault
+from traceability.schema import Finding
 
 
 class Hiding(Copy):
@@ -60,3 +63,26 @@ def test_a_fault_that_hides_the_others_is_separated_in_halves() -> None:
 def test_a_fault_that_no_check_finds_is_missed() -> None:
     caught, _ = seeded("a", "lost", "b")
     assert caught == {"a": True, "lost": False, "b": True}
+
+
+class Broken(Copy):
+    """A copy whose checks end with an error."""
+
+    def __init__(self, tree: Path) -> None:
+        self.tree = tree
+        self.before = set()
+        self.cache = {}
+        self.stamps = {}
+
+    def findings(self) -> list[Finding]:
+        raise TypeError("no order")
+
+
+def test_a_fault_that_breaks_the_checks_is_an_outcome_with_the_error(tmp_path: Path) -> None:
+    (tmp_path / "build/model").mkdir(parents=True)
+    (tmp_path / "code").write_text("a\n")
+    edit = Edit("code", "a", "b")
+    outcome = Broken(tmp_path).seed([Fault("broken", "check", "A fault.", [edit], "code")])[0]
+    assert not outcome.caught
+    assert outcome.said == ["TypeError: no order"]
+    assert (tmp_path / "code").read_text() == "a\n"
