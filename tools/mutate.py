@@ -211,7 +211,8 @@ class _Run:
         """Returns the mutants that no test found and no entry justifies."""
         assert self.justifications is not None
         missed = [one.mutant for one in self.tried if not one.killed_by]
-        return [mutant for mutant in missed if not self.justifications.why(mutant)]
+        reasons = self.justifications.reasons_of(missed)
+        return [mutant for mutant, why in zip(missed, reasons, strict=True) if not why]
 
     def justified(self) -> int:
         return len(self.tried) - self.killed() - len(self.survivors())

@@ -558,7 +558,9 @@ inline choose_reset() {
 // environment
 inline choose_steering() {
   if
-  :: skip
+  :: steering_controller_states_if_no_turn_wanted_and_at_rest = true
+  :: steering_controller_states == steering_controller_states_DirTurning ->
+     skip  // no turn is wanted, but the motor still turns
   :: steering_powered ->
      steering_controller_states_if_position_older_than_20_ms_or_inconsistent = true;
      printf("event position-lost\n")
@@ -576,8 +578,6 @@ inline tick_steering() {
   d_step {
     steering_controller_states_if_order_to_follow = follow && !abandoned;
     steering_controller_states_if_order_older_than_300_ms = abandoned;
-    steering_controller_states_if_no_turn_wanted_and_at_rest =
-        !steering_controller_states_if_the_algorithm_wants_a_turn;
     steering_controller_states_if_order_to_hold_given_after_the_fault = release;
     steering_controller_states_step(steering_controller_states_on_tick);
     if

@@ -5,13 +5,17 @@ A chunk is a pure function of its seed and its count: it has the same result on 
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+
+from tools.lock import BusyError
 
 FOLDER = Path("build/campaign")
 SEEDS = 1 << 20  # seeds of chunks of one campaign
@@ -50,6 +54,20 @@ class Store:
     def __init__(self, root: Path, kind: str, identity: str, seed: int) -> None:
         self.identity = identity
         self.folder = root / FOLDER / kind / f"{identity}-{seed}"
+
+    @contextmanager
+    def only_one(self) -> Iterator[None]:
+        """Locks the chunks: a second campaign with the same chunks would run them again."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        with (self.folder / "lock").open("a", encoding="utf-8") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError as error:
+                raise BusyError(
+                    "Another process runs this campaign. Wait until it has ended, or end it with "
+                    "Ctrl-C"
+                ) from error
+            yield
 
     def keep(self, chunk: Chunk, cases: list[dict[str, Any]]) -> None:
         """Writes the result of a chunk. Its file is complete, or it does not exist."""

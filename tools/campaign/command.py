@@ -60,8 +60,10 @@ def campaign(root: Path, options: argparse.Namespace) -> int:
             return 1
     store = Store(root, kind.name, identity_of(root / file for file in kind.files), options.seed)
     if options.count or not options.publish:
-        run(root, kind, store, options)
-    chunks = whole_part(store.finished())
+        with store.only_one():
+            chunks = run(root, kind, store, options)
+    else:
+        chunks = whole_part(store.finished())
     if not chunks:
         raise FailureError("no chunk of this program and this seed is finished")
     result = merged(root, kind, store, chunks)
@@ -70,7 +72,12 @@ def campaign(root: Path, options: argparse.Namespace) -> int:
         command = f"./wr campaign {kind.name} --count {result['cases']} --seed {options.seed}"
         path = publish(root, kind.name, command, commit(root), result)
         print(f"{result['cases']} {kind.unit} published in {path.relative_to(root)}")
-    return 0
+    failures = result.get("failures", [])
+    for failure in failures:
+        print(*(f"{name}: {value}" for name, value in failure.items()), sep="\n")
+    if failures:
+        print(f"the whole results are in {store.folder.relative_to(root)}")
+    return 1 if failures else 0
 
 
 def build_all(root: Path, kind: Kind, log: Any) -> None:
@@ -78,10 +85,10 @@ def build_all(root: Path, kind: Kind, log: Any) -> None:
         build(root, preset, log, *targets)
 
 
-def run(root: Path, kind: Kind, store: Store, options: argparse.Namespace) -> None:
-    """Runs the chunks that are not finished."""
+def run(root: Path, kind: Kind, store: Store, options: argparse.Namespace) -> list[Chunk]:
+    """Runs the chunks that are not finished, and returns all chunks of the campaign."""
     chunks = chunks_of(options.seed, options.count or kind.usual, kind.size)
-    finished = set(store.finished())
+    finished = {chunk for chunk in chunks if store.read(chunk) is not None}
     if finished and not options.resume:
         raise UsageError(
             f"{len(finished)} chunks of this campaign are finished: --resume keeps them. "
@@ -99,6 +106,7 @@ def run(root: Path, kind: Kind, store: Store, options: argparse.Namespace) -> No
             raise FailureError(f"chunk {chunk.number} has {len(cases)} cases, not {chunk.count}")
         store.keep(chunk, cases)
         progress.show(chunk)
+    return chunks
 
 
 def merged(root: Path, kind: Kind, store: Store, chunks: list[Chunk]) -> dict[str, Any]:

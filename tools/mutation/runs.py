@@ -63,7 +63,8 @@ def _run(
     ``limit`` counts processor seconds, because other programs on this computer delay the tests.
     """
     tests = list(tests)
-    environment = {**os.environ, "WR_MUTANT": str(mutant)}
+    # Every run of a random test has the same seed: a difference is an effect of the mutant.
+    environment = {**os.environ, "WR_MUTANT": str(mutant), "WR_SEED": "1"}
     # The names of all tests are too long for an argument.
     with NamedTemporaryFile("w", dir=program.parent, suffix=".flags") as flags:
         flags.write(f"--gtest_color=no\n--gtest_filter={':'.join(map(_pattern, tests))}\n")

@@ -237,26 +237,38 @@ class Justifications:
 
     def __init__(self, root: Path, entries: Iterable[Equivalent]) -> None:
         self.root = root
-        self.reasons = {
-            (one.file, one.method, one.line, change): one.why
-            for one in entries
-            for change in one.changes
-        }
+        self.reasons: dict[tuple[str, ...], list[str]] = {}
+        for entry in entries:
+            for change in entry.changes:
+                key = (entry.file, entry.method, entry.line, change)
+                self.reasons.setdefault(key, []).append(entry.why)
         self.lines: dict[str, list[str]] = {}
 
-    def why(self, mutant: Mutant) -> str:
-        """Returns the reason why no test can find a mutant; empty without a justification."""
+    def reasons_of(self, mutants: Iterable[Mutant]) -> list[str]:
+        """Returns the reason why no test can find each mutant; empty without a justification.
+
+        Each change in an entry justifies one mutant. When a line has the same change at several
+        places, the entry contains the change once for each of them that no test can find.
+        """
+        left = {key: list(reasons) for key, reasons in self.reasons.items()}
+        return [
+            reasons.pop() if (reasons := left.get(self._key(mutant))) else "" for mutant in mutants
+        ]
+
+    def _key(self, mutant: Mutant) -> tuple[str, ...]:
         if mutant.file not in self.lines:
             text = (self.root / mutant.file).read_text(encoding="utf-8")
             self.lines[mutant.file] = [line.strip() for line in text.splitlines()]
         line = self.lines[mutant.file][mutant.line - 1]
-        return self.reasons.get((mutant.file, mutant.method, line, mutant.change), "")
+        return mutant.file, mutant.method, line, mutant.change
 
 
 def record(
     tried: Iterable[Tried], origin: Mapping[str, Any], total: int, justified: Justifications
 ) -> dict[str, Any]:
     """Returns the record from which the model computes its scores."""
+    listed = sorted(tried, key=lambda one: (one.mutant.file, one.mutant.line))
+    reasons = iter(justified.reasons_of(one.mutant for one in listed if not one.killed_by))
     return {
         **origin,
         "total": total,
@@ -265,8 +277,8 @@ def record(
                 **asdict(one.mutant),
                 "killed_by": one.killed_by,
                 "own": one.own,
-                "why": "" if one.killed_by else justified.why(one.mutant),
+                "why": "" if one.killed_by else next(reasons),
             }
-            for one in sorted(tried, key=lambda one: (one.mutant.file, one.mutant.line))
+            for one in listed
         ],
     }

@@ -20,6 +20,7 @@ from tools.campaign.faults import counted, summarise, times
 from tools.campaign.kinds import KINDS, Kind
 from tools.campaign.workers import run_here, run_on_dask
 from tools.cli import parser
+from tools.lock import BusyError
 from tools.steps import FailureError
 from traceability.reading.fault_record import OUTCOMES, campaign_metrics
 from traceability.reading.published import publish, read_published
@@ -181,6 +182,41 @@ def test_a_program_that_gives_too_few_cases_is_found(tmp_path: Path) -> None:
     options = parser().parse_args(["campaign", "faults", "--count", "5"])
     with pytest.raises(FailureError, match="0 cases, not 5"):
         command.campaign(tmp_path, options)
+
+
+def test_a_shorter_campaign_counts_only_its_own_chunks(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run(tmp_path, "--count", "10", "--publish")
+    short = record_of(tmp_path)
+    run(tmp_path, "--count", "50", "--resume")
+    capsys.readouterr()
+    run(tmp_path, "--count", "10", "--resume", "--publish")
+    assert record_of(tmp_path) == short
+    assert "\n0 faults to run, in 2 chunks" in capsys.readouterr().out
+
+
+def test_two_campaigns_with_the_same_chunks_do_not_run_at_once(tmp_path: Path) -> None:
+    store = Store(tmp_path, "faults", "program", 1)
+    with store.only_one(), pytest.raises(BusyError, match="Another process"), store.only_one():
+        pass
+    with store.only_one():  # free again
+        pass
+
+
+def test_a_campaign_with_failures_shows_them_and_ends_with_code_1(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    failure = {"fuzzer": "link", "text": "a rule is broken", "input": ["01ff"]}
+    kind = small(tmp_path)
+    kinds.KINDS["faults"] = replace(
+        kind, summarise=lambda _root, _cases: {"outcomes": {"failures": 1}, "failures": [failure]}
+    )
+    options = parser().parse_args(["campaign", "faults", "--count", "5"])
+    assert command.campaign(tmp_path, options) == 1
+    printed = capsys.readouterr().out
+    assert "fuzzer: link\ntext: a rule is broken\ninput: ['01ff']\n" in printed
+    assert "build/campaign/faults/" in printed
 
 
 def test_a_killed_campaign_resumes_to_the_same_result(tmp_path: Path) -> None:

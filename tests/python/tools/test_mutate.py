@@ -14,7 +14,7 @@ from tools import mutate
 from tools.cli import parser
 from tools.mutation import score, switched
 from tools.mutation.points import Mutant
-from tools.mutation.score import Plan, Tried
+from tools.mutation.score import Justifications, Plan, Tried
 from tools.task_graph import Graph, Outcome, Task
 from traceability.model import build
 from traceability.model.design_model import Model
@@ -107,6 +107,13 @@ def test_without_tests_that_pass_nothing_is_measured(
     assert run(root) == 1
     assert "no test passes in the mutated build" in capsys.readouterr().out
     assert not (root / "build/results/mutation.json").exists()
+
+
+def test_each_change_of_an_entry_justifies_one_mutant(tmp_path: Path) -> None:
+    (tmp_path / "code").write_text("a > 0 || b > 0\n", encoding="utf-8")
+    entry = Equivalent("code", "run", "a > 0 || b > 0", ["0 + 1"], "Why.", Place("mutants", 1))
+    mutant = Mutant("code", 1, "run", "constant", "0 + 1")
+    assert Justifications(tmp_path, [entry]).reasons_of([mutant, mutant]) == ["Why.", ""]
 
 
 def test_a_justified_mutant_is_not_listed(
