@@ -42,8 +42,8 @@ FAULTS = [
     Fault(
         "an unchecked length of the frame",
         "src/communication/framing/FrameDecoder.cpp",
-        "if (count_ > bytes_.size()) {",
-        "if (count_ > bytes_.size() + 1) {",
+        "tooLong_ = true;",
+        "tooLong_ = false;",
         "the counts of dropped frames agree with the protocol",
     ),
     Fault(
