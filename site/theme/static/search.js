@@ -175,8 +175,8 @@
       return { id: hit.id, terms: hit.terms, score, share, exact: named(entries[hit.id]), wanted, isSentence };
     });
     const most = Math.max(...found.map((hit) => hit.share));
-    const best = found.filter((hit) => hit.share === most);
-    const left = best.length < ENOUGH ? found.filter((hit) => hit.share >= Math.max(1, most - 1)) : best;
+    const best = found.filter((hit) => hit.share === most || hit.exact);
+    const left = best.length < ENOUGH ? found.filter((hit) => hit.share >= Math.max(1, most - 1) || hit.exact) : best;
     const place = (id) => GROUPS.indexOf(entries[id][0]);
     return left.sort(
       (a, b) => b.exact - a.exact || (a.exact && place(a.id) - place(b.id)) || b.score - a.score,
