@@ -56,7 +56,7 @@ const drawings = [...doc.querySelectorAll(".plot")].map((plot) => ({
     [path.getAttribute("class"), path.getAttribute("d")]),
 }));
 const script = doc.createElement("script");
-script.src = "/probe_axe.js";
+script.src = "/probe_plot_axe.js";
 await new Promise((done) => { script.onload = done; doc.head.append(script); });
 const violations = [];
 for (const theme of ["light", "dark"]) {
@@ -83,7 +83,7 @@ pytestmark = [
 
 @pytest.fixture(scope="module")
 def site() -> Iterator[Site]:
-    script = SITE / "probe_axe.js"
+    script = SITE / "probe_plot_axe.js"
     shutil.copyfile(Path(__file__).with_name(AXE), script)
     with served(SITE) as found:
         yield found
