@@ -154,21 +154,39 @@ TEST_F(K64UartOnBoard, FR49_FramingErrorIsCounted) {
   EXPECT_EQ(robot.report().damaged, 0);
 }
 
+/// @brief A connected robot whose main controller can be blocked for 197 ms.
+class BlockedRobot : public BoardRobot {
+ public:
+  BlockedRobot()
+      : BoardRobot(withHandler(emulator::readImage(imageFile()), kUnusedException,
+                               stubs::takeTime(kRounds))) {
+    startUp();
+    connect();
+  }
+
+  void block() {
+    run(std::chrono::microseconds(300));  // between two ticks no other handler runs
+    board.raise(kUnusedException);
+    run(milliseconds(1));
+  }
+
+  void unblock() {
+    run(milliseconds(230));
+    static_cast<void>(line.takeSent());
+  }
+
+ private:
+  static constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each
+};
+
 /// @brief When the main controller is blocked for so long that the buffer of 2048 bytes is full,
 /// each further byte is counted.
 /// @verifies FR-49
 TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
-  constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each
-  BoardRobot robot(
-      withHandler(emulator::readImage(imageFile()), kUnusedException, stubs::takeTime(kRounds)));
-  robot.startUp();
-  robot.connect();
-  robot.run(std::chrono::microseconds(300));  // between two ticks no other handler runs
-  robot.board.raise(kUnusedException);
-  robot.run(milliseconds(1));
+  BlockedRobot robot;
+  robot.block();
   robot.arrive(scenario::Bytes(2048 + 100, 1));
-  robot.run(milliseconds(230));
-  static_cast<void>(robot.line.takeSent());
+  robot.unblock();
   robot.arrive(scenario::Bytes{0});
   robot.keepAlive();
   robot.cycle();
@@ -180,18 +198,11 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
 /// follows more of them than its storage has places.
 /// @verifies FR-171
 TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
-  constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each
-  BoardRobot robot(
-      withHandler(emulator::readImage(imageFile()), kUnusedException, stubs::takeTime(kRounds)));
-  robot.startUp();
-  robot.connect();
-  robot.run(std::chrono::microseconds(300));  // between two ticks no other handler runs
-  robot.board.raise(kUnusedException);
-  robot.run(milliseconds(1));
+  BlockedRobot robot;
+  robot.block();
   robot.arrive(scenario::Bytes(2048 + 100, 0));
   robot.arrive(robot.pc.frame(0x55, {}));
-  robot.run(milliseconds(230));
-  static_cast<void>(robot.line.takeSent());
+  robot.unblock();
   robot.keepAlive();
   robot.cycle();
   EXPECT_EQ(robot.report().lostBytes, 0);

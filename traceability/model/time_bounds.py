@@ -56,9 +56,8 @@ class DeclaredFacts:
     once: Sequence[str] = ()  # methods that a function calls once for each object
     limited: Sequence[Limit] = ()
     spread: Sequence[Spread] = ()
-    flows: Mapping[str, Sequence[Inequality]] = field(
-        default_factory=dict
-    )  # of a method or handler
+    # facts about a method or a handler
+    flows: Mapping[str, Sequence[Inequality]] = field(default_factory=dict)
 
 
 class Times:
@@ -72,9 +71,8 @@ class Times:
         self.once = frozenset(facts.once)
         self.limited = {one.method: one for one in facts.limited}
         self.spread = {(one.within, one.method): one for one in facts.spread}
-        self.inside: frozenset[str] = (
-            frozenset()
-        )  # methods with facts whose bounds are being computed
+        # methods with facts whose bounds are being computed
+        self.inside: frozenset[str] = frozenset()
         self.without: frozenset[str] = frozenset()  # methods that this activation does not call
         self.flows = facts.flows
         self.rounds: int | None = None  # rounds of the loops of a method in ``spread``
@@ -374,9 +372,8 @@ class Times:
             return Bound(self.rounds, False)
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
         if any(one.name.startswith("strex") for one in instructions):
-            return Bound(
-                1, False
-            )  # repeated only after an interrupt; its bound includes the repetition
+            # The loop repeats only after an interrupt, whose bound includes the repetition.
+            return Bound(1, False)
         ways = [
             self.places.get(code.blocks[start].instructions[-1].address, []) for start in loop.back
         ]
