@@ -101,16 +101,17 @@ TEST_F(SteeringLoopTest, FR118_FromLimitToLimit) {
 }
 
 /// @brief With the noise of a real sensor the steering reaches random angles within 0.5 degrees in
-/// one move, and makes no other move in the minute after it.
+/// one move, and makes no other move in the minute after it. The angles are at least 0.3 degrees
+/// away.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   const unsigned first = seed();
   std::mt19937 random(first);
-  std::uniform_int_distribution<std::int32_t> anyAngle(-3200, 3200);
+  std::uniform_int_distribution<std::int32_t> anyAngle(30, 3200);
   for (unsigned i = 0; i < 10; ++i) {
     SteeringLoop loop(first + i);
     loop.input.noise = kNoise;
-    const std::int32_t angle = anyAngle(random);
+    const std::int32_t angle = i % 2 == 0 ? anyAngle(random) : -anyAngle(random);
     loop.follow(angle);
     loop.run(4000);
     EXPECT_NEAR(loop.plant.degrees(), angle / 100.0, 0.5);
@@ -118,6 +119,22 @@ TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
     const int arrived = loop.plant.steps;
     loop.run(60000);
     EXPECT_EQ(loop.plant.steps, arrived) << angle;
+    EXPECT_EQ(loop.reversals, 0) << angle;
+    EXPECT_NEAR(loop.plant.degrees(), angle / 100.0, 0.5);
+  }
+}
+
+/// @brief An angle that is less than 0.3 degrees away starts at most one move in a minute, however
+/// close it is to the edge of the dead band.
+/// @verifies FR-101
+TEST(SteeringLoopNoiseTest, FR101_AtMostOneMoveToACloseAngle) {
+  const unsigned first = seed();
+  for (std::int32_t angle = -30; angle <= 30; angle += 6) {
+    SteeringLoop loop(first + static_cast<unsigned>(angle + 30));
+    loop.input.noise = kNoise;
+    loop.follow(angle);
+    loop.run(60000);
+    EXPECT_LE(loop.moves, 1) << angle;
     EXPECT_EQ(loop.reversals, 0) << angle;
     EXPECT_NEAR(loop.plant.degrees(), angle / 100.0, 0.5);
   }
