@@ -81,6 +81,7 @@ class FakeRobot:
         self._line, self._client_end = os.openpty()
         tty.setraw(self._line)
         tty.setraw(self._client_end)
+        os.set_blocking(self._line, False)  # frames that nobody reads are lost
         self.path = Path(os.ttyname(self._client_end))
         self._cycle = 0
         self._order = struct.pack("<HIhBhBhBhBhB", *[0] * 12)
