@@ -61,9 +61,9 @@ class CallRecorder {
  private:
   struct Call {
     std::uint32_t function = 0;
-    std::uint32_t returnsTo = 0;  ///< 0 for the handler of an exception
+    std::uint32_t returnsTo = 0;  ///< return address; 0 for the handler of an exception
     std::uint32_t stack = 0;
-    std::size_t begin = 0;  ///< events before it
+    std::size_t begin = 0;  ///< number of events before the call
   };
 
   void enter(const Call& call);
@@ -72,10 +72,10 @@ class CallRecorder {
   void note(std::uint64_t event);
 
   std::function<void(std::uint32_t, bool)> call_;
-  std::vector<std::uint32_t> functions_;  ///< sorted
+  std::vector<std::uint32_t> functions_;  ///< sorted addresses
   std::vector<Call> calls_;
   std::vector<std::uint64_t> events_;
-  std::set<std::vector<std::uint64_t>> handled_;  ///< calls of each interrupt
+  std::set<std::vector<std::uint64_t>> handled_;  ///< sequences of calls in interrupts
   std::size_t most_;
   bool truncated_ = false;
 };

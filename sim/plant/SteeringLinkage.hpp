@@ -11,7 +11,7 @@ namespace wr::plant {
 struct WheelPose {
   double x = 0;       ///< m before the middle of the robot
   double y = 0;       ///< m to the left of the middle
-  double cosine = 1;  ///< sine or cosine of the angle to the left
+  double cosine = 1;  ///< cosine of the wheel's angle to the left
   double sine = 0;
 };
 

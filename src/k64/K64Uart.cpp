@@ -22,7 +22,7 @@ consteval Divisor divisorOf(std::uint32_t clock) {
 }
 
 consteval bool isExact(std::uint32_t clock, const Divisor& divisor) {
-  constexpr std::uint32_t kBaudErrorDivisor = 1000;  // an error of at most 1/1000
+  constexpr std::uint32_t kBaudErrorDivisor = 1000;  // the error of the baud rate is at most 1/1000
   const std::uint32_t baud = 2 * clock / (32 * divisor.divider + divisor.fine);
   const std::uint32_t error = baud > K64Uart::kBaud ? baud - K64Uart::kBaud : K64Uart::kBaud - baud;
   return error * kBaudErrorDivisor < K64Uart::kBaud;

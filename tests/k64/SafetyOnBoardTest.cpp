@@ -254,7 +254,7 @@ TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
 
 // Lines of interrupts, as the reference manual assigns them.
 constexpr int kTickLine = 49;  // PIT channel 1
-constexpr int kHallLine = 62;  // port D
+constexpr int kHallLine = 62;  // interrupt of port D
 
 struct HeldInterrupt {
   const char* name;
@@ -315,7 +315,8 @@ TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
   constexpr std::array<int, plant::kWheels> kOnce{1, 1, 1, 1};
   constexpr std::array<int, plant::kWheels> kTwice{2, 2, 2, 2};
   EXPECT_EQ(std::ranges::count(cycles, kTwice), 1);
-  EXPECT_GE(std::ranges::count(cycles, kOnce), std::ssize(cycles) - 2);  // the first has no cycle
+  EXPECT_GE(std::ranges::count(cycles, kOnce),
+            std::ssize(cycles) - 2);  // the first period has no cycle
 }
 
 /// @brief A changed bit of the program in RAM causes a reset within 0.3 s. This is tested in a

@@ -96,7 +96,7 @@ TEST_F(RcBufferTest, FR52_TellsWhenThePulseEnded) {
 /// @verifies FR-52
 TEST_F(RcBufferTest, FR52_InterruptOfAnotherPin) {
   velocity.pulse(1700);
-  velocity.input.high = true;  // without an edge that waits
+  velocity.input.high = true;  // the level changes without a waiting edge
   velocity.pin.serve();
   Instants instants;
   velocity.widths.fill(instants);

@@ -15,7 +15,7 @@ namespace {
 /// The source of the address.
 enum class Place : std::uint8_t {
   Offset,   ///< register n and value
-  Before,   ///< as above, and register n is written back
+  Before,   ///< register n and value; register n is written back
   After,    ///< register n, to which value is added afterwards
   Indexed,  ///< register n and register m, shifted to the left by value
   Literal   ///< the program counter and value
@@ -24,7 +24,7 @@ constexpr std::size_t kPlaces = 5;
 
 struct Addresses {
   std::uint32_t accessed;
-  std::uint32_t kept;  ///< by register n
+  std::uint32_t kept;  ///< new value of register n
 };
 
 template <Place kPlace>

@@ -101,8 +101,8 @@ void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint
   module().robot = std::make_unique<LiveRobot>(std::move(setup));
 }
 
-/// Runs until a control cycle has ended, or for 200 ms without a clock pulse: 0 it continues, 1 the
-/// scenario has ended, 2 a finding.
+/// Runs until a control cycle has ended, or for 200 ms without a clock pulse. Returns 0 if the run
+/// continues, 1 if the scenario has ended, 2 a finding.
 int liveCycle() {
   return static_cast<int>(module().robot->runCycle());
 }

@@ -20,8 +20,8 @@ enum class FrameType : std::uint8_t {
 /// @brief A frame without its coding for the line.
 /// @datatype
 struct Frame {
-  FrameType type = FrameType::Hello;        ///< kind of the payload; may have no name
-  std::uint8_t sequence = 0;                ///< number of the frame from its sender
+  FrameType type = FrameType::Hello;  ///< kind of the payload; values without a name are possible
+  std::uint8_t sequence = 0;          ///< number of the frame from its sender
   std::span<const std::uint8_t> payload{};  ///< the payload
 };
 
