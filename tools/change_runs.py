@@ -67,7 +67,7 @@ def size_of(elf: Path) -> dict[str, float]:
 
 
 def costs(root: Path, suites: list[dict[str, Any]]) -> dict[str, dict[str, float]]:
-    """Image -> its flash and RAM [bytes], and the instructions of a cycle, where counted."""
+    """Returns flash and RAM of each image [bytes], and the instructions of a cycle if counted."""
     tests = [test for suite in suites for test in suite["testsuite"]]
     counted = {test["image"]: float(test[COST]) for test in tests if COST in test}
     images: dict[str, dict[str, float]] = {}

@@ -26,7 +26,7 @@ from traceability.sources import files_below
 
 GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
 ON_HOST = "debug"  # the preset of programs that are debugged on this machine
-# Folders of tests whose subject runs on this machine.
+# Folders of tests whose tested program runs on this machine.
 OF_EMULATOR = ("tests/sim/", "tests/torture/")
 SCENARIO = ".scenario"
 SCENARIO_ADVICE = "name the file of a scenario, such as a file of sim/scenario/examples"
@@ -40,7 +40,7 @@ class Target:
 
     gdb: list[str]
     server: list[str] = field(default_factory=list)
-    port: int = 0  # of the server
+    port: int = 0  # port of the server
     variables: dict[str, str] = field(default_factory=dict)
 
 

@@ -17,8 +17,8 @@ MOUNTS = Path("/proc/mounts")
 MARKS = ("DETAILS.TXT", "MBED.HTM")
 FAILURE = "FAIL.TXT"
 LABEL_OF_PROBE = re.compile(r"^(BOOTLOADER|MAINTENANCE)$", re.IGNORECASE)
-GOES_WITHIN = 10.0  # the drive disappears when the image is written
-COMES_WITHIN = 10.0  # and appears again with the result
+GOES_WITHIN = 10.0  # [s] until the drive disappears, after the image is copied
+COMES_WITHIN = 10.0  # [s] until the drive appears again, with the result
 LOOK = 0.1
 
 

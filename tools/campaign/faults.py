@@ -45,7 +45,7 @@ def summarise(root: Path, cases: Sequence[Case]) -> dict[str, Any]:
 
 
 def counted(cases: Iterable[Case]) -> dict[str, int]:
-    """How many cases have each outcome."""
+    """Number of cases with each outcome."""
     counts = dict.fromkeys(OUTCOMES, 0)
     for case in cases:
         counts[case["outcome"]] += 1
