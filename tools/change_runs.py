@@ -61,7 +61,7 @@ def missing_emulators(root: Path) -> str:
 
 
 def size_of(elf: Path) -> dict[str, float]:
-    """Flash and RAM of an image [bytes]."""
+    """Returns flash and RAM of an image [bytes]."""
     whole = whole_of(elf)
     return {"flash": whole.flash, "ram": whole.ram}
 

@@ -125,7 +125,7 @@ def gdb_for_arm() -> str:
 
 
 def gdb_of_board(elf: Path, port: int) -> list[str]:
-    """GDB with the symbols of an image, at a board that waits."""
+    """Returns GDB with the symbols of an image, at a board that waits."""
     commands = (f"directory {elf.parent}", f"target remote :{port}")
     words = [gdb_for_arm(), "-q", str(elf)]
     return [*words, *(word for command in commands for word in ("-ex", command))]

@@ -141,7 +141,7 @@ def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
             came.set()
 
         def log_message(self, *_arguments: Any) -> None:
-            """The log does not contain the requests."""
+            """Prints nothing, so that the log does not contain the requests."""
 
     handler = functools.partial(Handler, directory=str(folder))
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:

@@ -63,7 +63,7 @@ def only_one(root: Path, command: str) -> Iterator[None]:
 
 @contextmanager
 def outliving() -> Iterator[None]:
-    """Programs that start in this context, such as a browser, continue after the command."""
+    """Lets programs that start in this context, such as a browser, continue after the command."""
     owner = os.environ.pop(HOLDER, None)
     try:
         yield

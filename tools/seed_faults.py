@@ -187,7 +187,9 @@ class Copy:
         return {path: path.stat().st_mtime_ns for path in self._cached()}
 
     def _restore(self, before: dict[str, bytes | None]) -> None:
-        """The files before the faults, with their parsed content, so that no file is read twice."""
+        """Restores the files before the faults, with their parsed content, so that no file is read
+        twice.
+        """
         for file, content in before.items():
             if content is None:
                 (self.tree / file).unlink(missing_ok=True)
@@ -232,7 +234,9 @@ def _content(path: Path) -> bytes | None:
 
 
 def copy_part(root: Path, tree: Path, name: str) -> None:
-    """The precompiled library contains the path of its tree: each copy builds the library again."""
+    """Copies the project without the precompiled library: it contains the path of its tree, so each
+    copy builds the library again.
+    """
     source, target = root / name, tree / name
     if source.is_dir():
         ignored = shutil.ignore_patterns("python", "standard*", "__pycache__", "xml")
