@@ -23,7 +23,7 @@ FORWARD, BACKWARD, LEFT, RIGHT = b"w", b"s", b"j", b"l"
 ESCAPES = {b"\x1b[A": FORWARD, b"\x1b[B": BACKWARD, b"\x1b[C": RIGHT, b"\x1b[D": LEFT}
 ESCAPES |= {b"\x1bO" + code[-1:]: key for code, key in ESCAPES.items()}
 HELP = f"""\
-Keys (hold a motion key: all wheels go to 0 when no motion key was received for {DEAD_MAN_S} s):
+Keys (keep a motion key pressed: all wheels go to 0 after {DEAD_MAN_S} s without a motion key):
   up, w     hold: drive forwards      left, j   1 degree to the left
   down, s   hold: drive backwards     right, l  1 degree to the right
   +         10 rpm faster             -         10 rpm slower
