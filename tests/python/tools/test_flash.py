@@ -56,7 +56,7 @@ class Desk:
         (device / "product").write_text(f"{product}\n")
 
     def add_drive(self, name: str = "DAPLINK", mode: str = "Interface") -> Path:
-        """A mounted drive like the drive of the board."""
+        """Adds a mounted drive like the drive of the board."""
         drive = self.root / name
         drive.mkdir()
         (drive / "DETAILS.TXT").write_text(f"# DAPLink Firmware\nDaplink Mode: {mode}\n")
