@@ -54,9 +54,8 @@ class FakeRobot:
     schema: int = SCHEMA_HASH
     start: tuple[int, int, int, int] = (1, 0, 0, 0)
     conditions: tuple[int, ...] = (1, 0, 0, 0, 0, 0, 0, 0)
-    numbers: dict[int, int] = field(
-        default_factory=dict
-    )  # values of the first fields of the report, by offset
+    # Offset in the report -> the byte that replaces the computed byte.
+    numbers: dict[int, int] = field(default_factory=dict)
     more: bytes = b""  # bytes that a later version appends to Report and Welcome
     noise: bytes = b""
     silent: bool = False
