@@ -131,7 +131,7 @@ void LeadsWatch::weigh(const Cycle& cycle) {
                          kSwappedThreshold);
 }
 
-// A step of the recursive least squares.
+// Executes one step of the recursive least squares.
 void LeadsWatch::learn(const Cycle& cycle) {
   for (std::size_t row = 0; row < kParameters; ++row) {
     const float gain = cycle.spread[row] * cycle.weight;

@@ -28,16 +28,16 @@ class CallRecorder {
   /// @param most greatest number of recorded events
   CallRecorder(std::vector<std::uint32_t> functions, std::size_t most);
 
-  /// @brief A block of instructions begins.
+  /// @brief Reports the begin of a block of instructions.
   void block(std::uint32_t address, std::uint32_t stack, std::uint32_t link);
 
-  /// @brief An exception was entered, its handler begins.
+  /// @brief Reports that an exception was entered and its handler begins.
   void exceptionEntered(std::uint32_t handler, std::uint32_t stack);
 
-  /// @brief An exception was left.
+  /// @brief Reports that an exception was left.
   void exceptionLeft();
 
-  /// @brief The processor was reset: no function is active any more.
+  /// @brief Reports that the processor was reset: no function is active any more.
   void reset();
 
   /// @brief Clears the events; open calls stay open.

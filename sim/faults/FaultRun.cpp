@@ -338,7 +338,7 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
 Result FaultRun::observe(Robot& robot, const Choice& choice) const {
   Message message{};
   message.verdict.outcome = Outcome::Stopped;
-  // On a real board a byte is lost that comes while the firmware starts again. On the virtual board
+  // On a real board, a byte that arrives while the firmware restarts is lost. On the virtual board
   // this byte is a finding, so the PC is silent in a second run.
   for (const bool silentPc : {false, true}) {
     std::array<int, 2> ends{};

@@ -7,7 +7,7 @@ namespace {
 constexpr int kSummed = 12;
 constexpr double kHalf = 2147483648.0;  // 2^31
 
-// The mixing function of the generator SplitMix64.
+// Returns the result of the mixing function of the generator SplitMix64.
 std::uint64_t mixed(std::uint64_t value) {
   value += 0x9E3779B97F4A7C15U;
   value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9U;

@@ -137,7 +137,7 @@ class Robot {
   /// @param enabled true for on
   void setSteeringEnabled(bool enabled) { steering_.enable(enabled && hasPower()); }
 
-  /// @brief A step pulse of the steering.
+  /// @brief Executes one step pulse of the steering.
   /// @param left direction
   void steeringStep(bool left) { steering_.step(left); }
 

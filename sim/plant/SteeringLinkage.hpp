@@ -28,7 +28,7 @@ class SteeringLinkage {
   /// @param degrees angle of a wheel in the middle of the front axle, positive to the left
   void turn(double degrees);
 
-  /// @brief A wheel.
+  /// @brief Returns the pose of a wheel.
   /// @param wheel 0 to 3
   [[nodiscard]] const WheelPose& pose(std::size_t wheel) const { return poses_[wheel]; }
 

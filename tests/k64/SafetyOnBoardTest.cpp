@@ -29,8 +29,8 @@ using std::chrono::milliseconds;
 
 const std::string kProduct = "weeding_robot";
 const auto kFolder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/safety";
-// The image with safety functions. Some scenarios contain a reset, so a reset does not stop the
-// board.
+// Switches on a board with the image with safety functions. Some scenarios contain a reset, so a
+// reset does not stop the board.
 std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
   return switchProductOn(kProduct, emulator::readImage(imageOf(kProduct)),
                          {.resetsAreFindings = false});
@@ -119,14 +119,14 @@ class SafeBoard final : public SteppedRobot {
     }
   }
 
-  // The PC arms the robot and drives.
+  // Lets the PC arm the robot and drive.
   void letThePcDrive() {
     enable(plant::EnablePosition::Pc);
     commandByPc();
     driveByPc(1000, 20);
   }
 
-  // The remote control arms the robot and drives.
+  // Lets the remote control arm the robot and drive.
   void letTheRcDrive() {
     enable(plant::EnablePosition::Drive);
     line_.remoteControl().setTremor(10);

@@ -14,7 +14,7 @@ namespace {
 
 class WheelControllerTest : public testing::Test, protected ControlledWheel {
  protected:
-  /// A cycle in which the wheel does not turn.
+  /// Runs a cycle in which the wheel does not turn.
   void controlStanding(const WheelSetPoint& setPoint) {
     measure(Velocity(), Current());
     controller.control(setPoint, measured());

@@ -78,7 +78,7 @@ class Core {
   /// @brief Adds cycles to the first cycle of an instruction.
   void spend(std::uint64_t cycles) { otherCycles_ += cycles; }
 
-  /// @brief Address of the running or the last instruction.
+  /// @brief Returns the address of the running or the last instruction.
   [[nodiscard]] std::uint32_t at() const { return registers.r[Registers::kPc] - 4; }
 
   /// @brief Reports a change of a mask: a masked exception may now be entered.

@@ -51,7 +51,7 @@ template <typename Value, Place kPlace>
   }
 }
 
-// If no call is needed, no call is prepared.
+// Prepares a call only if the access needs a call.
 template <typename Value, Place kPlace>
 void load(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -262,7 +262,7 @@ void loadExclusive(Core& core, const Instruction& in) {
   }
 }
 
-// Register m shows whether it was stored.
+// Writes to register m whether the value was stored: 0 if it was.
 template <typename Value>
 void storeExclusive(Core& core, const Instruction& in) {
   Registers& x = core.registers;

@@ -174,7 +174,7 @@ std::size_t liveSize() {
   return module().bytes.size();
 }
 
-/// The calls of the last control cycle.
+/// Returns the calls of the last control cycle.
 const std::uint32_t* liveCalls() {
   return module().robot->cycle().calls.data();
 }
@@ -200,12 +200,12 @@ std::uint32_t liveCallsHash() {
   return module().robot->cycle().hash;
 }
 
-/// The number of entries of each function.
+/// Returns the number of entries of each function.
 const std::uint32_t* liveEntries() {
   return module().robot->entries().data();
 }
 
-/// The events of the board: their hash, and their number.
+/// Returns the hash of the events of the board; liveEventCount() returns their number.
 std::uint64_t liveEventHash() {
   return module().robot->events().hash();
 }

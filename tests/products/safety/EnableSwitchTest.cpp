@@ -21,7 +21,7 @@ class EnableSwitchTest : public ControllerFixture {
  protected:
   EnableSwitchTest() { time.advance(milliseconds(1000)); }
 
-  /// Signals of the remote control, 100 ms after the previous signals.
+  /// Sets the signals of the remote control, 100 ms after the previous signals.
   void signals(int width, int velocityNow = 0, int directionNow = 0) {
     time.advance(milliseconds(100));
     enable.write(Microseconds(width), time.now());

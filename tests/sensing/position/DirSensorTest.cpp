@@ -15,8 +15,8 @@ namespace {
 
 class DirSensorTest : public testing::Test {
  protected:
-  /// One tick, at which the conversion of the previous tick has a result; returns true when the
-  /// tick ended a measurement.
+  /// Runs one tick, at which the conversion of the previous tick has a result; returns true when
+  /// the tick ended a measurement.
   bool tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
