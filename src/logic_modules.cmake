@@ -41,7 +41,7 @@ foreach(folder IN LISTS folders)
   elseif(NOT CMAKE_CROSSCOMPILING)
     continue()
   else()
-    # Without the sources that each product chooses.
+    # The sources that each product chooses are not part of the library.
     set(kind OBJECT)
     list(FILTER sources EXCLUDE REGEX "/(main|control_systems|pool)[.]cpp$")
     if(root STREQUAL "extensions")
@@ -69,7 +69,7 @@ foreach(folder IN LISTS folders)
 endforeach()
 file(GENERATE OUTPUT ${map} CONTENT "${rules}")
 
-# The whole robot, and all that products add to it.
+# The whole robot, with all extensions of the products.
 add_library(firmware INTERFACE)
 target_link_libraries(firmware INTERFACE ${src_modules})
 add_library(extensions INTERFACE)

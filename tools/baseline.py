@@ -33,7 +33,7 @@ from traceability.sources import SRC, files_below
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
-MAIN = "main"  # the composition, whose objects belong to the design
+MAIN = "main"  # name of the composition, whose objects belong to the design
 STACK = "stack"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 SYMBOL = re.compile(r"^([0-9a-f]+) [tTwW] (.+)$", re.MULTILINE)

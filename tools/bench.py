@@ -46,8 +46,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "the virtual K64 in the simulated robot, 1000 control cycles each: instructions, time from "
         "the clock pulse to the report, load, latencies, and the speed of the simulator. Compares "
         "the patterns with the baseline design, and measures the cost of the records of the calls. "
-        "With --port, sends the same orders to a connected board and reads the cycles that its "
-        "reports contain. Lift the robot: its wheels will turn with up to 300 rpm. A PC sends the "
+        "With --port, sends the same orders to a connected board and reads the cycle counts in its "
+        "reports. Lift the robot: its wheels will turn with up to 300 rpm. A PC sends the "
         "orders: the remote control is not needed and may be off.",
     )
     parser.add_argument("--port", type=Path, help="serial port of a board that has the image")
@@ -109,7 +109,7 @@ def orders_of(text: str) -> list[Orders]:
 
 
 def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
-    """Returns a wish for each cycle of 100 ms, to the end or for a number of seconds."""
+    """Yields an order for each cycle of 100 ms, until the end or for a number of seconds."""
     end = orders[-1].last if seconds is None else min(orders[-1].last, orders[0].first + seconds)
     for period in orders:
         cycles = round((min(period.last, end) - period.first) * 1000 / PERIOD_MS) + 1
@@ -138,7 +138,7 @@ def on_board(root: Path, port: Path, seconds: float | None) -> int:
 
 
 def drive(port: Path, plan: Iterator[Wish]) -> list[Report]:
-    """Arms the robot, and orders each wish for a cycle. Returns the reports."""
+    """Arms the robot, and sends each order for one cycle. Returns the reports."""
     try:
         link = Link(port)
     except OSError as error:
@@ -172,7 +172,9 @@ def costs(reports: list[Report]) -> BenchRun:
     if not measured:
         raise FailureError("no report of a cycle that read an order")
     if not any(report.awake_cycles for report in measured):
-        raise FailureError("this port counts no processor cycles: choose the port of the board")
+        raise FailureError(
+            "the firmware at this port counts no processor cycles: choose the port of the board"
+        )
     starts = [report.start_cycles for report in measured]
     return BenchRun(
         report_ms=spread([report.report_cycles / CORE_PER_MS for report in measured], 4),

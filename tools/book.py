@@ -17,7 +17,7 @@ from traceability.reading.build_evidence import git
 
 SITE = Path("build/site")
 PAGE, PDF = Path("build/book/book.html"), Path("build/book/weeding_robot.pdf")
-SECONDS = 300  # for the browser
+SECONDS = 300  # time limit of the browser
 # The parts of the book, and their pages in the order of reading.
 PARTS = {
     "Design": (
@@ -193,8 +193,8 @@ def name_of(page: str) -> str:
 
 
 def chapter(page: str, text: str) -> str:
-    """Returns the content of a page for paper: with all parts opened, and with links inside the
-    book.
+    """Returns the content of a page for printing: all parts are open, and links lead to places in
+    the book.
     """
     text = SCREEN_ONLY.sub("", text).replace("<details", "<details open")
 
@@ -219,8 +219,8 @@ def beside(page: str, address: str) -> str:
 
 
 def inside(page: str, address: str) -> str:
-    """Returns the place in the book to which a link of a page leads, or an empty text when the book
-    lacks the target.
+    """Returns the target of a page's link in the book; empty when the book does not contain the
+    target.
     """
     if address.startswith(("http:", "https:")):
         return address

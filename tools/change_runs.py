@@ -61,13 +61,13 @@ def missing_emulators(root: Path) -> str:
 
 
 def size_of(elf: Path) -> dict[str, float]:
-    """Flash and RAM of an image [bytes]."""
+    """Returns flash and RAM of an image [bytes]."""
     whole = whole_of(elf)
     return {"flash": whole.flash, "ram": whole.ram}
 
 
 def costs(root: Path, suites: list[dict[str, Any]]) -> dict[str, dict[str, float]]:
-    """Image -> its flash and RAM [bytes], and the instructions of a cycle, where counted."""
+    """Returns flash and RAM of each image [bytes], and the instructions of a cycle if counted."""
     tests = [test for suite in suites for test in suite["testsuite"]]
     counted = {test["image"]: float(test[COST]) for test in tests if COST in test}
     images: dict[str, dict[str, float]] = {}

@@ -38,8 +38,8 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def parser() -> argparse.ArgumentParser:
-    """Returns the parser of the command line. Its result contains the parser of the command, for
-    errors.
+    """Returns the parser of the command line. The parsed options contain the parser of the command,
+    which reports errors.
     """
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
@@ -107,5 +107,5 @@ def main(arguments: list[str]) -> int:
 
 
 def is_of_project(error: OSError) -> bool:
-    """Returns whether the error is one of a file of the project, or of no named file."""
+    """Returns whether the error concerns a file of the project, or names no file."""
     return error.filename is None or ROOT in Path(str(error.filename)).absolute().parents

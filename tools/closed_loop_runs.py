@@ -1,4 +1,6 @@
-"""Plays the scenarios of the closed loop on the host and on the virtual K64, for their values."""
+"""Plays the scenarios of the closed loop on the host and on the virtual K64, and records the
+results.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +16,7 @@ from traceability.reading.closed_loop_record import EXAMPLES, OUTCOMES, csv_of, 
 from traceability.schema import HOST, VIRTUAL_K64
 
 HOST_PROGRAM = "weeding_robot_host"
-SECONDS = 300  # for one scenario
+SECONDS = 300  # time limit of a scenario
 STACK = re.compile(r"^stack: (?P<bytes>\d+) bytes$", re.MULTILINE)
 
 

@@ -24,7 +24,7 @@ from traceability.reading.results import cost_of
 from traceability.sources import FRAMES, TESTED, files_below, source_hash
 
 _building: dict[str, threading.Lock] = defaultdict(threading.Lock)
-# CMake caches their values, so that a change needs a fresh configuration.
+# CMake caches the values of these files, so a change needs a fresh configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
 # The parts of a copy that is built and tested.
 COPIED = (*TESTED, "docs", "design", "setup", *FRAMES)
@@ -67,7 +67,7 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     with _building[preset]:
         newest = max((root / name).stat().st_mtime for name in SETTINGS)
         if made.exists() and made.stat().st_mtime < newest:
-            shutil.rmtree(directory)  # notes of the compiler for objects that no longer exist
+            shutil.rmtree(directory)  # coverage notes of objects that no longer exist
         if not made.exists():
             run(log, ["cmake", "--fresh", "-S", root, "--preset", preset])
         run(log, ["cmake", "--build", directory, "--parallel", jobs(), *arguments])
@@ -160,7 +160,9 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
 def run_shards(
     results: Path, program: Path, log: TextIO, variables: Mapping[str, str]
 ) -> tuple[list[dict[str, Any]], float, str]:
-    """Returns the suites with their results, the processor time [s], and how a process failed."""
+    """Returns the suites with their results, the processor time [s], and the failure of a process,
+    if any.
+    """
     shards = [Shard(results, number, int(jobs()), variables) for number in range(int(jobs()))]
     with ThreadPoolExecutor(len(shards)) as pool:
         ends = list(pool.map(lambda shard: shard.run(program), shards))
@@ -204,7 +206,7 @@ class Shard:
         return self.whole.with_suffix(f".{self.number}.log")
 
     def run(self, program: Path) -> tuple[str, float]:
-        """Returns how the process failed, or nothing, and the processor time [s]."""
+        """Returns the failure of the process, if any, and the processor time [s]."""
         self.results.unlink(missing_ok=True)
         numbers = {"GTEST_TOTAL_SHARDS": str(self.total), "GTEST_SHARD_INDEX": str(self.number)}
         with self.log.open("w") as log:
@@ -216,7 +218,7 @@ class Shard:
 
 
 def outcome_of(counts: Counts) -> Outcome:
-    """Returns the outcome of tests: bad when one failed, or none ran."""
+    """Returns the outcome of tests: bad when a test failed or no test ran."""
     values = {
         "passed": counts.passed,
         "failed_tests": counts.failed,
@@ -226,7 +228,7 @@ def outcome_of(counts: Counts) -> Outcome:
 
 
 def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
-    """Returns the files of the project that Ninja lists as inputs, by their paths in it."""
+    """Returns the inputs that Ninja lists, by their paths in the project."""
     folder = root / "build" / preset
 
     def ask(*words: str) -> list[str]:

@@ -26,7 +26,7 @@ from traceability.sources import files_below
 
 GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
 ON_HOST = "debug"  # the preset of programs that are debugged on this machine
-# Folders of tests whose subject runs on this machine.
+# Folders of tests whose tested program runs on this machine.
 OF_EMULATOR = ("tests/sim/", "tests/torture/")
 SCENARIO = ".scenario"
 SCENARIO_ADVICE = "name the file of a scenario, such as a file of sim/scenario/examples"
@@ -40,7 +40,7 @@ class Target:
 
     gdb: list[str]
     server: list[str] = field(default_factory=list)
-    port: int = 0  # of the server
+    port: int = 0  # port of the server
     variables: dict[str, str] = field(default_factory=dict)
 
 
@@ -125,7 +125,7 @@ def gdb_for_arm() -> str:
 
 
 def gdb_of_board(elf: Path, port: int) -> list[str]:
-    """GDB with the symbols of an image, at a board that waits."""
+    """Returns GDB with the symbols of an image, at a board that waits."""
     commands = (f"directory {elf.parent}", f"target remote :{port}")
     words = [gdb_for_arm(), "-q", str(elf)]
     return [*words, *(word for command in commands for word in ("-ex", command))]

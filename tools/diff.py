@@ -38,16 +38,20 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Compares two commits: requirements, trees, tests, methods, reviews and "
         "modules, from the sources of both. Verdicts, sizes, findings and metrics are compared "
         "where ./wr portal or ./wr check recorded both commits in build/revisions. Lists all files "
-        "that differ; the content of those with 'not followed' is not compared, such as Python "
-        "sources and pages. The next portal shows the differences on a page. Reading a "
+        "that differ. The content of files with 'not followed', such as Python sources and pages, "
+        "is not compared. The next portal shows the differences on a page. Reading a "
         "commit for the first time takes up to half a minute. Exit code 0, with and without "
         "differences.",
     )
     parser.add_argument("first", metavar="REV1", help="a commit, a branch or a tag")
     parser.add_argument(
-        "second", metavar="REV2", nargs="?", default="HEAD", help="the newer one (default: HEAD)"
+        "second",
+        metavar="REV2",
+        nargs="?",
+        default="HEAD",
+        help="the newer commit, branch or tag (default: HEAD)",
     )
-    parser.add_argument("--json", action="store_true", help="print it for a program")
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.set_defaults(run=diff)
 
 

@@ -68,7 +68,7 @@ def write_time(root: Path, name: str, seconds: float) -> None:
 
 
 def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
-    """Adds numbers to the metrics that were measured after the documents were made."""
+    """Adds numbers to the metrics; they were measured after the documents were made."""
     for path in (root / name for name in files or (METRICS,)):
         metrics = read_json(path)
         text = json.dumps((metrics or {}) | value, indent=1, sort_keys=True)
@@ -88,7 +88,9 @@ def main(root: Path) -> int:
 
 @contextmanager
 def no_collection() -> Iterator[None]:
-    """The model lives until the end, and its garbage collection would take a fifth of the time."""
+    """Disables garbage collection, which would take a fifth of the time. The model exists until the
+    end.
+    """
     gc.disable()
     try:
         yield

@@ -58,7 +58,7 @@ def firmware(root: Path) -> int:
 
 
 def add_product(parser: argparse.ArgumentParser, does: str) -> None:
-    """The option that chooses a product."""
+    """Adds the option that chooses a product."""
     parser.add_argument(
         "--product", choices=PRODUCTS, default=DEFAULT, help=f"{does} (default: {DEFAULT})"
     )

@@ -74,7 +74,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser) -> int:
     name = "drive" if options.drive else options.way
     if options.way not in (None, name):
-        parser.error(f"--drive does not go with --with {options.way}")
+        parser.error(f"--drive cannot be combined with --with {options.way}")
     for file in (options.image, options.bluetooth_key):
         if file:
             need_file(
@@ -132,7 +132,7 @@ def add_key(image: Path, key_file: Path, keyed: Path) -> str:
 
 
 def ways(image: Path, folder: Path | None) -> dict[str, Way]:
-    """Returns all ways, in the order in which they are tried."""
+    """Returns all ways to write an image, in the order in which they are tried."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
     # OpenOCD reads a script: braces keep the path one word. Without fcf_source OpenOCD writes a
@@ -193,8 +193,8 @@ def compared(image: Path, copy: Path) -> str:
 def copy(image: Path, folder: Path | None) -> Way:
     drives = [folder] if folder else usb_drive.mounted()
     if len(drives) != 1:
-        many = f"several are mounted: {', '.join(map(str, drives))}; choose with --drive"
-        return Way(many if drives else "none is mounted", "", lambda _log: None)
+        many = f"several drives are mounted: {', '.join(map(str, drives))}; choose with --drive"
+        return Way(many if drives else "no drive of a board is mounted", "", lambda _log: None)
     drive = drives[0]
     missing = usb_drive.problem(drive)
     return Way(missing, f"copy {image} to {drive}", lambda log: usb_drive.copy(image, drive, log))
@@ -209,7 +209,7 @@ def choose(available: dict[str, Way], name: str | None) -> tuple[str, Way]:
     said = [f"{other}: {way.missing or 'installed'}" for other, way in available.items()]
     if name:
         raise MissingError(f"{name}: {available[name].missing}\n{ADVICE}")
-    said.append(f"debug probe on USB: {'one is connected' if probe else 'none'}")
+    said.append(f"debug probe on USB: {'connected' if probe else 'not connected'}")
     looked = "\n  ".join(said)
     raise MissingError(f"no board was found. Looked for\n  {looked}\n{ADVICE}")
 

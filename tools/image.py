@@ -42,5 +42,5 @@ def _why(address: int, value: int) -> str:
             return "the chip would be secured: only a mass erase opens it again"
         if no_erase:
             return "mass erase would be off"
-        return "keys or access of the maker would differ"
+        return "the keys or the access of the manufacturer would differ"
     return next(why for first, last, why in PURPOSES if first <= address <= last)

@@ -30,7 +30,7 @@ INCLUDED = re.compile(r'^#include ["<](.+)[">]', re.MULTILINE)
 HEADER_OBJECT = re.compile(
     r"^(\S+_verify_interface_header_sets/\S+[.]hpp[.]cxx[.]o(?:bj)?): ", re.M
 )
-# Which module may include which; CMake writes it.
+# The modules that each module may include. CMake writes this file.
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")
@@ -189,7 +189,8 @@ def is_first(root: Path, target: str) -> bool:
 def check_tidy(root: Path, log: TextIO) -> str:
     """Runs clang-tidy on the design and sim.
 
-    Most of its time goes into the same headers: sources of a folder are checked as one.
+    Most of the time is spent on headers that the sources share. The sources of a folder are
+    therefore checked as one file.
     """
     checked = [
         source
@@ -206,11 +207,11 @@ def check_tidy(root: Path, log: TextIO) -> str:
 
 
 def tidy_options(root: Path, source: Path) -> list[str]:
-    """Returns the options of the compiler for a source, as CMake has them."""
+    """Returns the options of the compiler for a source, as CMake recorded them."""
     if on_board(root, source):
         return [*clang_arguments(board=True), *include_options(root)]
     if source.is_relative_to(root / "ports"):
-        # The headers of a port are found before those of the design.
+        # The compiler finds the headers of a port before the headers of the design.
         own = [f"-I{folder}" for folder in source.parents if folder.is_relative_to(root)]
         return [*clang_arguments(board=True), *own, *include_options(root)]
     if source.is_relative_to(root / "sim"):
@@ -221,8 +222,8 @@ def tidy_options(root: Path, source: Path) -> list[str]:
 
 
 def units_of(paths: list[Path]) -> list[tuple[Path, ...]]:
-    """Returns the sources that are checked as one: of one folder, without a private name in
-    common.
+    """Groups the sources that are checked as one file. The sources of a group are in one folder and
+    share no private name.
     """
     units: list[tuple[Path, ...]] = []
     names: set[str] = set()
@@ -239,9 +240,9 @@ def units_of(paths: list[Path]) -> list[tuple[Path, ...]]:
 
 
 def joined(root: Path, unit: tuple[Path, ...]) -> Path:
-    """Writes the sources of a unit into one file, below the settings of their folder.
+    """Writes the sources of a unit into one file, and copies the settings of their folder.
 
-    Several checks look at this file alone, not at the files that it includes.
+    Several checks examine only this file, not the files that it includes.
     """
     folder = root / "build" / "lint" / "units"
     file = folder / unit[0].relative_to(root)
@@ -277,7 +278,7 @@ def check_changed(
             return {}
         if len(unit) == 1:
             return {unit[0]: ended.stdout + ended.stderr}
-        # The compiler may refuse the sources only as one.
+        # The compiler may reject the joined sources although it accepts each source alone.
         return {path: text for one in unit for path, text in failed_files((one,)).items()}
 
     failed: dict[Path, str] = {}

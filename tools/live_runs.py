@@ -141,7 +141,7 @@ def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
             came.set()
 
         def log_message(self, *_arguments: Any) -> None:
-            """The log does not contain the requests."""
+            """Prints nothing, so that the log does not contain the requests."""
 
     handler = functools.partial(Handler, directory=str(folder))
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:
@@ -231,8 +231,8 @@ def _wrong(
 
 
 def _bytes(root: Path) -> int:
-    """Returns the bytes that the start of the robot loads: the module, an image, and the data of
-    the page if it exists.
+    """Returns the number of bytes that the page loads before the robot starts: the module, an
+    image, and the data of the page if it exists.
     """
     loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
     return sum(path.stat().st_size for path in loaded if path.exists())

@@ -18,7 +18,7 @@ from pathlib import Path
 LOCK = Path("build/lock")
 HOLDER = "WR_LOCK"  # set for programs that the owner of the lock starts
 GRACE = 2.0  # time in which a program may end itself [s]
-MOST_WAIT = 10.0  # time until the program has ended [s]
+MOST_WAIT = 10.0  # longest wait for the end of the program [s]
 
 
 class BusyError(Exception):
@@ -63,7 +63,7 @@ def only_one(root: Path, command: str) -> Iterator[None]:
 
 @contextmanager
 def outliving() -> Iterator[None]:
-    """Programs that start in this context, such as a browser, continue after the command."""
+    """Lets programs that start in this context, such as a browser, continue after the command."""
     owner = os.environ.pop(HOLDER, None)
     try:
         yield
@@ -84,7 +84,7 @@ def end_programs_of(root: Path) -> None:
 
 
 def programs_of(root: Path) -> list[int]:
-    """Returns the processes that began with the mark of the owner of the lock."""
+    """Returns the processes that were started with the mark of the owner of the lock."""
     mark = f"{HOLDER}={root}".encode()
     processes = []
     for path in Path("/proc").glob("[0-9]*/environ"):

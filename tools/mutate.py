@@ -36,7 +36,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "of the firmware and its extensions, each with a number. For each fault it runs the tests "
         "of the requirements that the function serves, then the other tests that execute it. "
         "The score is shown in the portal; it is not a pass criterion. "
-        "design/mutants.toml justifies faults that no test can find; the others that no test "
+        "design/mutants.toml justifies faults that no test can find; the other faults that no test "
         "finds are listed as file:line, with the change.",
     )
     parser.add_argument(
@@ -98,7 +98,7 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
         score = {"found": run.killed(), "justified": run.justified(), "tried": len(run.tried)}
         publish(root, "mutation", command, run.model.commit, score)
     for mutant in run.survivors():
-        print(f"{mutant.file}:{mutant.line}: no test finds: {mutant.change}")
+        print(f"{mutant.file}:{mutant.line}: no test finds this change: {mutant.change}")
     print(
         f"{run.killed()} of {len(run.tried)} mutants were found, {run.justified()} others are "
         f"justified; seed {seed}; {RESULT}"

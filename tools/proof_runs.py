@@ -27,9 +27,9 @@ from traceability.schema import ProofProperty, ProofResult
 
 RECORD = "proofs"  # records of complete runs: each contains the model of each proof
 SPIN, COMPILER = "spin", "cc"
-SECONDS = 300  # for each step of a proof
+SECONDS = 300  # time limit of each step of a proof
 DEPTH = 5_000_000  # steps
-# Depths at which a shorter counterexample is searched; a person reads it.
+# Depths of the search for a shorter counterexample, which is easier to read.
 SHORT = (100, 200, 300, 400, 600, 800, 1200, 2000, 4000)
 MEMORY_MB = 6000
 WORKERS = 2
@@ -174,7 +174,7 @@ def counterexample(root: Path, proof: ProofProperty) -> list[str]:
         if reached and reached[2] != "0":
             break
     said = call(folder, proof, [SPIN, "-t", "model.pml"])
-    steps = [match[1] or "from here on for ever:" for match in EVENT.finditer(said)]
+    steps = [match[1] or "the following repeats for ever:" for match in EVENT.finditer(said)]
     return steps or ["the counterexample has no event"]
 
 

@@ -72,7 +72,9 @@ def right_phrases(text: str) -> list[str]:
 
 
 def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
-    """Matches whole words; a blank is any white space, # is any number, and case is ignored."""
+    """Returns a pattern that matches whole words. A blank matches any white space, # matches any
+    number, and case is ignored.
+    """
     longest = sorted((" ".join(phrase.split()) for phrase in phrases), key=len, reverse=True)
     words = "|".join(map(re.escape, longest)).replace(r"\ ", r"\s+").replace(r"\#", r"\d+")
     return re.compile(rf"(?<![\w.-])(?:{words or '(?!)'})(?![\w-])", re.IGNORECASE)
@@ -93,9 +95,7 @@ def _blank(pattern: re.Pattern[str], text: str) -> str:
 
 
 def _remarks(path: Path, text: str) -> str:
-    """Returns the comments of code, and its quotations that have several words. A phrase ends at
-    code.
-    """
+    """Returns the comments of code, and its strings of several words. A phrase ends at code."""
     name = {"": "wr.sh", ".tree": "a.sh", ".txt": "CMakeLists.txt"}.get(path.suffix, path.name)
     try:
         tokens = get_lexer_for_filename(name).get_tokens_unprocessed(text)

@@ -23,7 +23,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "compiler is missing.",
     )
     parser.add_argument(
-        "properties", nargs="*", metavar="PROPERTY", help="prove only these, and record nothing"
+        "properties",
+        nargs="*",
+        metavar="PROPERTY",
+        help="prove only these properties, and record nothing",
     )
     parser.add_argument(
         "--again",

@@ -15,7 +15,7 @@ from tools.steps import FailureError, run
 from tools.task_graph import Outcome
 from traceability.reading.results import RESULTS
 
-# Tests that mostly wait for a robot in real time: more tests than processors run in parallel.
+# These tests mostly wait for a robot in real time, so more tests than processors run in parallel.
 TESTS = Path("tests/python")
 WAITING = "client"
 WAITING_JOBS = "8"
@@ -36,7 +36,9 @@ def imported_files(root: Path, folder: str) -> list[str]:
 
 
 def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
-    """The test files that are or import one of these Python files -> the first of these files."""
+    """Returns the test files that are among these Python files or import them. The value is the
+    first of these files.
+    """
     found = {}
     for test in sorted((root / TESTS).glob("*/test_*.py")):
         around = [*(root / TESTS).glob("conftest.py"), *test.parent.glob("conftest.py")]
@@ -48,7 +50,7 @@ def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
 
 
 def _imported(root: Path, waiting: list[Path]) -> set[Path]:
-    """These files, and the files that they import, directly or not."""
+    """Returns these files, and the files that they import, directly or not."""
     found: set[Path] = set()
     while waiting:
         file = waiting.pop()

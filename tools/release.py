@@ -165,13 +165,15 @@ def write_release(root: Path, made: Release, folder: Path) -> None:
 
 
 def write_source(root: Path, made: Release, path: Path) -> None:
-    """Git gives each file the time of the commit, and keeps the permission to execute."""
+    """Writes the archive of the sources. Each file has the time of the commit and its permission to
+    execute.
+    """
     words = ["archive", "--format=tar.gz", f"--prefix={made.name}/source/", made.commit]
     subprocess.run(["git", *words, "--output", path], cwd=root, check=True)
 
 
 def add_book(root: Path, path: Path) -> None:
-    """Without Chromium, a release has no book."""
+    """Adds the book, if Chromium is installed."""
     try:
         print_book(root, path)
     except MissingError as error:

@@ -39,8 +39,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--baseline",
         action="store_true",
-        help="record the present texts of the requirements, or of all that changed; design is the "
-        "name of the reasons in design/ and of the code without a requirement",
+        help="record the present texts of the requirements, or of all requirements that changed; "
+        "'design' selects the reasons in design/ and the code without a requirement",
     )
     parser.add_argument("--name", help="first and last name of the reviewer; default: git's")
     parser.add_argument("--email", help="address of the reviewer; default: git's")

@@ -60,7 +60,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         action="store_true",
         help="also seed each fault of tests/drift in a copy, and test whether the checks find it",
     )
-    parser.add_argument("--lint", action="store_true", help="also do ./wr lint, at the same time")
+    parser.add_argument("--lint", action="store_true", help="also run ./wr lint, at the same time")
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
 
 

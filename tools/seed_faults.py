@@ -24,7 +24,7 @@ WORKERS = 2
 PROGRESS = 30.0  # [s] between two lines of progress
 BUILT = ("build/model", "build/results", "build/tasks.json")
 FORK = get_context("fork")
-tried = FORK.Value("i", 0)  # faults, counted by all workers
+tried = FORK.Value("i", 0)  # number of tried faults, which all workers count
 LINKED = ("build/trace", "build/host", "build/k64", "build/k64_calls", "build/calls")  # only read
 PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
@@ -87,8 +87,8 @@ def _show_progress(parts: list[Future[list[Outcome]]], faults: int) -> None:
 
 
 def grouped(faults: list[Fault]) -> list[list[Fault]]:
-    """Groups whose faults share no file: they can be seeded together and their findings can be
-    distinguished.
+    """Returns groups of faults that share no file. The faults of a group are seeded together, and
+    their findings can be distinguished.
 
     A fault that does not compile hides the other faults, so it is checked alone.
     """
@@ -187,7 +187,9 @@ class Copy:
         return {path: path.stat().st_mtime_ns for path in self._cached()}
 
     def _restore(self, before: dict[str, bytes | None]) -> None:
-        """The files before the faults, with their parsed content, so that no file is read twice."""
+        """Restores the files before the faults, with their parsed content, so that no file is read
+        twice.
+        """
         for file, content in before.items():
             if content is None:
                 (self.tree / file).unlink(missing_ok=True)
@@ -232,7 +234,9 @@ def _content(path: Path) -> bytes | None:
 
 
 def copy_part(root: Path, tree: Path, name: str) -> None:
-    """The precompiled library contains the path of its tree: each copy builds the library again."""
+    """Copies the project without the precompiled library: it contains the path of its tree, so each
+    copy builds the library again.
+    """
     source, target = root / name, tree / name
     if source.is_dir():
         ignored = shutil.ignore_patterns("python", "standard*", "__pycache__", "xml")

@@ -35,7 +35,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "subject",
         help="a file of the project, a module, a requirement (FR-15), or the commits REV1..REV2",
     )
-    parser.add_argument("--json", action="store_true", help="print it for a program")
+    parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.set_defaults(run=impact)
 
 
@@ -105,7 +105,7 @@ def lines_of(found: Impact) -> list[str]:
         ("safety goal", found.goals),
         ("pattern", found.patterns),
     ):
-        lines += ["", f"look at again: {counted(len(reached), noun)}"]
+        lines += ["", f"review: {counted(len(reached), noun)}"]
         lines += reasons(reached)
     lines += ["", f"run again: {counted(len(found.tests), 'test')}"]
     lines += reasons(found.tests[:SHOWN])

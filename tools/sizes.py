@@ -167,7 +167,7 @@ def total(sizes: dict[str, Size]) -> Size:
 
 
 def whole_of(elf: Path) -> Size:
-    """Flash and RAM of an image."""
+    """Returns flash and RAM of an image."""
     whole = Size()
     for section in sections(elf):
         add(whole, section, section.size)

@@ -94,7 +94,7 @@ def heed_interrupts() -> None:
 
 @contextmanager
 def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
-    """During this context, an interrupt also ends the program."""
+    """Lets an interrupt during this context also end the program."""
     _started.append(program)
     try:
         yield
@@ -106,7 +106,7 @@ def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
 
 
 def stop_programs() -> None:
-    """After an interrupt, ends the programs that still run and the programs that they started."""
+    """Ends, after an interrupt, the programs that still run and the programs that they started."""
     for program in list(_started):
         with suppress(ProcessLookupError):
             os.killpg(program.pid, signal.SIGTERM)

@@ -52,7 +52,7 @@ class Task:
     action: Callable[[TextIO], Outcome | str | None]
     inputs: tuple[str, ...] = ()
     results: tuple[str, ...] = ()  # removed before the task runs
-    must_exist: tuple[str, ...] = ()  # its other outputs
+    must_exist: tuple[str, ...] = ()  # other outputs, which the task does not remove first
     after: tuple[str, ...] = ()
     inputs_from: tuple[str, ...] = ()  # tasks that determine inputs of this task
     always: bool = False  # runs each time, because a build tool detects the changes itself
@@ -119,8 +119,9 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
                 self._set(task.name, name, None)
 
     def forget(self, task: DoitTask) -> None:
-        """Removes a task from the record before it runs: if the run is ended by force, its outputs
-        are incomplete, also for the inputs of the previous run."""
+        """Removes a task from the record before it runs. If the run is ended by force, the outputs
+        are incomplete, and the record of an earlier run would be wrong.
+        """
         if self.get_values(task.name):
             self.remove_success(task)
             self.backend.dump()

@@ -17,13 +17,13 @@ MOUNTS = Path("/proc/mounts")
 MARKS = ("DETAILS.TXT", "MBED.HTM")
 FAILURE = "FAIL.TXT"
 LABEL_OF_PROBE = re.compile(r"^(BOOTLOADER|MAINTENANCE)$", re.IGNORECASE)
-GOES_WITHIN = 10.0  # the drive disappears when the image is written
-COMES_WITHIN = 10.0  # and appears again with the result
+GOES_WITHIN = 10.0  # [s] until the drive disappears, after the image is copied
+COMES_WITHIN = 10.0  # [s] until the drive appears again, with the result
 LOOK = 0.1
 
 
 def mounted() -> list[Path]:
-    """Where drives of boards are mounted."""
+    """Returns the folders at which drives of boards are mounted."""
     lines = MOUNTS.read_text(errors="replace").splitlines() if MOUNTS.exists() else []
     fat = [fields[1] for line in lines if (fields := line.split())[2] in ("vfat", "msdos")]
     folders = [Path(unescaped(name)) for name in fat]
@@ -31,7 +31,7 @@ def mounted() -> list[Path]:
 
 
 def unescaped(name: str) -> str:
-    """Blanks in the name of a mount point are written as octal numbers."""
+    """Returns the name of a mount point, in which octal numbers represent blanks."""
     return re.sub(r"\\([0-7]{3})", lambda match: chr(int(match[1], 8)), name)
 
 

@@ -87,7 +87,9 @@ def clone(root: Path, copy: Path) -> None:
 
 
 def environment(root: Path, copy: Path) -> dict[str, str]:
-    """Python searches the modules of the copy first; its tests get the seed of the run here."""
+    """Returns the environment: Python searches the modules of the copy first, and the tests get the
+    seed of the run here.
+    """
     path = os.pathsep.join(str(folder) for folder in (copy, copy / "client", copy / "site"))
     run = read_run(root, RUNS[HOST])
     seed = {"WR_SEED": run.seeds[0]} if run and len(run.seeds) == 1 else {}

@@ -69,7 +69,8 @@ _UNSEEN = (
     "the Hall sensors count, but you did not see this wheel turn",
     "Check that motor and Hall cable belong to the same wheel.",
 )
-# Finding and next action. The key contains: the Hall count rises, the wheel turned forwards.
+# Finding and next action. The key has two parts: whether the Hall count rises, and whether the
+# wheel turned forwards.
 POLARITY: dict[tuple[bool, bool | None], tuple[str, str] | None] = {
     (True, True): None,
     (True, False): (

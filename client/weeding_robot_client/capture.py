@@ -1,4 +1,6 @@
-"""Writes the frames of the line to a capture for Wireshark, and contains the dissector for them."""
+"""Writes the frames of the line to a capture for Wireshark, and generates a dissector for these
+frames.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +21,7 @@ USER0 = 147  # link type for private use
 SECTION, INTERFACE, PACKET = 0x0A0D0D0A, 1, 6  # blocks of a pcapng file
 FLAGS = 2  # number of the option of a packet that gives its direction
 RECEIVED, SENT = 1, 2  # values of the direction, as seen from the PC
-MOST = 0xFFFF  # header of a packet block [bytes]
+MOST = 0xFFFF  # greatest number of bytes of a packet
 
 
 class Capture(AbstractContextManager["Capture"]):

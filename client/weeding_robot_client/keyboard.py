@@ -23,7 +23,7 @@ FORWARD, BACKWARD, LEFT, RIGHT = b"w", b"s", b"j", b"l"
 ESCAPES = {b"\x1b[A": FORWARD, b"\x1b[B": BACKWARD, b"\x1b[C": RIGHT, b"\x1b[D": LEFT}
 ESCAPES |= {b"\x1bO" + code[-1:]: key for code, key in ESCAPES.items()}
 HELP = f"""\
-Keys (a motion key must be held: {DEAD_MAN_S} s without one of them, and all wheels go to 0):
+Keys (keep a motion key pressed: all wheels go to 0 after {DEAD_MAN_S} s without a motion key):
   up, w     hold: drive forwards      left, j   1 degree to the left
   down, s   hold: drive backwards     right, l  1 degree to the right
   +         10 rpm faster             -         10 rpm slower
@@ -67,7 +67,7 @@ def keys(data: bytes) -> Iterator[bytes]:
 
 @dataclass
 class Hand:
-    """State of the keys. It gives the wish at a given time."""
+    """State of the keys, which determines the order at a given time."""
 
     wheels: tuple[int, ...] | None = None  # None: all wheels
     speed_rpm: float = SPEED_RPM
@@ -109,7 +109,7 @@ class Hand:
             self._moved_at = float("-inf")
 
     def wish(self, now: float) -> Wish:
-        """Returns the present wish: neutral unless a motion key was repeated recently."""
+        """Returns the present order: neutral unless a motion key was repeated recently."""
         acknowledges = now - self._acknowledged_at < ACKNOWLEDGE_S
         moves = self._moves(now) and not self.stop and not acknowledges
         velocity = self._direction * self.speed_rpm if moves else 0.0

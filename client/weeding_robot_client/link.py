@@ -67,7 +67,7 @@ class Link:
     ``connected`` is true from the first report after a handshake until the robot is silent for a
     second. Reports of a connection that another program began are ignored. A line that disappeared
     is opened again as soon as its path exists. ``incompatible`` is the reason why a robot that
-    answers cannot be connected: it speaks another version of the protocol.
+    answers cannot be connected: it uses another version of the protocol.
     """
 
     def __init__(self, path: Path, clock: Callable[[], float] = time.monotonic) -> None:
@@ -160,9 +160,7 @@ class Link:
         self.welcome = None
 
     def _keep_up(self) -> None:
-        """Opens the line again, begins a handshake, or keeps the connection alive, when each is
-        due.
-        """
+        """Opens the line again, begins a handshake, or sends a keep-alive, each when it is due."""
         now = self._clock()
         if self._line is None:
             try:

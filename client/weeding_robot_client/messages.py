@@ -77,7 +77,7 @@ class Hello:
 
     def payload(self) -> bytes:
         if self.version != VERSION:
-            return b""  # the layout of other versions differs; all accept an empty Hello
+            return b""  # other versions have another layout, but all versions accept an empty Hello
         return LAYOUTS["Hello"].pack(
             lowest_version=VERSION, highest_version=VERSION, schema_hash=SCHEMA_HASH
         )

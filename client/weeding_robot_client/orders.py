@@ -27,7 +27,7 @@ def order_ids() -> Iterator[int]:
 
 
 class Orders:
-    """Sends the present wish every 100 ms, because an order is valid for 200 ms only."""
+    """Sends the present order every 100 ms, because an order is valid for 200 ms only."""
 
     def __init__(self, link: Link, observe: Observer = lambda _report: None) -> None:
         self.link = link
@@ -37,11 +37,11 @@ class Orders:
         self._due = time.monotonic()
 
     def send(self, wish: Wish) -> bool:
-        """Sends a wish at once."""
+        """Sends an order at once."""
         return self.link.send(wish.order(next(self._ids)))
 
     def service(self, wish: Wish | None, timeout_s: float = 0.02) -> list[Report]:
-        """Sends the wish if it is due, serves the link for a while, and returns the reports."""
+        """Sends the order if it is due, serves the link for a while, and returns the reports."""
         now = time.monotonic()
         if wish is not None and now >= self._due:
             self._due = max(self._due + ORDER_EVERY_S, now)
@@ -53,7 +53,7 @@ class Orders:
         return reports
 
     def hold(self, wish: Wish, seconds: float) -> list[Report]:
-        """Repeats a wish for a time. Returns the reports."""
+        """Repeats an order for a time. Returns the reports."""
         reports = []
         end = time.monotonic() + seconds
         while (rest := end - time.monotonic()) > 0:

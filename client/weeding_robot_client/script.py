@@ -69,7 +69,9 @@ class Wish:
         steering_degrees: float = 0.0,
         wheels: Iterable[int] | None = None,
     ) -> Wish:
-        """Returns a wish with a value for some wheels, or for all. The other wheels are at rest."""
+        """Returns an order with a value for some wheels, or for all. The other wheels are at
+        rest.
+        """
         chosen = range(len(WHEELS)) if wheels is None else wheels
         wish = cls(steering_degrees=steering_degrees)
         for wheel in chosen:
@@ -92,7 +94,7 @@ class Wish:
 
 @dataclass(frozen=True)
 class Script:
-    """Wishes, each with the time from which it applies [s]. The last time ends the script."""
+    """Orders, each with the time from which it applies [s]. The last time ends the script."""
 
     wishes: tuple[tuple[float, Wish], ...]
     end_s: float
@@ -151,7 +153,7 @@ def _time(content: str) -> tuple[float, str]:
 
 
 def _change(wish: Wish, rest: str) -> tuple[Wish, bool]:
-    """Returns the wish after the words of one line, and whether they end the script."""
+    """Returns the order after the words of one line, and whether the words end the script."""
     if not rest:
         raise ScriptError("the time has no values after it")
     wish = replace(wish, acknowledge=False)

@@ -49,7 +49,7 @@ class Arming final : public OrderStageDecorator {
   void disarm();
   [[nodiscard]] bool armed() const;
 
-  std::uint8_t neutralOrders_ = 0;  // in a row
+  std::uint8_t neutralOrders_ = 0;  // number of successive neutral orders
 };
 
 }  // namespace wr

@@ -7,7 +7,7 @@ namespace wr {
 namespace {
 
 constexpr std::int32_t kMiddlePulse = 1500;    // [us]
-constexpr std::int32_t kFullDeflection = 500;  // [us], so that the deflection is in us
+constexpr std::int32_t kFullDeflection = 500;  // [us] a deflection has the unit us
 
 // Widths of the pulses of the switch; widths out of the range order a stop.
 constexpr Microseconds kShortestPulse(900);

@@ -29,15 +29,15 @@ struct EnableChannel {
     pin.start();
   }
 
-  Pipe<Microseconds> width;  ///< width of its pulses
+  Pipe<Microseconds> width;  ///< width of the channel's pulses
   Pipe<Microseconds> stop;   ///< width of the pulses that confirm a stop
-  BasicCollector instants;   ///< instants of its edges
-  PeriodCollector period;    ///< period of its pulses
+  BasicCollector instants;   ///< instants of the channel's edges
+  PeriodCollector period;    ///< period of the channel's pulses
   WidthCollector collector;  ///< width of a pulse
   PulsePosition function;    ///< computes the position from a pulse
   EnableBuffer buffer;       ///< stores the position
   RcPin pin;                 ///< pin of the channel
-  ReadRcPin readPin;         ///< command of its edges
+  ReadRcPin readPin;         ///< command that the edges execute
 };
 
 }  // namespace wr

@@ -16,7 +16,7 @@ constexpr Microseconds kMinDrivePulse(1750);
 
 constexpr Microseconds kLifetime = milliseconds(200);  // lifetime of a pulse
 
-constexpr std::uint8_t kAcknowledgements = 3;  // orders that acknowledge
+constexpr std::uint8_t kAcknowledgements = 3;  // number of orders that acknowledge
 
 constexpr std::int32_t kFullDeflection = 500;  // [us] full deflection of a stick
 

@@ -29,7 +29,7 @@ class EnableSwitch final : public ModeDecorator {
     Pipe<Velocity>& velocity;    ///< position of the velocity stick
     Pipe<Angle>& direction;      ///< position of the direction stick
     Pipe<Microseconds>& enable;  ///< width of the pulses of the enable switch
-    Pipe<Microseconds>& stop;    ///< width of its pulses that confirm a stop
+    Pipe<Microseconds>& stop;    ///< width of the pulses that confirm a stop
     const Timebase& timebase;    ///< returns the time
   };
 

@@ -14,10 +14,10 @@ namespace {
 constexpr std::array<float, 3> kInitialVariances{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
 constexpr float kMaxVariance = 0.5F;
 constexpr float kVarianceDrift =
-    1e-6F;  // growth of a variance in a cycle, by temperature and battery
+    1e-6F;  // growth of a variance in each cycle, because temperature and battery change
 
 // Standard deviations of the voltage that the model does not explain.
-constexpr float kNoise = 0.1F;  // [V] always
+constexpr float kNoise = 0.1F;  // [V] noise that is always present
 constexpr float kVelocityNoise =
     0.3F;  // share of the change of the induced voltage since the previous cycle
 constexpr float kTensionNoise = 0.2F;   // share of the change of the voltage in a cycle
@@ -26,9 +26,9 @@ constexpr float kCurrentNoise = 0.02F;  // share of the voltage across the windi
 // The evidence is the logarithm of a ratio: the probability of these measurements with swapped
 // leads, divided by their probability with correct leads.
 constexpr float kSwappedThreshold = 12.0F;
-constexpr float kMaxRisePerCycle = 6.0F;  // two cycles are needed
+constexpr float kMaxRisePerCycle = 6.0F;  // a detection needs two cycles
 constexpr float kMaxFallPerCycle = 3.0F;  // reduction by a cycle without a swap
-constexpr float kDoubtThreshold = 3.0F;   // above this evidence the model does not learn
+constexpr float kDoubtThreshold = 3.0F;   // with more evidence the model does not learn
 
 // Up to this voltage the bring-up turns a wheel whose leads may be swapped.
 constexpr Tension kBringUp(1000);
@@ -131,7 +131,7 @@ void LeadsWatch::weigh(const Cycle& cycle) {
                          kSwappedThreshold);
 }
 
-// A step of the recursive least squares.
+// Executes one step of the recursive least squares.
 void LeadsWatch::learn(const Cycle& cycle) {
   for (std::size_t row = 0; row < kParameters; ++row) {
     const float gain = cycle.spread[row] * cycle.weight;

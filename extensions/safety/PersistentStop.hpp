@@ -45,7 +45,7 @@ class PersistentStop final : public ModeDecorator {
 
  private:
   StopMemory& memory_;
-  bool kept_;  // a stop from before the reset
+  bool kept_;  // a stop was ordered before the reset
 };
 
 }  // namespace wr

@@ -23,8 +23,8 @@ class ProgramCheck final {
   /// @brief A part of the program.
   /// @datatype
   struct Part {
-    std::span<const Words> original;  ///< in flash
-    std::span<const Words> copy;      ///< in RAM, with the length of the original
+    std::span<const Words> original;  ///< words in flash
+    std::span<const Words> copy;      ///< words in RAM, as many as in the original
   };
 
   /// @brief Binds the check to the parts of the program.
@@ -57,7 +57,7 @@ class ProgramCheck final {
   std::uint32_t original_ = 0;  // sum of the originals
   std::uint32_t sum_ = 0;       // sum of the copies up to now
   std::size_t part_ = 0;
-  std::size_t next_ = 0;  // words of the part
+  std::size_t next_ = 0;  // index of the next word in its part
 };
 
 }  // namespace wr

@@ -60,7 +60,7 @@ class WheelSupervision final {
     Tension tension{};
     Tension induced{};
     Tension winding{};
-    Tension residual{};  // the rest
+    Tension residual{};  // the rest of the voltage
   };
 
   [[nodiscard]] Balance balanceOf(Velocity velocity, Current current) const;
@@ -79,11 +79,11 @@ class WheelSupervision final {
   std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
   std::size_t oldest_ = 0;  // index of the oldest set-point, which the next set-point replaces
   bool following_ = false;
-  std::uint8_t opposing_ = 0;  // half cycles
+  std::uint8_t opposing_ = 0;  // number of half cycles
   std::uint8_t tooFast_ = 0;
   std::uint8_t deviating_ = 0;
   std::uint8_t missing_ = 0;
-  std::uint8_t rejecting_ = 0;  // halves of an implausible edge
+  std::uint8_t rejecting_ = 0;  // number of halves of implausible edges
   LeadsWatch leads_;
 };
 

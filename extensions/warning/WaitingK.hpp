@@ -8,9 +8,8 @@ namespace wr {
 /// @brief A waiting state with a warning that the connection may have a problem.
 ///
 /// @function Switches a warning on as long as the state lasts, and reports it to the PC by the
-/// number of the state in the report. A message ends the state, a failed read sets the next state.
-/// Meanwhile
-/// the control systems follow the set-points that were read last.
+/// number of the state in the report. A message ends the state, and a failed read sets the next
+/// state. Meanwhile the control systems follow the set-points that were read last.
 ///
 /// @secret The means of the warning.
 ///

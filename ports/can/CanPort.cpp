@@ -116,7 +116,7 @@ void CanPort::receive() {
   static_cast<void>(TIMER.read());
   IFLAG1.write(IFLAG1.bit(kReceiver));
   if ((control & CS_CODE) == CS_CODE_OVERRUN) {
-    lose();  // at least one byte of the previous frame
+    lose();  // at least one byte of the previous frame is lost
   }
   const std::size_t length = std::min<std::size_t>((control.value >> kLengthAt) & 0xF, kMost);
   for (std::size_t byte = 0; byte < length; ++byte) {

@@ -24,7 +24,7 @@ extern std::uint32_t bssEnd[];
 extern const Constructor constructorsBegin[];
 extern const Constructor constructorsEnd[];
 
-/// @brief A pure virtual function was called.
+/// @brief Handles the call of a pure virtual function.
 // The ABI of the compiler defines the name.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 [[noreturn]] void __cxa_pure_virtual() {
@@ -41,7 +41,7 @@ void unexpected() {
 
 namespace {
 
-// The handler of the NMI that the watchdog requests before it resets the board.
+// Handles the NMI that the watchdog requests before it resets the board.
 void warning() {}
 
 }  // namespace

@@ -13,7 +13,7 @@ using std::chrono::nanoseconds;
 
 constexpr std::uint32_t kExceptionOfFirstInterrupt = 16;
 constexpr milliseconds kPeriod{100};
-// A start takes less time than this limit, and so does a control cycle.
+// Each start and each control cycle takes less time than this limit.
 constexpr milliseconds kLongest{1000};
 // One start bit, eight data bits and one stop bit at 115200 baud.
 constexpr nanoseconds kByte{86'806};

@@ -34,7 +34,7 @@ class CycleMeter {
   /// @brief Costs of one control cycle.
   struct Cycle {
     Cost toReport;  ///< costs from the clock pulse until the report is handed over
-    Cost whole;     ///< costs without the cycles in which the processor sleeps
+    Cost whole;     ///< costs of the cycle, without the time in which the processor sleeps
     std::uint64_t pulseLatency =
         0;                         ///< cycles from the clock pulse to the first step of its handler
     std::uint64_t startDelay = 0;  ///< cycles from the clock pulse to the main thread's first step
@@ -45,8 +45,8 @@ class CycleMeter {
   struct Exception {
     unsigned priority = 0;            ///< 0 to 15; 0 is the highest
     std::uint64_t entries = 0;        ///< number of entries
-    Cost whole;                       ///< costs without the costs of its interrupts
-    Cost toReport;                    ///< the part from the clock pulses to the reports
+    Cost whole;                       ///< costs without the costs of the interrupts that preempt it
+    Cost toReport;                    ///< part of the costs from the clock pulses to the reports
     std::uint64_t requests = 0;       ///< number of times that a device raised its line
     std::uint64_t worstLatency = 0;   ///< greatest number of cycles from a request to its first
                                       ///< instruction

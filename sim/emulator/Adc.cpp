@@ -93,7 +93,7 @@ std::uint32_t Adc::busClocksOfClock() const {
   return 1U << (at(kCfg1) >> 5 & 3U);
 }
 
-// Chapter ADC, Sample time and total conversion time, without the 5 bus clocks.
+// Chapter ADC, section Sample time and total conversion time, without the 5 bus clocks.
 std::uint32_t Adc::clocksOfConversion() const {
   constexpr std::array<std::uint32_t, 4> kBase{17, 20, 20, 25};  // MODE: 8, 12, 10, 16 bits
   constexpr std::array<std::uint32_t, 4> kLong{20, 12, 6, 2};    // ADLSTS
@@ -104,7 +104,7 @@ std::uint32_t Adc::clocksOfConversion() const {
   return (longSample ? 3 : 5) + times * each;
 }
 
-// The correct values of PG and MG: half the sum of six results of the calibration.
+// Returns the correct value of PG or MG: half the sum of six results of the calibration.
 std::uint32_t Adc::gain(std::uint32_t firstResult) const {
   std::uint32_t sum = 0;
   for (std::uint32_t i = 0; i < 6; ++i) {
@@ -202,7 +202,7 @@ void Adc::finish() {
   } else {
     calibrated_ = calibrates_;
     at(kSc3) = (at(kSc3) & ~kCalibrates) | (calibrates_ ? 0 : kFailed);
-    // Results that differ a little from the reset values of the registers.
+    // These results differ a little from the reset values of the registers.
     at(kClps) = 0x24;
     at(kClms) = 0x22;
   }

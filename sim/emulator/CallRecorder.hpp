@@ -28,16 +28,16 @@ class CallRecorder {
   /// @param most greatest number of recorded events
   CallRecorder(std::vector<std::uint32_t> functions, std::size_t most);
 
-  /// @brief A block of instructions begins.
+  /// @brief Reports the begin of a block of instructions.
   void block(std::uint32_t address, std::uint32_t stack, std::uint32_t link);
 
-  /// @brief An exception was entered, its handler begins.
+  /// @brief Reports that an exception was entered and its handler begins.
   void exceptionEntered(std::uint32_t handler, std::uint32_t stack);
 
-  /// @brief An exception was left.
+  /// @brief Reports that an exception was left.
   void exceptionLeft();
 
-  /// @brief The processor was reset: no function is active any more.
+  /// @brief Reports that the processor was reset: no function is active any more.
   void reset();
 
   /// @brief Clears the events; open calls stay open.
@@ -61,9 +61,9 @@ class CallRecorder {
  private:
   struct Call {
     std::uint32_t function = 0;
-    std::uint32_t returnsTo = 0;  ///< 0 for the handler of an exception
+    std::uint32_t returnsTo = 0;  ///< return address; 0 for the handler of an exception
     std::uint32_t stack = 0;
-    std::size_t begin = 0;  ///< events before it
+    std::size_t begin = 0;  ///< number of events before the call
   };
 
   void enter(const Call& call);
@@ -72,10 +72,10 @@ class CallRecorder {
   void note(std::uint64_t event);
 
   std::function<void(std::uint32_t, bool)> call_;
-  std::vector<std::uint32_t> functions_;  ///< sorted
+  std::vector<std::uint32_t> functions_;  ///< sorted addresses
   std::vector<Call> calls_;
   std::vector<std::uint64_t> events_;
-  std::set<std::vector<std::uint64_t>> handled_;  ///< calls of each interrupt
+  std::set<std::vector<std::uint64_t>> handled_;  ///< sequences of calls in interrupts
   std::size_t most_;
   bool truncated_ = false;
 };

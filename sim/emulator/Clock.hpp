@@ -30,7 +30,7 @@ class Clock {
 
   [[nodiscard]] std::uint64_t hz() const { return hz_; }
 
-  /// @brief Edges up to a time, which must not be before the last change.
+  /// @brief Returns the number of edges up to a time. The time must not be before the last change.
   [[nodiscard]] std::uint64_t count(Time time) const {
     return count_ +
            scale(static_cast<std::uint64_t>((time - from_).count()), edges_, 0, picoseconds_);
@@ -49,7 +49,7 @@ class Clock {
     return passed >= most ? kNever : from_ + Time(static_cast<std::int64_t>(passed));
   }
 
-  /// @brief The first count whose time is at or after the given time.
+  /// @brief Returns the first count whose time is at or after the given time.
   [[nodiscard]] std::uint64_t reach(Time time) const {
     if (time <= from_) {
       return count_;
@@ -62,8 +62,8 @@ class Clock {
   __extension__ using Wide = unsigned __int128;
   static constexpr std::uint64_t kSecond = 1'000'000'000'000;
 
-  // (value * factor + more) / divisor. A product of up to 64 bits is divided with 64 bits, which is
-  // much faster.
+  // Returns (value * factor + more) / divisor. A product of up to 64 bits is divided with 64 bits,
+  // which is much faster.
   static std::uint64_t scale(std::uint64_t value, std::uint64_t factor, std::uint64_t more,
                              std::uint64_t divisor) {
     std::uint64_t product = 0;

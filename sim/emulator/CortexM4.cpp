@@ -18,7 +18,7 @@ constexpr unsigned kUsageFault = 6;
 constexpr unsigned kSupervisorCall = 11;
 constexpr unsigned kFirstLine = 16;
 
-// An interrupt that is entered so often for one rise of its line does not end.
+// An interrupt that is entered this often for one rise of its line counts as endless.
 constexpr unsigned kStorm = 1000;
 
 constexpr std::uint32_t kAlignedBit = 1U << 9;
@@ -81,7 +81,7 @@ void CortexM4::writeSystem(std::uint32_t address, unsigned size, std::uint32_t v
   reevaluate();
 }
 
-// Values of system control that the core needs.
+// Passes the values of system control that the core needs to the core.
 void CortexM4::systemChanged() {
   core_.fpu = {
       .on = system_.fpuOn(), .activates = system_.fpuStacks(), .defaults = system_.fpDefaults()};
@@ -375,7 +375,7 @@ void CortexM4::breakpoint() {
   fault(kHardFault, 0, at, "unhandled-fault", "breakpoint");
 }
 
-// Faults of ARMv7-M ARM, B1.5.14, that an instruction causes by its kind or its address.
+// Raises the faults of ARMv7-M ARM, B1.5.14, that an instruction causes by its kind or its address.
 void CortexM4::instructionFault(Trap trap) {
   const std::uint32_t at = core_.at();
   const auto usage = [this](std::uint32_t status, std::uint32_t pc, const char* id,
@@ -415,7 +415,7 @@ void CortexM4::instructionFault(Trap trap) {
   }
 }
 
-// Precise bus faults: faults of loads and stores.
+// Raises precise bus faults, which loads and stores cause.
 void CortexM4::accessFault(Trap trap) {
   const std::string address = hex(core_.trapAddress());
   const auto refused = std::exchange(refused_, std::nullopt);

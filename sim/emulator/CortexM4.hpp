@@ -228,7 +228,7 @@ class CortexM4 {
   Nvic nvic_;
   SystemControl system_;
   std::uint64_t limit_ = 0;
-  bool running_ = false;  ///< inside the core
+  bool running_ = false;  ///< the core executes instructions
   bool sleeping_ = false;
   std::vector<bool> blockWaits_;  ///< whether each entered exception came before a block
   bool exit_ = false;

@@ -35,7 +35,7 @@ constexpr auto kRegisters = std::to_array<DebugPort::Register>({
 static_assert(kRegisters.size() == kFpscr + 1);
 static_assert(kRegisters[DebugPort::kPc].name == "pc");
 
-// The 32-bit register with a number from kMainStack to kControl, or kFpscr.
+// Returns the 32-bit register with a number from kMainStack to kControl, or kFpscr.
 std::uint32_t& special(Registers& x, std::size_t number) {
   switch (number) {
     case kMainStack:
@@ -55,7 +55,8 @@ std::uint32_t& special(Registers& x, std::size_t number) {
   }
 }
 
-// The widest access that begins at an address and is not longer than a number of bytes.
+// Returns the size of the widest access that begins at an address and is not longer than a number
+// of bytes.
 unsigned widest(std::uint32_t address, std::size_t left) {
   if (address % 4 == 0 && left >= 4) {
     return 4;

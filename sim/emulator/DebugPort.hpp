@@ -69,7 +69,7 @@ class DebugPort {
   /// @brief Returns the instructions that were executed since the board was switched on.
   [[nodiscard]] std::uint64_t instructions() const;
 
-  /// @brief Time since the board was switched on.
+  /// @brief Returns the time since the board was switched on.
   [[nodiscard]] std::chrono::nanoseconds now() const { return bus_.now(); }
 
  private:

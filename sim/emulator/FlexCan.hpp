@@ -51,7 +51,7 @@ class FlexCan final : public Peripheral {
     std::uint32_t control = 0;  // CODE, SRR, IDE, RTR, DLC, TIME STAMP
     std::uint32_t identifier = 0;
     std::array<std::uint32_t, 2> data{};
-    bool served = false;  // read since the last frame
+    bool served = false;  // the buffer was read since the last frame
   };
 
   [[nodiscard]] bool enabled() const;
@@ -76,7 +76,7 @@ class FlexCan final : public Peripheral {
   std::vector<CanFrame> sent_;
   bool busy_ = false;
   bool sends_ = false;      // the controller sends the frame on the bus
-  std::size_t sender_ = 0;  // buffer of the frame
+  std::size_t sender_ = 0;  // number of the buffer whose frame is sent
   Time end_ = kNever;
 };
 

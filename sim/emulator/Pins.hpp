@@ -13,7 +13,7 @@ struct PinState {
   std::uint32_t output = 0;                 ///< PDOR
   std::uint32_t direction = 0;              ///< PDDR
   std::uint32_t driven = 0;                 ///< pins with a level from outside
-  std::uint32_t outside = 0;                ///< those levels
+  std::uint32_t outside = 0;                ///< levels from outside
   std::uint32_t shown = 0;                  ///< levels of the outputs that were reported
   std::uint32_t shownOutputs = 0;           ///< outputs that were reported
   std::uint32_t filters = 0;                ///< pins whose digital filter is on
@@ -78,7 +78,7 @@ class Port final : public Peripheral {
   unsigned number_;
   PinState& pins_;
   std::uint32_t flags_ = 0;    ///< ISF
-  std::uint32_t before_ = 0;   ///< levels seen last
+  std::uint32_t before_ = 0;   ///< levels at the previous update
   std::uint32_t onLevel_ = 0;  ///< pins whose interrupt is raised by a level
   std::array<std::uint32_t, 3> filter_{};
   std::uint32_t waiting_ = 0;                 ///< pins whose level differs from the filtered level

@@ -26,7 +26,8 @@ void Rnga::reset(Reset /*cause*/) {
   underflow_ = false;
 }
 
-// The generator SplitMix64 (G. Steele, D. Lea, C. Flood, 2014), of which the high half is used.
+// Returns the high half of a number of the generator SplitMix64 (G. Steele, D. Lea, C. Flood,
+// 2014).
 std::uint32_t Rnga::draw() {
   ++drawn_;
   std::uint64_t word = kSeed + drawn_ * 0x9E3779B97F4A7C15;

@@ -17,7 +17,7 @@ namespace wr::emulator {
 
 namespace {
 
-/// @brief A section of the file with its type.
+/// @brief Returns the place of a section of the file, with its type.
 template <typename Part>
 Part partAt(const std::vector<char>& file, std::size_t offset) {
   Part part{};

@@ -63,7 +63,7 @@ void Uart::reset(Reset /*cause*/) {
   c2_ = 0;
   c3_ = 0;
   c4_ = 0;
-  fifo_ = kind_.fifo;  // both off
+  fifo_ = kind_.fifo;  // both FIFOs are off
   fifoControl_ = 0;
   fifoFlags_ = 0;
   sendMark_ = 0;

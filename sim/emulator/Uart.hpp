@@ -103,7 +103,7 @@ class Uart final : public Peripheral {
   std::uint32_t receiveMark_ = 1;
   std::uint32_t errors_ = 0;  ///< OR, NF, FE, PF of S1
   bool dataReady_ = false;    ///< RDRF
-  std::uint32_t seen_ = 0;    ///< S1 as it was read last
+  std::uint32_t seen_ = 0;    ///< value of S1 at its last read
   std::deque<std::uint8_t> receivedBytes_;
   std::deque<std::uint8_t> toSend_;
   bool sending_ = false;

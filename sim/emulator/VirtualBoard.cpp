@@ -238,7 +238,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   std::array<Port, kPorts> ports_;
   std::array<Gpio, kPorts> gpios_;
   std::map<std::string_view, Peripheral*> byName_;
-  std::array<Peripheral*, 13> timed_;  ///< peripherals with events of their own
+  std::array<Peripheral*, 13> timed_;  ///< peripherals that schedule events
   StimulusQueue agenda_;
   struct Place {
     const Block* block = nullptr;

@@ -64,7 +64,7 @@ class VirtualBoard {
   /// @return true when the program waits; false: see finding(), or the limit was reached.
   bool runToSleep(nanoseconds limit);
 
-  /// @brief Time since the board was switched on.
+  /// @brief Returns the time since the board was switched on.
   [[nodiscard]] nanoseconds now() const;
 
   /// @brief Returns the finding that stopped the run. A run that a finding stopped does not continue.
@@ -179,7 +179,8 @@ class VirtualBoard {
   /// @brief Resets the board. RAM keeps its content, except with PowerOn.
   void reset(Reset cause);
 
-  /// @brief Number of resets since the board was switched on; switching on does not count.
+  /// @brief Returns the number of resets since the board was switched on; switching on does not
+  /// count.
   [[nodiscard]] int resets() const;
 
   [[nodiscard]] std::uint64_t instructions() const;

@@ -202,7 +202,7 @@ void Wdog::refresh(std::uint32_t key) {
   }
   refreshKeyAt_.reset();
   if (unlockKeyAt_ || lock_ == Lock::Open) {
-    return;  // not checked between the unlock and the end of the configuration time
+    return;  // the window does not apply between the unlock and the end of the configuration time
   }
   const std::uint32_t window =
       static_cast<std::uint32_t>(registers_[kWinh / 2]) << 16 | registers_[kWinl / 2];

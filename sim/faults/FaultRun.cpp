@@ -197,7 +197,7 @@ class FaultRun::Robot {
   std::optional<scenario::PcWelcome> welcome;
   int reportedAt = 0;  // ms
   bool silent = false;
-  int noise = 0;  // wrong bits in a thousand
+  int noise = 0;  // number of wrong bits in 1000 bits
   Random noiseOfLine{1};
 
  private:
@@ -311,7 +311,7 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
     if (passes(fault.kind) && robot.now() % kStateEach == 0) {
       const auto number = static_cast<std::size_t>(robot.now() / kStateEach - 1);
       equal = robot.state(places_) == states_.at(number) ? equal + 1 : 0;
-      if (equal == 2) {  // equal twice: the devices have the same state too
+      if (equal == 2) {  // after two equal states in a row, the devices have equal states too
         break;
       }
     }
@@ -338,7 +338,7 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
 Result FaultRun::observe(Robot& robot, const Choice& choice) const {
   Message message{};
   message.verdict.outcome = Outcome::Stopped;
-  // On a real board a byte is lost that comes while the firmware starts again. On the virtual board
+  // On a real board, a byte that arrives while the firmware restarts is lost. On the virtual board
   // this byte is a finding, so the PC is silent in a second run.
   for (const bool silentPc : {false, true}) {
     std::array<int, 2> ends{};

@@ -66,8 +66,8 @@ class FaultRun {
   std::uint64_t seed_;
   Places places_;
   std::vector<Outputs> reference_;
-  std::vector<std::uint64_t> states_;        ///< states of the reference, each 100 ms
-  std::vector<scenario::PcReport> reports_;  ///< reports of the reference
+  std::vector<std::uint64_t> states_;        ///< state of the reference run every 100 ms
+  std::vector<scenario::PcReport> reports_;  ///< reports of the reference run
 };
 
 }  // namespace wr::faults

@@ -17,9 +17,9 @@ bool differs(const Outputs& faulty, const Outputs& reference) {
 }
 
 struct Wrong {
-  int before = 0;  // ms up to the detection
-  int total = 0;   // ms in runs that are long enough to count
-  int after = 0;   // ms with power after a reset
+  int before = 0;  // ms with wrong outputs before the detection
+  int total = 0;   // ms with wrong outputs, in periods that are long enough to count
+  int after = 0;   // ms with wrong outputs and power after a reset
 };
 
 // A robot whose wheels have no voltage is safe, for any outputs of the reference.

@@ -179,7 +179,7 @@ std::string Commands::answer(std::string_view packet) {
       leaves_ = true;
       return std::string(kDone);
     default:
-      return "";  // not supported
+      return "";  // the packet is not supported
   }
 }
 

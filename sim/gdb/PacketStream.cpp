@@ -14,7 +14,7 @@ namespace {
 constexpr char kInterrupt = 3;
 constexpr char kEscape = '}';
 constexpr char kEscapeBit = 0x20;
-constexpr std::size_t kChecksum = 3;  // characters from '#' on
+constexpr std::size_t kChecksum = 3;  // '#' and two digits
 
 std::string checksumOf(std::string_view content) {
   const unsigned sum =
@@ -42,7 +42,7 @@ void PacketStream::fill() {
   for (std::size_t count = line_.read(bytes); count != 0; count = line_.read(bytes)) {
     for (const std::uint8_t byte : std::span(bytes).first(count)) {
       const char character = static_cast<char>(byte);
-      if (received_.empty() && character != '$') {  // between two packets
+      if (received_.empty() && character != '$') {  // the character is between two packets
         interrupted_ = interrupted_ || character == kInterrupt;
         if (character == '-' && !last_.empty()) {
           write(last_);

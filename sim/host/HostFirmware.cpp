@@ -74,7 +74,7 @@ std::span<ControlSystemBuilder* const> HostFirmware::builders() const {
 
 void HostFirmware::construct() {
   if (equipment_ == HostEquipment::Safe) {
-    const bool first = start_.cause == ResetCause::Unknown;  // no reset yet
+    const bool first = start_.cause == ResetCause::Unknown;  // no reset has occurred
     const ResetCause cause = first ? ResetCause::PowerOn : start_.cause;
     stopMemory_.begin(cause);
     protectionMemory_.begin({.cause = cause});

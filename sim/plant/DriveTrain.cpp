@@ -82,7 +82,7 @@ void DriveTrain::advanceShaft(double seconds) {
   turns_ += speed_ * seconds / (2.0 * std::numbers::pi);
 }
 
-// The magnets' torque over the position, as a triangle.
+// Returns the magnets' torque, which is a triangle over the position.
 double DriveTrain::cogging() const {
   const double position = turns_ * kCoggingPeriods;
   const double part = position - static_cast<double>(wholePart(position));

@@ -7,7 +7,7 @@ namespace {
 constexpr int kSummed = 12;
 constexpr double kHalf = 2147483648.0;  // 2^31
 
-// The mixing function of the generator SplitMix64.
+// Returns the result of the mixing function of the generator SplitMix64.
 std::uint64_t mixed(std::uint64_t value) {
   value += 0x9E3779B97F4A7C15U;
   value = (value ^ (value >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -27,7 +27,8 @@ double Noise::normal(std::uint32_t source, std::uint64_t index) const {
   for (std::uint64_t i = 0; i < kSummed; ++i) {
     sum += uniform(source, index * kSummed + i);
   }
-  return sum / 2;  // each has variance 1/3, so that twelve have 4
+  return sum /
+         2;  // each number has the variance 1/3, so the sum of twelve numbers has the variance 4
 }
 
 }  // namespace wr::plant

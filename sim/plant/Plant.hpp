@@ -59,7 +59,7 @@ struct Plant {
 enum class Parameter : std::uint8_t {
   Supply,         ///< V
   Battery,        ///< ohm
-  Mass,           ///< factor of the nominal value, like the following values
+  Mass,           ///< factor of the nominal value; the next values are factors too
   Inertia,        ///< inertia of rotors, wheels and yaw
   Resistance,     ///< resistance of the motors
   MotorConstant,  ///< constant of the motors

@@ -30,8 +30,8 @@ enum class EnablePosition : std::uint8_t {
 /// @brief Output of a receiver when its transmitter is off.
 enum class FailSafe : std::uint8_t {
   None,    ///< nothing
-  Hold,    ///< the last pulses, repeatedly
-  Neutral  ///< pulses of 1.5 ms on each channel
+  Hold,    ///< the receiver repeats the last pulses
+  Neutral  ///< the receiver sends pulses of 1.5 ms on each channel
 };
 
 /// @brief A change of the level of a pin of the remote control's receiver.
@@ -93,14 +93,14 @@ class RemoteControl {
 
   Noise noise_{1};
   bool noisy_ = true;
-  bool on_ = true;  // the transmitter
+  bool on_ = true;  // the transmitter is on
   bool coincident_ = false;
   double tremor_ = 0;
   std::optional<Sticks> sticks_;
   EnablePosition enable_ = EnablePosition::Pc;
   FailSafe failSafe_ = FailSafe::None;
   std::array<std::optional<std::chrono::microseconds>, kChannels> last_{};
-  std::array<std::chrono::nanoseconds, kChannels> falls_{};  // end of the pulse, 0 without one
+  std::array<std::chrono::nanoseconds, kChannels> falls_{};  // end of the pulse; 0 without a pulse
   std::uint64_t steps_ = 0;
   std::vector<RcEdge> edges_;
 };

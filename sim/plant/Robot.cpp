@@ -22,7 +22,7 @@ constexpr double kDegreesPerEdge = 90.0;  // electrical degrees
 constexpr std::chrono::nanoseconds kGlitch{30'000};
 constexpr double kOpenShare = 0.05;  // fraction of the difference to its neighbour by which an open
                                      // input changes
-constexpr double kNoPower = 0.05;    // W, of noise and rounding
+constexpr double kNoPower = 0.05;    // W; noise and rounding cause less power
 constexpr double kSlopeSeconds = 2.0;  // longest time in which the slope changes
 
 // Purposes of the random numbers.

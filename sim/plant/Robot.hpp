@@ -58,8 +58,8 @@ enum class Fault : std::uint8_t {
 /// @brief Effect of the emergency stop's circuit on the motors.
 enum class EmergencyStop : std::uint8_t {
   Released,  ///< nothing
-  Coast,     ///< it removes the power of all drivers: the motors have no current
-  Brake      ///< it removes the power, and short-circuits the motors of the wheels
+  Coast,     ///< the circuit removes the power of all drivers; the motors have no current
+  Brake      ///< the circuit removes the power, and short-circuits the motors of the wheels
 };
 
 /// @brief The physics of the robot: from the inputs of its actuators to the values of its sensors.
@@ -137,7 +137,7 @@ class Robot {
   /// @param enabled true for on
   void setSteeringEnabled(bool enabled) { steering_.enable(enabled && hasPower()); }
 
-  /// @brief A step pulse of the steering.
+  /// @brief Executes one step pulse of the steering.
   /// @param left direction
   void steeringStep(bool left) { steering_.step(left); }
 

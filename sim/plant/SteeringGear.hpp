@@ -17,7 +17,7 @@ class SteeringGear {
   /// @param stalled true from now on
   void stall(bool stalled) { stalled_ = stalled; }
 
-  /// @brief One step pulse.
+  /// @brief Executes one step pulse.
   /// @param left direction
   void step(bool left);
 

@@ -11,7 +11,7 @@ namespace wr::plant {
 struct WheelPose {
   double x = 0;       ///< m before the middle of the robot
   double y = 0;       ///< m to the left of the middle
-  double cosine = 1;  ///< sine or cosine of the angle to the left
+  double cosine = 1;  ///< cosine of the wheel's angle to the left
   double sine = 0;
 };
 
@@ -28,7 +28,7 @@ class SteeringLinkage {
   /// @param degrees angle of a wheel in the middle of the front axle, positive to the left
   void turn(double degrees);
 
-  /// @brief A wheel.
+  /// @brief Returns the pose of a wheel.
   /// @param wheel 0 to 3
   [[nodiscard]] const WheelPose& pose(std::size_t wheel) const { return poses_[wheel]; }
 

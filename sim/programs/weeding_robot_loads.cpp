@@ -50,7 +50,7 @@ constexpr std::array<EdgePin, 11> kEdgePins{{{'D', 0},
                                              {'B', 19},
                                              {'B', 23}}};
 constexpr nanoseconds kCyclePeriod = std::chrono::milliseconds(100);
-constexpr nanoseconds kNoiseBefore = std::chrono::milliseconds(2);  // the pulse
+constexpr nanoseconds kNoiseBefore = std::chrono::milliseconds(2);  // time before the clock pulse
 constexpr nanoseconds kNoiseAfter = std::chrono::milliseconds(8);
 constexpr int kShortestLevel = 20;  // [us]
 constexpr int kLongestLevel = 240;  // [us] of noise that reaches the limit of FR-201 in each tick

@@ -168,7 +168,7 @@ Scenario::Action readAction(const std::string& word, Words& words) {
   throw Scenario::Error("there is no action '" + word + "'");
 }
 
-// A line that acts for an hour every 100 ms has fewer times.
+// A line that acts every 100 ms for an hour has fewer times than this limit.
 constexpr int kMostTimes = 100'000;
 
 // The times at which a line acts: one time, or repeated times.

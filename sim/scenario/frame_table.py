@@ -42,7 +42,7 @@ def camel(name: str) -> str:
 
 
 def stems(layout: Layout) -> dict[str, list[Field]]:
-    """The fields of each member; a field of the wheels is one array."""
+    """Yields the fields of each member; the fields of the wheels are one array."""
     members: dict[str, list[Field]] = {}
     for one in layout.fields:
         members.setdefault(one.stem, []).append(one)
@@ -50,7 +50,7 @@ def stems(layout: Layout) -> dict[str, list[Field]]:
 
 
 def struct(layout: Layout) -> Iterator[str]:
-    """The payload of a frame as a structure that reads and writes itself."""
+    """Returns the payload of a frame as a structure that reads and writes itself."""
     yield f"struct {layout.name}Payload {{"
     yield f"  static constexpr std::uint8_t kType = {layout.kind:#04x};"
     for stem, fields in stems(layout).items():
@@ -79,7 +79,7 @@ def member(one: Field) -> str:
 
 
 def readable() -> Iterator[str]:
-    """The numbers and bits of the robot's frames that scenarios read."""
+    """Returns the numbers and bits of the robot's frames that scenarios read."""
     for layout in FRAMES.frames.values():
         for one in layout.fields if layout.sender == "MCU" else ():
             place = f"{layout.kind:#04x}, {one.offset}, FrameField::Form"
@@ -120,7 +120,7 @@ def array(form: str, name: str, items: Iterator[str]) -> str:
 
 
 def table() -> str:
-    """The header for the scenarios."""
+    """Returns the header for the scenarios."""
     parts = [HEAD, f"inline constexpr std::uint32_t kTableHash = {FRAMES.schema_hash:#010x};\n"]
     parts += ["\n".join(struct(layout)) for layout in FRAMES.frames.values()]
     parts += [
@@ -133,7 +133,7 @@ def table() -> str:
 
 
 def firmware() -> str:
-    """The numbers of the table for names of the firmware, to include in a test."""
+    """Returns the numbers of the table for names of the firmware, to include in a test."""
     names = {f"FrameType::{one.name}": one.kind for one in FRAMES.frames.values()}
     for enumeration in FRAMES.enumerations.values():
         names |= {entry.firmware: entry.number for entry in enumeration.entries}

@@ -35,7 +35,7 @@ class LiveRobot {
   /// @brief The instant at which an interrupt or a thread begins or ends.
   struct Switch {
     std::uint32_t exception = 0;  ///< number of the exception
-    bool entered = false;         ///< begins; otherwise it ends
+    bool entered = false;         ///< true: the exception begins; false: it ends
     std::uint32_t at = 0;         ///< time since the begin of the cycle [ns]
   };
 

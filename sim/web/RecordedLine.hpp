@@ -13,8 +13,8 @@ class RecordedLine final : public scenario::RobotSession {
  public:
   /// @brief Bytes that one side sent.
   struct Piece {
-    Time at;                          ///< time at which they were sent, or read at the PC's end
-    bool fromPc;                      ///< false: the robot sent them
+    Time at;      ///< time at which the bytes were sent, or read at the PC's end
+    bool fromPc;  ///< false: the robot sent them
     std::vector<std::uint8_t> bytes;  ///< never empty
   };
 

@@ -139,7 +139,9 @@ def set_points(portal: Portal, name: str) -> list[Drawing]:
 
 
 def steps(title: str, unit: str, values: list[float]) -> Drawing:
-    """A value for each cycle; each value applies until the next value."""
+    """Returns the path of a curve with a value for each cycle; a value applies until the next
+    value.
+    """
     x = axis(0.0, float(len(values)), rounded=False)
     low, high = min(0.0, *values), max(values)
     y = Axis(low, high, [])

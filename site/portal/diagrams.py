@@ -399,7 +399,7 @@ def run_plantuml(stale: list[tuple[Diagram, Path]], cache: Path) -> None:
 
 
 def finish(svg: str, diagram: Diagram) -> str:
-    """Returns the SVG with variables for colours, own ids, plain links and the page's font."""
+    """Returns the SVG with variables for colours, unique ids, plain links and the page's font."""
     root = ET.fromstring(svg)
     clean(root)
     width, height = root.get("width", "0").strip("px"), root.get("height", "0").strip("px")

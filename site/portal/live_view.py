@@ -172,7 +172,7 @@ def entered_by_hardware(model: Model) -> set[str]:
 
 
 def functions(root: Path, name: str, numbers: dict[str, int]) -> list[list[int]]:
-    """Returns the address and the number of each method that an image has, by rising address."""
+    """Returns the address and the number of each method that an image has, sorted by address."""
     elf = root / file_of(name, ".elf")
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
 

@@ -237,7 +237,7 @@ def tests(portal: Portal) -> dict[str, Any]:
 
 
 def modules_of_tests(portal: Portal) -> dict[str, list[str]]:
-    """Test -> the modules whose pages show this test first."""
+    """Returns for each test the modules whose pages show this test first."""
     modules: dict[str, list[str]] = {}
     for name in sorted(portal.model.modules):
         for test in portal.own_tests(portal.model.modules[name]):

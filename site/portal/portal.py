@@ -54,9 +54,9 @@ CONNECTING = (
     *("Wheel", "SteeringDevice", "VelSensor", "CntSensor", "DirSensor", "WheelController"),
     *("DirController", "MainController", "Mode", "OperationState"),
 )
-WITHOUT_TERMS = ("source_file", "home")  # check of the code -> the page that shows where to begin
+WITHOUT_TERMS = ("source_file", "home")  # pages that do not link the terms of the glossary
 LATER = {"doc-warning", "link-doc", "link-site"}  # known after Sphinx and on the finished site
-# They need results of these sources.
+# These checks need test results of the present sources.
 DYNAMIC = {"tree-dynamic", "req-passed", "req-line", "fsm-seen", "hazard-scenario"}
 
 

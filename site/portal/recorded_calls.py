@@ -19,7 +19,7 @@ from traceability.reading.call_record import (
 from traceability.schema import ExecutionContext
 
 PULSE = "cycleTimerInterrupt"  # the handler of the clock pulse
-COMMAND = "./wr portal"  # the function that makes the records
+COMMAND = "./wr portal"  # the command that makes the records
 NOT_ENTERED = "main program"
 
 

@@ -70,7 +70,9 @@ def copy_docs(docs: Path, target: Path) -> set[str]:
 
 
 def write_members(modules: list[Module], pages: Path) -> set[str]:
-    """Breathe makes the members of each class. They become a section of the page of the module."""
+    """Writes the inputs from which Breathe makes the members of each class, as a section of the
+    page of the module.
+    """
     for module in modules:
         write_changed(
             pages / "modules" / f"{module.name}.rst",

@@ -5,7 +5,7 @@
 namespace wr {
 
 DirSystemBuilder::Actuator::Actuator(const Devices& devices)
-    : poweredOff(static_cast<SteeringPower&>(poweredOn)),  // the states succeed each other
+    : poweredOff(static_cast<SteeringPower&>(poweredOn)),  // each state refers to the other state
       poweredOn(poweredOff),
       device({.step = devices.step,
               .direction = devices.direction,

@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint32_t kPeriod = K64Board::kBusClock / K64Ftm::kFrequency;  // [bus clocks]
 static_assert(kPeriod == 3000 && kPeriod <= 0xFFFF, "a width of the whole period fits too");
 
-constexpr DutyCycle kWholePeriod(10'000);  // all of a period
+constexpr DutyCycle kWholePeriod(10'000);  // [0.01 %]
 constexpr std::uint32_t kChannelCount = 4;
 
 constexpr std::uint32_t widthOf(DutyCycle dutyCycle) {

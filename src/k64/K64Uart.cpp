@@ -22,7 +22,7 @@ consteval Divisor divisorOf(std::uint32_t clock) {
 }
 
 consteval bool isExact(std::uint32_t clock, const Divisor& divisor) {
-  constexpr std::uint32_t kBaudErrorDivisor = 1000;  // an error of at most 1/1000
+  constexpr std::uint32_t kBaudErrorDivisor = 1000;  // the error of the baud rate is at most 1/1000
   const std::uint32_t baud = 2 * clock / (32 * divisor.divider + divisor.fine);
   const std::uint32_t error = baud > K64Uart::kBaud ? baud - K64Uart::kBaud : K64Uart::kBaud - baud;
   return error * kBaudErrorDivisor < K64Uart::kBaud;
@@ -71,7 +71,7 @@ void K64Uart::receive() {
   std::uint32_t lost = 0;
   std::size_t untilBroken = 0;  // bytes up to the byte with a wrong stop bit
   // The limit is twice the size of the FIFO, because more bytes may arrive during the loop.
-  // bound: 1; on average an interrupt has one byte to take
+  // bound: 1; on average an interrupt has one byte to read
   for (std::size_t i = 0; i < 2 * kFifo; ++i) {
     const auto status = uart::S1.at(offset()).read();
     if (!(status & (uart::S1_RDRF | uart::S1_OR)).any()) {

@@ -62,7 +62,7 @@ class K64Uart final : public SerialPort {
     // Always inlined, like load and store, because these few instructions run for each element.
     [[nodiscard, gnu::always_inline]] std::size_t count() const { return end() - first(); }
     [[nodiscard]] std::size_t free() const { return kSize - count(); }
-    void put(std::span<const Element> elements) {  // only with enough space
+    void put(std::span<const Element> elements) {  // precondition: the buffer has enough space
       const std::size_t at = load(written_);
       const auto place = std::span(elements_).subspan(at % kSize);
       const auto ahead = elements.first(std::min(elements.size(), place.size()));
@@ -73,12 +73,12 @@ class K64Uart final : public SerialPort {
       std::memcpy(elements_.data(), rest.data(), rest.size_bytes());
       store(written_, at + elements.size());
     }
-    void put(Element element) {  // only with enough space
+    void put(Element element) {  // precondition: the buffer has enough space
       const std::size_t at = load(written_);
       elements_[at % kSize] = element;
       store(written_, at + 1);
     }
-    Element take() {  // only if the buffer is not empty
+    Element take() {  // precondition: the buffer is not empty
       const std::size_t place = first();
       const Element element = at(place);
       dropUpTo(place + 1);

@@ -36,7 +36,8 @@ std::string schema() {
   return lines;
 }
 
-/// @brief CRC-32 as in Ethernet and zlib: polynomial 0x04C11DB7, reflected, one bit at a time.
+/// @brief Returns the CRC-32 as in Ethernet and zlib: polynomial 0x04C11DB7, reflected, one bit at
+/// a time.
 std::uint32_t crc32(const std::string& text) {
   std::uint32_t crc = 0xFFFFFFFF;
   for (const char letter : text) {

@@ -67,7 +67,7 @@ class BuilderTest : public testing::Test {
   MainControllerBuilder builder{devices};
   RobotDirector director{poolBuilder, builder};
 
-  // The whole started robot, after enough ticks of its second timer for a measurement of the
+  // Starts the whole robot, and runs enough ticks of its second timer for a measurement of the
   // steering.
   void startRobot() {
     director.construct();

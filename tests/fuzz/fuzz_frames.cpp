@@ -104,7 +104,7 @@ void appendDigits(Bytes& bytes, std::uint64_t number, unsigned digits) {
   }
 }
 
-// Counter and tag, as docs/bluetooth.rst states them.
+// Returns counter and tag, as docs/bluetooth.rst states them.
 Bytes trailerOf(char direction, std::uint32_t counter, std::span<const std::uint8_t> coded) {
   Bytes covered;
   covered.reserve(coded.size() + 13);
@@ -193,7 +193,7 @@ class Link {
     }
   }
 
-  // After any input, Hello, Confirm and Order work again.
+  // Checks that Hello, Confirm and Order work again after any input.
   void recover() {
     port_.room = true;
     damage_ = 0;
@@ -297,7 +297,7 @@ class Link {
     }
   }
 
-  // A control cycle, with the comparison of the link and the oracles.
+  // Runs a control cycle, and compares the link with the oracles.
   void cycle(bool readsOrder) {
     for (const auto& [byte, at] : port_.received) {
       if (signed_) {

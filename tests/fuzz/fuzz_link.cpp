@@ -75,7 +75,7 @@ class Link {
 
   void pass(std::int64_t duration) { now_ += duration; }
 
-  // A control cycle, with the comparison of the link and the oracle.
+  // Runs a control cycle, and compares the link with the oracle.
   void cycle(bool readOrder) {
     const std::size_t taken = std::min(port.received.size(), kMostInCycle);
     for (std::size_t i = 0; i < taken; ++i) {

@@ -34,7 +34,7 @@ class FuzzedRobot {
  public:
   FuzzedRobot() { session_.start(); }
 
-  // An event of the surroundings that the input chooses.
+  // Executes an event of the surroundings, which the input chooses.
   void event(FuzzedDataProvider& input) {
     switch (input.ConsumeIntegralInRange(0, 9)) {
       case 0:
@@ -153,8 +153,8 @@ class FuzzedRobot {
     session_.robot().setFault(kind, wheel, present);
   }
 
-  // A reset loses the bytes that the firmware has not read. It does not lose a stop or a protective
-  // stop.
+  // Resets the robot. A reset loses the bytes that the firmware has not read. It does not lose a
+  // stop or a protective stop.
   void reset(bool power) {
     session_.reset(power ? scenario::ResetKind::Power : scenario::ResetKind::Pin);
     stopBefore_ = !power && (stopBefore_ || oracle_.stop());
@@ -195,7 +195,7 @@ class FuzzedRobot {
   [[nodiscard]] const Protection& protection() { return data().measurements().protection; }
   [[nodiscard]] bool latched() { return protection().inhibit == Inhibit::ProtectiveStop; }
 
-  // A stop of the PC that the protocol accepts acts in the same cycle and stays.
+  // Checks that a stop of the PC that the protocol accepts acts in the same cycle and stays.
   void checkStop() {
     expect(!oracle_.stop() || data().stopped(), "a stop of the PC stops the robot in its cycle");
     if (data().setPoints() && data().setPoints()->neutral()) {
@@ -208,7 +208,7 @@ class FuzzedRobot {
     resetNow_ = false;
   }
 
-  // Voltages rise only while the robot is armed and nothing stops it.
+  // Checks that voltages rise only while the robot is armed and nothing stops it.
   void checkMotion() {
     const bool free = armedBefore_ && !data().stopped() && !latched();
     bool voltage = false;

@@ -144,8 +144,8 @@ TEST_F(K64PortOnBoard, FR202_ShortPulsesAtHallSensorsHaveNoEdge) {
   EXPECT_GE(edges().at(4), 1);
 }
 
-// Pulses of the remote control: widths of velocity, direction and enable in microseconds. The
-// program computes for some microseconds after each edge.
+// Returns the widths of the pulses of velocity, direction and enable in microseconds. The program
+// computes for some microseconds after each edge.
 std::vector<std::uint16_t> widths(DriverBoard& drivers) {
   return drivers.ask('W');
 }

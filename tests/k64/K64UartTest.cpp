@@ -15,7 +15,7 @@ class K64UartOnBoard : public testing::Test {
  protected:
   K64UartOnBoard() { robot.startUp(); }
 
-  // Frames of an undefined type: the robot counts each complete frame.
+  // Sends frames of an undefined type; the robot counts each complete frame.
   void sendUnknown(int frames) {
     for (int i = 0; i < frames; ++i) {
       robot.arrive(robot.pc.frame(0x55, {}));

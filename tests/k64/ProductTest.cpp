@@ -30,7 +30,7 @@ class ProductRobot : public SteppedRobot {
  public:
   explicit ProductRobot(const std::string& product) : ProductRobot(switchedOn(product)) {}
 
-  // Cycles without orders, until the robot reads in a mode.
+  // Runs cycles without orders, until the robot reads in a mode.
   void waitForMode(int mode) {
     for (int cycles = 0; cycles < 2 * (kWaitingCycles + 2) && report().mode != mode; ++cycles) {
       silentCycle();
@@ -41,7 +41,7 @@ class ProductRobot : public SteppedRobot {
   // Returns the share of the period in which a wheel has the voltage of the supply.
   [[nodiscard]] double duty(int wheel) const { return line_.board.pwmDuty(kWheelTimer, wheel); }
 
-  // The red light of the board is on while its pin is low.
+  // Returns whether the red light of the board is on; its pin is then low.
   [[nodiscard]] bool redLight() const { return !line_.board.pin('B', 22); }
 
  private:
@@ -82,7 +82,7 @@ class RobotWithDevice final : public ProductRobot {
     silentCycle();
   }
 
-  // A signed order over the line of the Bluetooth module.
+  // Sends a signed order over the line of the Bluetooth module.
   void deviceOrder(const scenario::PcOrder& order) { send(frames_.order(order)); }
 
   // Returns the bytes of a signed order, which are not sent.
@@ -96,15 +96,15 @@ class RobotWithDevice final : public ProductRobot {
     return SigningDevice(key, start_).signWith(kNewer, frames_.order(order));
   }
 
-  // Bytes on the line of the Bluetooth module, and the cycle that may read them. Returns whether
-  // the robot read an order.
+  // Sends bytes over the line of the Bluetooth module, and runs the cycle that may read them.
+  // Returns whether the robot read an order.
   bool reads(const scenario::Bytes& bytes) {
     board().receiveOn(kBluetoothPort, bytes);
     silentCycle();
     return report().orderRead();
   }
 
-  // An order without a tag.
+  // Sends an order without a tag.
   void unsignedOrder(const scenario::PcOrder& order) {
     board().receiveOn(kBluetoothPort, frames_.order(order));
   }

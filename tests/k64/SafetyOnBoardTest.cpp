@@ -29,8 +29,8 @@ using std::chrono::milliseconds;
 
 const std::string kProduct = "weeding_robot";
 const auto kFolder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/safety";
-// The image with safety functions. Some scenarios contain a reset, so a reset does not stop the
-// board.
+// Switches on a board with the image with safety functions. Some scenarios contain a reset, so a
+// reset does not stop the board.
 std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
   return switchProductOn(kProduct, emulator::readImage(imageOf(kProduct)),
                          {.resetsAreFindings = false});
@@ -119,14 +119,14 @@ class SafeBoard final : public SteppedRobot {
     }
   }
 
-  // The PC arms the robot and drives.
+  // Lets the PC arm the robot and drive.
   void letThePcDrive() {
     enable(plant::EnablePosition::Pc);
     commandByPc();
     driveByPc(1000, 20);
   }
 
-  // The remote control arms the robot and drives.
+  // Lets the remote control arm the robot and drive.
   void letTheRcDrive() {
     enable(plant::EnablePosition::Drive);
     line_.remoteControl().setTremor(10);
@@ -254,7 +254,7 @@ TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
 
 // Lines of interrupts, as the reference manual assigns them.
 constexpr int kTickLine = 49;  // PIT channel 1
-constexpr int kHallLine = 62;  // port D
+constexpr int kHallLine = 62;  // interrupt of port D
 
 struct HeldInterrupt {
   const char* name;
@@ -315,7 +315,8 @@ TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
   constexpr std::array<int, plant::kWheels> kOnce{1, 1, 1, 1};
   constexpr std::array<int, plant::kWheels> kTwice{2, 2, 2, 2};
   EXPECT_EQ(std::ranges::count(cycles, kTwice), 1);
-  EXPECT_GE(std::ranges::count(cycles, kOnce), std::ssize(cycles) - 2);  // the first has no cycle
+  EXPECT_GE(std::ranges::count(cycles, kOnce),
+            std::ssize(cycles) - 2);  // the first period has no cycle
 }
 
 /// @brief A changed bit of the program in RAM causes a reset within 0.3 s. This is tested in a

@@ -11,7 +11,7 @@ namespace wr::test {
 
 namespace {
 
-// MOVW (movt = false) or MOVT of 16 bits: ARMv7-M ARM, A7.7.76, encoding T3, and A7.7.79.
+// Appends MOVW (movt = false) or MOVT of 16 bits: ARMv7-M ARM, A7.7.76, encoding T3, and A7.7.79.
 void appendMove(Code& code, unsigned reg, std::uint32_t value, bool movt) {
   const std::uint32_t high = value >> 12U;
   const std::uint32_t i = value >> 11U & 1U;

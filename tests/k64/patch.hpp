@@ -30,7 +30,8 @@ inline constexpr std::uint32_t kHandlerAddress = 0x80000;
 /// Returns the image with this code as handler of an exception.
 [[nodiscard]] Image withHandler(Image image, std::uint32_t exception, const Code& code);
 
-/// Address of a function of the image under test, by its name in C++. Throws when there is none.
+/// Returns the address of a function of the image under test, by its name in C++. Throws when there
+/// is none.
 [[nodiscard]] std::uint32_t addressOf(const std::string& function);
 
 namespace stubs {

@@ -58,7 +58,7 @@ class ProductFixture : public testing::Test {
     cycle();
   }
 
-  // A cycle, and its report when the PC is connected.
+  // Runs a cycle, and returns its report when the PC is connected.
   scenario::PcReport cycle() {
     time.advance(milliseconds(100));
     spy.calls.clear();
@@ -74,7 +74,7 @@ class ProductFixture : public testing::Test {
     return report;
   }
 
-  // A cycle in which the PC keeps the connection.
+  // Runs a cycle in which the PC keeps the connection.
   scenario::PcReport cycleWithPc() {
     port.arrive(pc.keepAlive());
     return cycle();

@@ -32,7 +32,7 @@ struct Signal {
     pin.serve();
   }
 
-  /// A pulse, and the pause that completes the given period.
+  /// Generates a pulse, and the pause that completes the given period.
   void pulse(int width, int period = 20'000) {
     level(true);
     time.advance(Microseconds(width));
@@ -96,7 +96,7 @@ TEST_F(RcBufferTest, FR52_TellsWhenThePulseEnded) {
 /// @verifies FR-52
 TEST_F(RcBufferTest, FR52_InterruptOfAnotherPin) {
   velocity.pulse(1700);
-  velocity.input.high = true;  // without an edge that waits
+  velocity.input.high = true;  // the level changes without a waiting edge
   velocity.pin.serve();
   Instants instants;
   velocity.widths.fill(instants);
@@ -193,7 +193,7 @@ TEST_F(RcBufferTest, FR54_LineThatStaysHigh) {
 
 class RcPathTest : public RcBufferTest {
  protected:
-  /// Pulses on both pins for some periods.
+  /// Generates pulses on both pins for some periods.
   void bothPulse(int count) {
     for (int i = 0; i < count; ++i) {
       velocity.pulse(1750, 10'000);

@@ -12,14 +12,14 @@ namespace wr::test {
 /// @brief Bytes of a frame, encoded and decoded without the code under test.
 using Bytes = std::vector<std::uint8_t>;
 
-/// @brief Bytes that count from 0.
+/// @brief Returns bytes that count from 0.
 inline Bytes counting(std::size_t count) {
   Bytes bytes(count);
   std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
   return bytes;
 }
 
-/// @brief CRC-16/CCITT-FALSE by polynomial division of the message, one bit at a time.
+/// @brief Returns the CRC-16/CCITT-FALSE by polynomial division of the message, one bit at a time.
 inline std::uint16_t referenceCrc(const Bytes& bytes) {
   unsigned remainder = 0xFFFF;
   for (const unsigned byte : bytes) {

@@ -109,7 +109,7 @@ class SteppedRobot {
     }
   }
 
-  /// A cycle in which the PC sends a KeepAlive and no order.
+  /// Runs a cycle in which the PC sends a KeepAlive and no order.
   void silentCycle() {
     keepAlive();
     cycle();

@@ -322,14 +322,14 @@ struct SideBySide {
     patterns.send(bytes);
   }
 
-  // A cycle of both, and the bytes of each.
+  // Runs a cycle of both robots, and returns the bytes of each.
   std::pair<scenario::Bytes, scenario::Bytes> cycleApart() {
     usual.runThroughPulse();
     patterns.runThroughPulse();
     return {usual.takeSent(), patterns.takeSent()};
   }
 
-  // A cycle in which both robots get the same bytes; checks that both send the same bytes.
+  // Runs a cycle in which both robots get the same bytes; checks that both send the same bytes.
   void cycle(const scenario::Bytes& bytes) {
     give(bytes);
     const auto [ofUsual, ofPatterns] = cycleApart();
@@ -338,7 +338,7 @@ struct SideBySide {
   }
 };
 
-// An order of any quantity and value, sometimes with a stop.
+// Returns an order of any quantity and value, sometimes with a stop.
 scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
   const auto between = [&](int least, int greatest) {
     return std::uniform_int_distribution<int>(least, greatest)(random);

@@ -76,7 +76,7 @@ class CoupledWheels {
   std::array<SimulatedWheel, kWheelCount> wheels;
   double rolling = 2.2;  // torque against the motion, of the whole robot at the shafts [N m]
 
-  /// A control cycle in which all wheels follow one set-point.
+  /// Runs a control cycle in which all wheels follow one set-point.
   void cycle(const WheelSetPoint& setPoint) {
     for (int tick = 0; tick < 100; ++tick) {
       for (int part = 0; part < kParts; ++part) {

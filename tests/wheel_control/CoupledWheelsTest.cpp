@@ -14,7 +14,7 @@ void drive(CoupledWheels& robot, const WheelSetPoint& setPoint, int cycles) {
   }
 }
 
-/// The voltage of wheel 0 is within 10 % of the mean of the others.
+/// Checks that the voltage of wheel 0 is within 10 % of the mean of the others.
 void expectShared(const CoupledWheels& robot) {
   const double others = robot.tensionOfTheOthers();
   EXPECT_NEAR(robot.tension(0), others, std::abs(others) * 0.1);

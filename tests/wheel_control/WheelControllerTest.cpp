@@ -14,7 +14,7 @@ namespace {
 
 class WheelControllerTest : public testing::Test, protected ControlledWheel {
  protected:
-  /// A cycle in which the wheel does not turn.
+  /// Runs a cycle in which the wheel does not turn.
   void controlStanding(const WheelSetPoint& setPoint) {
     measure(Velocity(), Current());
     controller.control(setPoint, measured());
@@ -315,7 +315,7 @@ TEST_F(WheelControllerTest, FR91_TheCountFalls) {
     controlStanding(tensionOf(cycle < 4 ? 7000 : 1000));  // counts 35000 mV cycles
   }
   for (int cycle = 0; cycle < 10; ++cycle) {
-    controlStanding(tensionOf(cycle < 9 ? 1000 : 7000));  // 15000 are left
+    controlStanding(tensionOf(cycle < 9 ? 1000 : 7000));  // 15000 mV cycles are left
   }
   for (int cycle = 0; cycle < 5; ++cycle) {
     EXPECT_FALSE(controller.blind()) << cycle;

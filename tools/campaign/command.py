@@ -39,8 +39,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--publish",
         action="store_true",
-        help="write the result of the finished chunks to tests/records; without --count nothing "
-        "more is run",
+        help="write the result of the finished chunks to tests/records; without --count, run no "
+        "other chunk",
     )
     parser.set_defaults(run=campaign)
 

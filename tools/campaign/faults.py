@@ -45,7 +45,7 @@ def summarise(root: Path, cases: Sequence[Case]) -> dict[str, Any]:
 
 
 def counted(cases: Iterable[Case]) -> dict[str, int]:
-    """How many cases have each outcome."""
+    """Returns the number of cases with each outcome."""
     counts = dict.fromkeys(OUTCOMES, 0)
     for case in cases:
         counts[case["outcome"]] += 1
@@ -53,7 +53,7 @@ def counted(cases: Iterable[Case]) -> dict[str, int]:
 
 
 def times(values: Sequence[int]) -> dict[str, float]:
-    """Median, 95th percentile, and maximum [ms]."""
+    """Returns median, 95th percentile, and maximum [ms]."""
     ordered = sorted(values)
     if not ordered:
         return {}

@@ -14,7 +14,8 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-# Inputs of one run. Each of the last two needs about 5 s of a processor, the first 30 s.
+# Number of inputs in one run. The first fuzzer needs about 30 s of processor time, each other
+# fuzzer about 5 s.
 INPUTS = {"frames": 1_000_000, "link": 50_000, "robot": 1_000}
 LONGEST_INPUT = {"frames": 24}  # bytes
 LONGEST = 60  # time limit of an input [s]; most inputs need less than 0.02 s

@@ -69,7 +69,7 @@ def execute_copy(
             (draft / name).chmod(0o700)
         try:
             draft.rename(folder)
-        except OSError:  # another worker of this machine was first
+        except OSError:  # another worker of this machine wrote the copies first
             if not folder.is_dir():
                 raise
             shutil.rmtree(draft)

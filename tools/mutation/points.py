@@ -96,8 +96,9 @@ def compiler_arguments(root: Path) -> list[str]:
 def find_points(
     root: Path, unit: str, files: list[str], wanted: set[str] | None = None
 ) -> dict[str, list[Point]]:
-    """File -> the points in the bodies of the requested functions, by default of all, in the order
-    of the text."""
+    """Returns for each file the points in the bodies of the requested functions, in the order of
+    the text. By default it searches all functions.
+    """
     tree = cindex.Index.create().parse(str(root / unit), args=compiler_arguments(root))
     finder = _Finder(root, {str(root / file): file for file in files}, wanted)
     finder.units(tree.cursor)
@@ -173,7 +174,7 @@ class _Finder:
         self.add(Point(at, at, f" if (mutant::on(#)) {text};", "", (mutant,)))
 
     def statement(self, cursor: Cursor) -> None:
-        """A call or an assignment that is a statement can be left out."""
+        """Adds a mutant that leaves out a statement which is a call or an assignment."""
         inner = _layers(cursor)[-1]
         call = inner.kind == CursorKind.CALL_EXPR
         change = inner.kind in CHANGES or (
@@ -230,7 +231,7 @@ class _Finder:
     def literal(self, cursor: Cursor) -> None:
         text = self.short(cursor)
         if not text[:1].isdigit():
-            return  # from a macro
+            return  # the number comes from a macro
         mutants = tuple(self.mutant(cursor, "constant", f"{text} {way} 1") for way in "+-")
         start, end = cursor.extent.start.offset, cursor.extent.end.offset
         self.add(Point(start, end, "(mutant::offset(#) + ", ")", mutants))

@@ -18,8 +18,8 @@ from traceability.reading.results import plain_name
 
 SLOWER = 10  # a test counts as hanging after this factor times its time without a mutant
 LEAST_SECONDS = 2.0
-ASLEEP = 30  # a program that neither computes nor ends is ended after this factor times its limit
-HANGS = 2  # tests that may hang: the tests after them stay undecided
+ASLEEP = 30  # a program that waits without computing is ended after this factor times its limit
+HANGS = 2  # number of tests that may hang; the tests after them stay undecided
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)
 
 SUITE = re.compile(rb"^\[-+\] \d+ tests? from ([\w/]+)(?:, .*)?$", re.MULTILINE)
@@ -107,7 +107,9 @@ def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | N
 
 
 def _limit_processor_time(process: int, seconds: int) -> None:
-    """The kernel ends the process when it has used this processor time; so does each child."""
+    """Limits the processor time of the process and of each child. The kernel ends a process at the
+    limit.
+    """
     with contextlib.suppress(ProcessLookupError):  # the process has ended
         resource.prlimit(process, resource.RLIMIT_CPU, (seconds, seconds + 1))
 

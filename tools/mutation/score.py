@@ -24,7 +24,7 @@ RESULT = RESULTS / "mutation.json"
 FIRST_PART = 0.2  # [s] of tests that run first
 PART_GROWTH = 4
 MUTANT = [one.name for one in fields(Mutant)]
-NO_REQUIREMENT = ""  # of the functions outside the trees
+NO_REQUIREMENT = ""  # requirement of the functions outside the trees
 
 
 @dataclass
@@ -46,8 +46,8 @@ class Plan:
 
 @dataclass
 class Tried:
-    """A mutant that ran: the tests that found it, and for each requirement whether one of its own
-    tests found it.
+    """A mutant that ran: the tests that found it, and for each requirement whether a test of the
+    requirement found it.
 
     A requirement is missing if its tests were not decided.
     """
@@ -58,7 +58,7 @@ class Tried:
 
 
 def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[str]) -> Plan:
-    """Returns the tests of the functions that have mutants; without a tree they serve no
+    """Returns the tests of the functions that have mutants. A function outside the trees serves no
     requirement.
     """
     plan = Plan({name: [] for name in functions}, {}, {})
@@ -95,7 +95,7 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
 
 
 def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
-    """Returns the numbers of the mutants, shuffled, so that the requirements contribute in turn."""
+    """Returns the numbers of the mutants, shuffled. The requirements contribute alternately."""
     numbers = list(range(1, len(mutants) + 1))
     random.Random(seed).shuffle(numbers)
     waiting: dict[str, list[int]] = {name: [] for name in plan.verifying}
@@ -143,7 +143,8 @@ def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried 
 
 
 def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str]]) -> Outcome:
-    """Runs the short tests first, until in each group a test has found the mutant or none is left.
+    """Runs the short tests first, until each group has a test that found the mutant, or has no
+    tests left.
 
     The time of each part is a multiple of the time of the previous part, so that programs start
     seldom.
@@ -166,7 +167,7 @@ def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str
 
 
 def _found(outcome: Outcome, tests: set[str]) -> bool | None:
-    """Returns whether a test failed; nothing while one of them is undecided."""
+    """Returns whether a test failed; None while a test is undecided."""
     if tests & outcome.failed:
         return True
     return False if tests <= outcome.passed else None
@@ -202,9 +203,11 @@ def try_all(
 def found_before(
     last: Mapping[str, Any], mutants: list[Mutant], files: Mapping[str, str], plan: Plan
 ) -> dict[int, Tried]:
-    """Number -> the last result, for mutants whose file is unchanged and whose tests still pass.
+    """Returns the last results of mutants that were found, by number: if the file is unchanged, and
+    tests that found the mutant still pass.
 
-    Equal changes of a method are one group, which must be found as a whole.
+    Equal changes of a method are one group. A group is returned only if the last run found each
+    mutant of the group.
     """
     results: dict[tuple[str, ...], list[dict[str, Any]]] = {}
     for item in last.get("tried", []):
@@ -248,7 +251,7 @@ class Justifications:
         """Returns the reason why no test can find each mutant; empty without a justification.
 
         Each change in an entry justifies one mutant. When a line has the same change at several
-        places, the entry contains the change once for each of them that no test can find.
+        places, the entry contains the change once for each place at which no test can find it.
         """
         left = {key: list(reasons) for key, reasons in self.reasons.items()}
         return [

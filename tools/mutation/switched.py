@@ -80,7 +80,7 @@ def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
     for order, point in enumerate(points):
         number, *_ = [next(numbers) for _ in point.mutants]
         length = point.end - point.start
-        # When a replaced part ends where another begins, the end comes first.
+        # When a replaced part ends where another part begins, the end comes first.
         before = (point.start, 1, order)
         after = (point.end, 0, -order)
         if length == 0:
@@ -97,7 +97,7 @@ def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
 
 
 def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int, str]]:
-    """File, line and words of each error of a unit with changed texts."""
+    """Returns file, line and message of each error in a unit with changed texts."""
     arguments = [*compiler_arguments(root), "-include", str(SWITCH)]
     unsaved = [(str(root / file), text) for file, text in texts.items()]
     tree = cindex.Index.create().parse(str(root / unit), args=arguments, unsaved_files=unsaved)

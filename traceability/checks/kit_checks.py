@@ -79,7 +79,7 @@ def _touches(model: Model, change: LikelyChange, made: MadeChange | None) -> boo
 
 
 def _above(facts: Facts, kit: Kit, name: str) -> Iterator[str]:
-    """All base classes of a class of a kit, or of the design."""
+    """Returns all base classes of a class of a kit, or of the design."""
     bases = [kit.bases[name]] if kit.bases.get(name) else []
     if name in facts.classes:
         bases = list(facts.classes[name].bases)

@@ -303,7 +303,7 @@ def _targets(root: Path) -> set[str]:
 
 
 def _sources(model: Model) -> dict[str, Place]:
-    """Page -> the place of its source."""
+    """Returns the place of the source of each page."""
     places = {f"modules/{module.name}.html": module.place for module in model.modules.values()}
     places |= {f"patterns/{item.id}.html": item.place for item in model.patterns.values()}
     places |= {f"requirements/{item.id}.html": item.place for item in model.requirements.values()}

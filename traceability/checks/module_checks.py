@@ -280,7 +280,9 @@ def _units(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _has_words(place: Place, facts: Facts) -> bool:
-    """Whether a declaration has a comment. For an object, the comment of its class is enough."""
+    """Returns whether a declaration has a comment. For an object, the comment of its class is
+    enough.
+    """
     if facts.comments.at(place.file, place.end or 0).tags:
         return True
     above, line = facts.lines_of(place.file)[max(0, place.line - 2) : place.line]

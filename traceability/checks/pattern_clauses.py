@@ -93,7 +93,9 @@ class Shape:
         return False
 
     def named(self, by: str, targets: list[str]) -> Iterator[tuple[Place, str]]:
-        """The places at which the code of a class names a target, or includes its header."""
+        """Returns the places at which the code of a class names a target, or includes its
+        header.
+        """
         for name in self.facts.names_of.get(by, []):
             target = owner_of(name.target)
             if target in targets and target != by:
@@ -349,7 +351,7 @@ def decorator_forwards(shape: Shape) -> Broken:
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
-    """Method -> the virtual methods of the same class that it calls."""
+    """Returns for each method the virtual methods of the same class that it calls."""
     virtual = {method.id for method in shape.methods(module) if method.virtual}
     return {
         body.id: primitives

@@ -39,7 +39,7 @@ def _numbers(facts: Facts) -> Iterator[Finding]:
 
 
 def _enumerators(name: str, facts: Facts) -> dict[str, int]:
-    """Enumerator -> number."""
+    """Returns the number of each enumerator."""
     fact = facts.classes.get(name)
     if fact is None or fact.kind != "enum":
         return {}
@@ -74,7 +74,7 @@ def _examples(facts: Facts) -> Iterator[Finding]:
 
 
 def _crc(data: bytes) -> int:
-    """CRC-16/CCITT-FALSE."""
+    """Returns the CRC-16/CCITT-FALSE."""
     value = 0xFFFF
     for byte in data:
         value ^= byte << 8
@@ -84,5 +84,5 @@ def _crc(data: bytes) -> int:
 
 
 def _stuffed(data: bytes) -> bytes:
-    """Consistent overhead byte stuffing of fewer than 254 bytes."""
+    """Returns fewer than 254 bytes in the code COBS."""
     return b"".join(bytes([len(part) + 1]) + part for part in data.split(b"\0"))

@@ -533,7 +533,8 @@ _FIXED = [
         "Each property is proven",
         "Spin explored every state of the model, and found no sequence of events that violates "
         "the property.",
-        "a proof of an older design: it compares nothing until Spin ran on the present design.",
+        "a proof of an older design: the check compares nothing until Spin ran on the present "
+        "design.",
         "correct the design, or the formula; the page Proofs shows the counterexample.",
     ),
     Check(

@@ -343,7 +343,7 @@ def _requirements(model: Model) -> list[Finding]:
 def unmet(
     model: Model, measured: Mapping[str, float | None], others: Sequence[Finding] = ()
 ) -> list[Finding]:
-    """Evidence that is missing or beyond its bound.
+    """Finds evidence that is missing or beyond its bound.
 
     ``others`` are the findings of the other checks. Evidence that counts these findings, or that is
     not measured because results are stale, is not reported again.
@@ -391,7 +391,7 @@ def _results(model: Model) -> list[Finding]:
 
 
 def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
-    """Folders of tests that belong to no test program."""
+    """Finds folders of tests that belong to no test program."""
     build = facts.root / TEST_BUILD
     text = build.read_text(encoding="utf-8") if build.exists() else ""
     words = {word.strip("./") for word in re.findall(r"[\w./]+", text)}
@@ -499,7 +499,7 @@ def _listed(lines: Sequence[int]) -> str:
 
 
 def _suspects(model: Model) -> list[Finding]:
-    """One finding for each text, with all requirements that depend on it."""
+    """Returns one finding for each changed text, with all requirements that depend on the text."""
     asking: dict[Suspicion, list[str]] = {}
     for requirement in model.requirements.values():
         for suspicion in requirement.suspicions:

@@ -13,8 +13,9 @@ NAME = "tests.xml"
 
 
 def junit_text(model: Model, _report: Report) -> str:
-    """One suite for each target; a test has a property ``requirement`` for each of its
-    requirements."""
+    """Returns one suite for each target; a test has a property ``requirement`` for each of its
+    requirements.
+    """
     top = ET.Element("testsuites", name="weeding_robot")
     for target in model.results_hashes:
         suite = ET.SubElement(top, "testsuite", name=target)

@@ -92,7 +92,9 @@ def _need(item: TraceItem) -> dict[str, object]:
 
 
 def reqif_text(model: Model, report: Report) -> str:
-    """ReqIF 1.0.1: an object for each item, a relation for each link, chapters for sections."""
+    """Returns ReqIF 1.0.1: an object for each item, a relation for each link, chapters for
+    sections.
+    """
     items = trace_items(model, report)
     top = ET.Element("REQ-IF", xmlns=NAMESPACE)
     header = _child(_child(top, "THE-HEADER"), "REQ-IF-HEADER", IDENTIFIER="header")

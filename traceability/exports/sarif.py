@@ -19,7 +19,7 @@ def sarif_text(model: Model, report: Report) -> str:
 
 
 def sarif(model: Model, report: Report) -> dict[str, Any]:
-    """Every check is a rule, even without a finding."""
+    """Returns the findings. Every check is a rule, even without a finding."""
     numbers = {check.id: number for number, check in enumerate(CHECKS)}
     driver = {
         "name": "weeding_robot",

@@ -50,7 +50,7 @@ def svd_of(blocks: list[RegisterBlock]) -> str:
 
 
 def _add(peripherals: ET.Element, block: RegisterBlock) -> None:
-    """A block and the blocks of the same kind, which have the same registers."""
+    """Adds a block and the blocks of the same kind, which have the same registers."""
     first, *others = INSTANCES.get(block.name, ("",))
     name, base = f"{block.name.upper()}{first}", _base(block)
     peripheral = ET.SubElement(peripherals, "peripheral")

@@ -88,7 +88,9 @@ class Verification:
 
 
 def write_exports(root: Path, site: Path, model: Model, report: Report) -> None:
-    """The same table for other programs: JSON, and JUnit with a test case for each requirement."""
+    """Writes the table for other programs: JSON, and JUnit with a test case for each
+    requirement.
+    """
     texts = {
         JSON: json.dumps(table(model, report), indent=1) + "\n",
         JUNIT: ET.tostring(junit(model, report), encoding="unicode") + "\n",

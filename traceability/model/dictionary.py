@@ -64,7 +64,7 @@ def module_of(body: BodyFact, model: Model) -> str:
 
 
 def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]]]:
-    """``Type::part`` -> modules that write it, modules that read it."""
+    """Returns for each ``Type::part`` the modules that write it, and the modules that read it."""
     users: dict[str, tuple[set[str], set[str]]] = {}
     for body in facts.syntax.bodies:
         name = module_of(body, model)

@@ -68,8 +68,9 @@ def first_methods(context: ExecutionContext, reached: dict[str, str], model: Mod
 
 
 def handler_lines(facts: Facts) -> dict[str, list[int]]:
-    """Handler -> interrupt lines, from the table of vectors. A table of lines may begin with one
-    constant; the others follow it."""
+    """Returns the interrupt lines of each handler, from the table of vectors. A table of lines may
+    begin with a constant; the other lines follow it.
+    """
     lines: dict[str, list[int]] = {}
     for constant, handlers in _vectors(facts).items():
         for number, handler in enumerate(handlers):
@@ -78,7 +79,9 @@ def handler_lines(facts: Facts) -> dict[str, list[int]]:
 
 
 def _vectors(facts: Facts) -> dict[str, list[str]]:
-    """Constant of an interrupt line -> the handlers of that line and of the lines after it."""
+    """Returns for the constant of an interrupt line the handlers of that line and of the lines
+    after it.
+    """
     table: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         if flow.into in facts.syntax.constants and flow.into.endswith("Line"):
@@ -90,7 +93,9 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Interrupt line with a handler that no call enables -> its handler."""
+    """Returns the interrupt lines that have a handler and that no call enables, each with its
+    handler.
+    """
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
         constants[name]: handlers[0]
@@ -100,7 +105,9 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 
 
 def line_priorities(facts: Facts) -> dict[int, str]:
-    """Interrupt line -> constant of its priority, from the calls that enable the lines."""
+    """Returns the constant of the priority of each interrupt line, from the calls that enable the
+    lines.
+    """
     priorities = _enabling(facts)
     for lines in handler_lines(facts).values():  # a counted line has the priority of its constant
         for line in lines:
@@ -111,7 +118,7 @@ def line_priorities(facts: Facts) -> dict[int, str]:
 
 
 def _enabling(facts: Facts) -> dict[int, str]:
-    """Interrupt line -> constant of its priority, of the lines that a call names."""
+    """Returns the constant of the priority of each interrupt line that a call names."""
     constants = facts.syntax.constants
     behind: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:

@@ -91,9 +91,10 @@ class Problem:
         return round(solver.getObjectiveValue() + 0.4999)
 
     def _ends_with_condition(self, loop: Loop) -> bool:
-        """Whether a round that does not leave the loop early ends with the condition of the loop.
+        """Returns whether a round that does not leave the loop early ends with the condition of the
+        loop.
 
-        A block that is never executed, such as the end of an assertion, is no way out.
+        A block that is never executed, such as the end of an assertion, does not leave the loop.
         """
         never = {start for start, most in self.counted if most == 0}
 

@@ -15,7 +15,7 @@ def made(
     record: KitRecord | None,
     examples: Mapping[str, list[str]],
 ) -> dict[str, MadeChange]:
-    """Application -> the change that was made."""
+    """Returns for each application the change that was made."""
     return {
         name: _made(model, kit, record, kit.classes or examples.get(name, []))
         for name, kit in kits.items()

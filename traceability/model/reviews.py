@@ -151,7 +151,7 @@ class LinkTexts:
         ]
 
     def _uncovered(self, covered: set[str]) -> Iterator[tuple[Place, int, str]]:
-        """Place, last line, and name with text below it."""
+        """Yields place, last line, and name with text of each body and specification."""
         for body in self.facts.syntax.bodies:
             own = body.place.file.startswith(tuple(f"{top}/" for top in SOURCES))
             if own and f"body {body.id}" not in covered:

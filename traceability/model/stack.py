@@ -187,7 +187,7 @@ class Prover:
         return cache[key]
 
     def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
-        """Whether no object of a chain is left whose method can be called."""
+        """Returns whether the chain has no further object whose method can be called."""
         method = short_name(self.graph[symbol].name)
         if method not in self.most:
             return False

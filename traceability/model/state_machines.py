@@ -29,7 +29,7 @@ class Change:
     place: Place
     path: tuple[str, ...]  # methods of the state between its operation and the change
     sometimes: bool
-    asked: list[str] = field(default_factory=list)  # by the conditions before it
+    asked: list[str] = field(default_factory=list)  # operands of the conditions before the change
 
 
 @dataclass
@@ -247,7 +247,7 @@ class Watcher:
         return concerned or method.rpartition("::")[0] in self.code.holders
 
     def watch(self, calls: Iterator[tuple[str, bool]]) -> list[Seen]:
-        """``calls`` are methods, each with whether it is entered or left."""
+        """Returns the changes in the calls. Each call is a method, and true when it is entered."""
         run = _Run(self)
         for method, entered in calls:
             if entered:
@@ -293,7 +293,9 @@ class _Run:
             self.changed = tuple(method for method in between if method in self.watcher.helpers)
 
     def _begin(self, method: str) -> None:
-        """An operation of the present state begins: it shows which state is present."""
+        """Records that an operation of the present state begins; the operation shows the present
+        state.
+        """
         states = self.watcher.runners[method]
         if not self.present & states:
             self._forget()

@@ -80,7 +80,7 @@ def _result_of(result: Result | None, model: Model, binding: str) -> BindingResu
 
 
 def written_tests(root: Path) -> dict[str, list[Case]]:
-    """File -> its tests, for the files that are built for a target."""
+    """Returns the tests of each file that is built for a target."""
     files = {str(path.relative_to(root)): path for path in files_below(root, ("tests",), (".cpp",))}
     return {
         file: list(read_tests(path.read_text(encoding="utf-8")))
@@ -90,7 +90,7 @@ def written_tests(root: Path) -> dict[str, list[Case]]:
 
 
 def with_board_findings(model: Model, facts: Facts) -> Model:
-    """A test of the virtual board counts as a test of a finding when its text contains the
+    """Returns the findings with their tests: the tests of the virtual board whose text contains the
     id.
     """
     making: dict[str, list[str]] = {}

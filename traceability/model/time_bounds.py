@@ -323,8 +323,9 @@ class Times:
     def _facts_of(
         self, code: Code, one: Inequality, marked: Mapping[str, Sequence[Sequence[int | str]]]
     ) -> Iterator[FlowFact]:
-        """A counter on the left side counts any one block of each copy of its line: it is
-        not executed more often than the line. On the right side it counts all blocks.
+        """Returns the facts about the blocks. A counter on the left side counts one block of each
+        copy of its line, because no block is executed more often than the line. A counter on the
+        right side counts all blocks.
         """
         most = one.most - one.factors.get(ENTRIES, 0)
         right: dict[int | str, int] = {}
@@ -347,9 +348,10 @@ class Times:
             yield FlowFact(factors, most)
 
     def _marked(self, code: Code) -> dict[str, list[list[int | str]]]:
-        """Counter -> the blocks of each copy of its line: a copy for each call that was inlined.
+        """Returns for each counter the blocks of each copy of its line. Each inlined call has a
+        copy.
 
-        When the line consists of inlined calls only, these are the blocks of the calls.
+        When the line consists of inlined calls only, the blocks of the calls are returned.
         """
         found: dict[str, dict[tuple[Place, ...], dict[int, list[int]]]] = {}
         for start, block in code.blocks.items():

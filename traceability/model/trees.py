@@ -196,7 +196,7 @@ def _last(calls: list[CallFact]) -> int:
 
 
 def _is_activated(callees: set[str], facts: Facts) -> bool:
-    """Whether a thread executes a body: the body is a command, or a command calls it."""
+    """Returns whether a thread executes a body: the body is a command, or a command calls it."""
     commands = set(facts.overriders.get("Command::execute", []))
     called = {
         target

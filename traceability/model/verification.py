@@ -108,7 +108,9 @@ class Owners:
 
 
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:
-    """Methods of the drivers do not run on this machine; a separate page shows their lines."""
+    """Returns the lines that no test executes, except lines of the drivers, which have a separate
+    page.
+    """
     owners = Owners(model, facts)
     executed: dict[frozenset[str], Covered] = {}
     for body in facts.syntax.bodies:

@@ -72,7 +72,13 @@ _CASTS = {
 _DECLARED = {CursorKind.VAR_DECL, CursorKind.PARM_DECL, CursorKind.FIELD_DECL}
 _ENUM_MAKERS = {*_CASTS, CursorKind.CXX_STATIC_CAST_EXPR, CursorKind.INIT_LIST_EXPR}
 _WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_OPERATOR}
-_HOLDERS = ("optional", "array", "pair", "tuple", "variant")  # of the library: by value
+_HOLDERS = (
+    "optional",
+    "array",
+    "pair",
+    "tuple",
+    "variant",
+)  # classes of the library that contain objects by value
 _COPIES = ("memcpy", "memmove", "__builtin_memcpy", "__builtin_memmove")
 _MAKERS = ("construct_at", "make_optional", "make_unique", "make_shared")
 _FLOATS = {TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE}
@@ -106,7 +112,7 @@ class Reader:
         self.loops = 0
         self.initialised = ""  # the constant or member whose first value is read
         self.left = False  # whether an earlier condition may have left the function
-        self.asked: list[list[str]] = []  # by the conditions around the statement
+        self.asked: list[list[str]] = []  # operands of the conditions around the statement
         self.left_by: list[str] = []  # conditions that may have left the function
 
     def relative(self, name: str) -> str | None:
@@ -193,7 +199,9 @@ class Reader:
         del self.asked[len(self.asked) - decides :]
 
     def declaration(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """A call outside of functions belongs to the initialiser of the last constant or member."""
+        """Visits a declaration. A call outside of functions belongs to the initialiser of the last
+        constant or member.
+        """
         if body is not None:
             return
         if cursor.kind in (CursorKind.VAR_DECL, CursorKind.FIELD_DECL):
@@ -438,7 +446,9 @@ class Reader:
                 self.facts.blocks.append(fact)
 
     def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
-        """``field_.emplace(...)`` constructs the class that the field contains by value."""
+        """Records that ``field_.emplace(...)`` constructs the class that the field contains by
+        value.
+        """
         member = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
         if member is None:
             return
@@ -660,7 +670,7 @@ def register_of(call: Cursor) -> int | None:
 
 
 def _is_declared_again(cursor: Cursor) -> bool:
-    """Whether a source file declares a name of another file without its header."""
+    """Returns whether a source file declares a name of another file without its header."""
     first = cursor.canonical == cursor and cursor.get_definition() is None
     is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
     is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
@@ -675,7 +685,7 @@ def _has_no_condition(cursor: Cursor) -> bool:
 
 
 def _is_bare_asm(cursor: Cursor) -> bool:
-    """Whether this is an instruction outside of a function."""
+    """Returns whether this is an instruction outside of a function."""
     bare_kind = cursor.kind == CursorKind.UNEXPOSED_DECL
     return bare_kind and _words(cursor)[:1] in (["asm"], ["__asm__"], ["__asm"])
 

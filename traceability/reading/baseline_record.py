@@ -102,7 +102,7 @@ def read_comparison(root: Path) -> dict[str, Any] | None:
 
 
 def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
-    """Increase of the pattern design over the baseline design [per cent]."""
+    """Returns the increase of the pattern design over the baseline design [per cent]."""
     usual, patterns = figures[USUAL][key], figures[PATTERNS][key]
     return 100 * (patterns / usual - 1) if usual else None
 

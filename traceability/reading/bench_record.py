@@ -113,7 +113,7 @@ class Order:
 
 
 def orders_in(text: str) -> list[Order]:
-    """The orders of a scenario of the bench."""
+    """Returns the orders of a scenario of the bench."""
     matches = (ORDER.match(line.strip()) for line in text.splitlines())
     periods = [map(int, match.groups(default="0")) for match in matches if match]
     return [
@@ -182,7 +182,9 @@ def spread(values: Sequence[float], digits: int) -> Spread:
 
 
 def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latency]:
-    """Priority -> the longest time from a request to its handler, and the name of the handler."""
+    """Returns for each priority the longest time from a request to its handler, and the handler's
+    name.
+    """
     requested = [(int(number), latency) for number, latency in raw.items() if latency["requests"]]
     requested.sort(key=lambda item: item[1]["priority"])
     longest = {}

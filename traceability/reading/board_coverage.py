@@ -38,7 +38,7 @@ def read_stretches(root: Path) -> list[Stretch]:
 
 
 def lines_executed(ranges: Iterable[Stretch], executed: bytes) -> dict[str, dict[int, bool]]:
-    """File -> line -> whether any of its instructions was executed.
+    """Returns for each file and line whether an instruction of the line was executed.
 
     The last bit belongs to the last executed instruction.
     """

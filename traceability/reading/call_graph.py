@@ -35,7 +35,9 @@ SHORT = re.compile(r"(?:wr::)(?P<name>[\w:~]+(?:<[^()]*>[\w:~]*)*)\(")
 
 @dataclass
 class Function:
-    """``frame`` is in bytes. ``dynamic``: the compiler reports no bound of the frame."""
+    """A function of the image. ``frame`` is in bytes. If ``dynamic`` is true, the frame has no
+    bound.
+    """
 
     symbol: str
     name: str
@@ -48,8 +50,9 @@ class Function:
 
 
 def read_graph(root: Path, elf: Path) -> dict[str, Function]:
-    """Symbol -> function, for all functions of the image. ``root`` is the source folder of the
-    image."""
+    """Returns all functions of the image, by their symbols. ``root`` is the source folder of the
+    image.
+    """
     reported: dict[str, Function] = {}
     own = [*elf.parent.glob(f"{elf.stem}.*.ci"), *elf.parent.glob("*/**/*.ci")]
     for file in sorted(own):
@@ -118,7 +121,9 @@ def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]
 
 
 def _place(root: Path, folder: Path, label: str) -> Place:
-    """The compiler names files in full or from the build folder, the linker from the root."""
+    """Returns the place of a function. The compiler names files in full or from the build folder,
+    the linker from the root.
+    """
     file, line, _column = label.rsplit(":", 2)
     path = root / file if (root / file).exists() else (folder / file).resolve()
     return Place(str(path.relative_to(root)) if path.is_relative_to(root) else file, int(line))

@@ -128,7 +128,7 @@ def count_lines(kit: Kit, patch: str) -> None:
 
 
 def tests_in(root: Path, source: Path) -> dict[str, Place]:
-    """``Suite.Name`` -> its place, of each test in a file."""
+    """Returns the place of each test in a file, by ``Suite.Name``."""
     lines = source.read_text(encoding="utf-8").splitlines()
     file = str(source.relative_to(root))
     return {

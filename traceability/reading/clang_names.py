@@ -31,7 +31,9 @@ def is_function(cursor: Cursor) -> bool:
 
 
 def class_name(cursor: Cursor | None) -> str:
-    """``Outer::Inner`` without the namespace; empty when the cursor is outside of a class."""
+    """Returns ``Outer::Inner`` without the namespace; empty when the cursor is outside of a
+    class.
+    """
     parts: list[str] = []
     kinds = {*CLASSES, CursorKind.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION, CursorKind.ENUM_DECL}
     kinds |= {CursorKind.TYPE_ALIAS_DECL}

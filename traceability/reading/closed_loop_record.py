@@ -144,7 +144,7 @@ def time_column(name: str) -> str:
 
 
 def is_valid(row: dict[str, str], name: str) -> bool:
-    """Returns a report marks a value that is missing; all others are valid."""
+    """Returns whether a value is valid. A report marks each missing value."""
     wheel = int(name[-1]) if name[-1].isdigit() else 0
     bits = {
         f"velocity{wheel}": ("measured", 3 * wheel),

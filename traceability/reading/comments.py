@@ -218,7 +218,7 @@ def _tag(file: str, line: int, text: str, match: re.Match[str], end: int) -> Tag
 
 
 def _paragraphs(text: str) -> list[str]:
-    """The first paragraph may be empty: a text ends at a blank line."""
+    """Returns the paragraphs. The first paragraph may be empty: a text ends at a blank line."""
     first, *more = BLANK_LINE.split(text)
     return [plain(first), *filter(None, map(plain, more))]
 

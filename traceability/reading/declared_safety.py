@@ -180,7 +180,9 @@ def read_sources(text: str) -> list[SourceReference]:
 
 
 def read_scenarios(root: Path) -> dict[str, FaultScenario]:
-    """Name -> scenario. The first comment is its title, and "# goal SG-1" names a goal."""
+    """Returns the scenarios by name. The first comment is the title, and "# goal SG-1" names a
+    goal.
+    """
     paths = files_below(root, (str(SCENARIOS),), (".scenario",))
     return {path.stem: _scenario(root, path) for path in paths}
 

@@ -122,7 +122,7 @@ class FlowReader:
             self.flows.append(FlowFact(into, sources, place.file))
 
     def given(self, member: Cursor, value: Cursor, place: Place) -> None:
-        """A member that a constructor or a designated initialiser sets."""
+        """Records a member that a constructor or a designated initialiser sets."""
         self.add(self.node(member.referenced), self.sources(value) or ["value"], place)
 
     def arguments(self, call: Cursor, target: Cursor, place: Place) -> list[list[str]]:

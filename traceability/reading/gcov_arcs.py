@@ -96,7 +96,9 @@ class Graph:
 
     @functools.cached_property
     def branches(self) -> dict[int, tuple[str, Branch]]:
-        """Arc -> file and branch. The arcs that leave a block belong to its last line."""
+        """Returns file and branch of each arc. The arcs that leave a block belong to its last
+        line.
+        """
         leaving, _ = self._sides()
         branches: dict[int, tuple[str, Branch]] = {}
         seen: dict[Line, int] = {}
@@ -134,7 +136,7 @@ class Graph:
 
 
 def read_graphs(path: Path) -> dict[int, Graph]:
-    """Number of a function -> its graph, for one object file."""
+    """Returns the graph of each function of an object file, by the function's number."""
     graphs: dict[int, Graph] = {}
     graph, file = Graph(), ""
     for tag, words in records(path.read_bytes()):

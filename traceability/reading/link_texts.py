@@ -69,7 +69,7 @@ def requirements(text: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def specifications(text: str) -> list[tuple[range, str, str]]:
-    """For each comment with a declaration: its lines, the declaration, and both as a text."""
+    """Yields for each comment with a declaration its lines, the declaration, and both as a text."""
     return list(_specifications(text))
 
 
@@ -121,7 +121,7 @@ def texts_of_tree(text: str, name: str) -> Iterator[str]:
 
 
 def texts_of_method(text: str, name: str) -> Iterator[str]:
-    """Comment and declaration of each method of this name that has a comment."""
+    """Yields comment and declaration of each method of this name that has a comment."""
     named = re.compile(rf"(?<![\w.:>]){re.escape(_last(name))}\(")
     return (whole for _, declaration, whole in specifications(text) if named.search(declaration))
 

@@ -82,7 +82,7 @@ class Code:
 
 
 def read_code(elf: Path) -> dict[str, Code]:
-    """Symbol -> its code."""
+    """Returns the code of each symbol."""
     words = ["arm-none-eabi-objdump", "-d", "--no-show-raw-insn", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
     functions: dict[str, list[Instruction]] = {}

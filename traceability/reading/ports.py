@@ -17,7 +17,9 @@ RESULT = RESULTS / "ports.json"  # folder of a port -> the suites of its tests
 
 
 def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
-    """Folder -> its port, with the results of its tests if these sources gave them."""
+    """Returns the ports by folder, with the results of their tests if these sources gave the
+    results.
+    """
     data = read_json(root / RESULT)
     results = data if isinstance(data, dict) and is_fresh(root, PORTS) else {}
     ports = {}

@@ -31,7 +31,7 @@ class Product:
 
 
 def listed(root: Path) -> list[Product]:
-    """Returns the products of the list, in its sequence."""
+    """Returns the products in the order of the list."""
     table = tomllib.loads((root / LIST).read_text(encoding="utf-8"))
     parts = table["parts"]
     return [
@@ -92,7 +92,7 @@ def modules_of(listed: str) -> set[str]:
 
 
 def read_products(root: Path) -> dict[str, ProductImage] | None:
-    """Product -> its image, if all images were built from the present sources."""
+    """Returns the image of each product, if all images were built from the present sources."""
     images = read_record(root / RESULTS, dict[str, ProductImage])
     fresh = images is not None and set(images) == set(PRODUCTS) and read_image(root) is not None
     return images if fresh else None

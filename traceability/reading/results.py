@@ -128,12 +128,14 @@ def read_results_hash(root: Path, binding: str) -> str | None:
 
 
 def read_results(root: Path, binding: str) -> dict[str, Result]:
-    """``Suite.Name`` -> result. The instances of a parameterised test count as one test."""
+    """Returns the results by ``Suite.Name``. The instances of a parameterised test count as one
+    test.
+    """
     return results_in(read_json(root / RESULTS / f"{RUNS[binding]}.json") or {})
 
 
 def results_in(data: dict[str, Any]) -> dict[str, Result]:
-    """Returns the same, of the content of a file of results."""
+    """Returns the results in the content of a file of results."""
     results: dict[str, Result] = {}
     for suite in data.get("testsuites", []):
         for test in suite.get("testsuite", []):
@@ -194,7 +196,7 @@ def read_driver_faults(root: Path, sources: str) -> list[DriverFault] | None:
 
 
 def read_sizes(root: Path) -> dict[str, tuple[int, int]]:
-    """Module -> bytes of flash and of RAM."""
+    """Returns the bytes of flash and of RAM of each module."""
     data = read_json(root / RESULTS / "size_k64.json")
     if not isinstance(data, dict):
         return {}

@@ -33,8 +33,9 @@ SOURCES = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """``line`` is the expected line of the finding; ``said`` is the finding, preferably at this
-    line."""
+    """The outcome of a seeded fault. The finding ``said`` is at the expected ``line`` if
+    possible.
+    """
 
     name: str
     check: str
@@ -47,7 +48,9 @@ class Outcome:
 
 
 def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str) -> None:
-    """``left_out`` counts the faults that need missing results of tests or a missing site."""
+    """Writes the outcomes. ``left_out`` counts the faults that need missing results of tests or a
+    missing site.
+    """
     record = {
         "commit": commit,
         "left_out": left_out,

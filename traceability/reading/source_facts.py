@@ -165,7 +165,7 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
 
 @dataclass(frozen=True)
 class Object:
-    """``name`` is ``Class::member``, or ``file:variable``."""
+    """An object. Its ``name`` is ``Class::member`` or ``file:variable``."""
 
     name: str
     kind: str  # class of the object

@@ -181,7 +181,9 @@ def _state(folder: Path, executable: Path) -> str:
 
 
 def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
-    """Address -> method. On the K64, the address without the bit that marks the instruction set."""
+    """Returns the method at each address. On the K64, the bit that marks the instruction set is
+    removed.
+    """
     state = executable.stat()
     key = f"{state.st_mtime_ns} {state.st_size} {file_hash(Path(__file__))}"
     if cache.exists():
@@ -204,7 +206,7 @@ def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
 
 @functools.cache
 def method_of(symbol: str) -> str:
-    """``wr::Pipe<int>::write(int const&)`` -> ``Pipe::write``; empty for other symbols."""
+    """Returns ``Pipe::write`` for ``wr::Pipe<int>::write(int const&)``; empty for other symbols."""
     if "{lambda" in symbol or not re.match(r"(?:[\w:<>,&* ]+ )?wr::", symbol):
         return ""
     text, depth = "", 0
@@ -222,13 +224,15 @@ def method_of(symbol: str) -> str:
 
 
 def function_of(symbol: str) -> str:
-    """``cycleTimerInterrupt()`` -> ``cycleTimerInterrupt``; empty for other symbols."""
+    """Returns ``cycleTimerInterrupt`` for ``cycleTimerInterrupt()``; empty for other symbols."""
     match = re.fullmatch(r"(?:wr::)?(\w+)(?:\(\))?", symbol)
     return match[1] if match else ""
 
 
 def free_function_of(symbol: str) -> str:
-    """``int wr::(anonymous namespace)::part<4>(int)`` -> ``part``; empty for other symbols."""
+    """Returns ``part`` for ``int wr::(anonymous namespace)::part<4>(int)``; empty for other
+    symbols.
+    """
     pattern = r"(?:[^()]* )?wr::(?:\(anonymous namespace\)::)?(\w+)(?:<.*>)?\("
     match = None if "{lambda" in symbol else re.match(pattern, symbol)
     return match[1] if match else ""

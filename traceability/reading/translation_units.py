@@ -23,7 +23,7 @@ BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-
 
 
 def translation_units(root: Path) -> dict[str, list[str]]:
-    """Unit -> the files whose facts are read from it."""
+    """Returns for each unit the files whose facts are read from it."""
     paths = [p for name in DESIGN for p in files_below(root, (name,), (".cpp", ".hpp"))]
     files = [str(path.relative_to(root)) for path in paths]
     units: dict[str, list[str]] = {}

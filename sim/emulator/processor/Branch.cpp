@@ -52,7 +52,7 @@ void compare(Core& core, const Instruction& in) {
   }
 }
 
-// A signed number of a given number of bits.
+// Returns the signed number in the given number of bits.
 std::uint32_t withSign(std::uint32_t value, unsigned bits) {
   const std::uint32_t sign = 1U << (bits - 1);
   return (value ^ sign) - sign;

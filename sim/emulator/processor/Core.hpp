@@ -31,9 +31,9 @@ enum class Trap : std::uint8_t {
   DivideByZero,
   InstructionBus,
   InstructionViolation,
-  LoadBus,  ///< trapAddress() is an address without memory; also for the values below
+  LoadBus,  ///< trapAddress() is an address without memory, as for the next values
   StoreBus,
-  LoadAcross,  ///< across the border of two memories
+  LoadAcross,  ///< load across the border of two memories
   StoreAcross,
   FlashStore,
   Refused  ///< the owner of a window has stored the reason
@@ -78,7 +78,7 @@ class Core {
   /// @brief Adds cycles to the first cycle of an instruction.
   void spend(std::uint64_t cycles) { otherCycles_ += cycles; }
 
-  /// @brief Address of the running or the last instruction.
+  /// @brief Returns the address of the running or the last instruction.
   [[nodiscard]] std::uint32_t at() const { return registers.r[Registers::kPc] - 4; }
 
   /// @brief Reports a change of a mask: a masked exception may now be entered.
@@ -211,13 +211,13 @@ class Core {
   std::uint32_t codeAddress_ = 0;  ///< memory that is executed
   std::uint32_t codeSize_ = 0;
   Instruction* code_ = nullptr;
-  std::uint32_t phrase_ = 1;  ///< last phrase from the flash; at first none
+  std::uint32_t phrase_ = 1;  ///< phrase that was read last from the flash; none at the start
   std::uint32_t trapAddress_ = 0;
   Trap trap_ = Trap::None;
   bool slowFlash_;
   bool codeIsSlow_ = false;  ///< the executed memory is flash
   bool branched_ = false;
-  Instruction none_{};  ///< outside of the memory that is executed
+  Instruction none_{};  ///< instruction outside of the executed memory
   ExecutedCode* executed_ = nullptr;
   std::uint32_t* lowestStack_ = nullptr;
   std::function<void(std::uint32_t)> blockCall_;

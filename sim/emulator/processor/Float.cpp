@@ -151,7 +151,7 @@ std::uint32_t Float::round(const Number& number, Rounding rounding, Format forma
   return round(number.negative, number.exponent, number.significand, rounding, format);
 }
 
-// The sum of two numbers that are zero or finite.
+// Returns the sum of two numbers that are zero or finite.
 std::uint32_t Float::sum(const Number& a, const Number& b) {
   if (a.significand == 0 && b.significand == 0) {
     const bool negative = a.negative == b.negative ? a.negative : rounding() == Rounding::Down;

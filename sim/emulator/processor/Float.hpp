@@ -58,7 +58,7 @@ class Float {
   };
 
   struct Format {
-    int least;  ///< exponent of the least number that is not denormal
+    int least;  ///< exponent of the smallest normal number
     unsigned fraction;
     unsigned highest;  ///< exponent field of infinity
   };

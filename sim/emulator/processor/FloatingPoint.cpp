@@ -135,7 +135,8 @@ void toHalf(Core& core, const Instruction& in) {
 // number of integer bits.
 constexpr std::uint32_t kSignedFixed = 0x100;
 constexpr std::uint32_t kHalfFixed = 0x200;
-constexpr std::uint32_t kGivenRounding = 0x400;  // towards zero, or to the nearest number
+constexpr std::uint32_t kGivenRounding =
+    0x400;  // the instruction determines the rounding, not FPSCR
 
 Float::Fixed fixedOf(const Instruction& in) {
   return {.bits = (in.value & kHalfFixed) != 0 ? 16U : 32U,

@@ -15,7 +15,7 @@ namespace {
 /// The source of the address.
 enum class Place : std::uint8_t {
   Offset,   ///< register n and value
-  Before,   ///< as above, and register n is written back
+  Before,   ///< register n and value; register n is written back
   After,    ///< register n, to which value is added afterwards
   Indexed,  ///< register n and register m, shifted to the left by value
   Literal   ///< the program counter and value
@@ -24,7 +24,7 @@ constexpr std::size_t kPlaces = 5;
 
 struct Addresses {
   std::uint32_t accessed;
-  std::uint32_t kept;  ///< by register n
+  std::uint32_t kept;  ///< new value of register n
 };
 
 template <Place kPlace>
@@ -51,7 +51,7 @@ template <typename Value, Place kPlace>
   }
 }
 
-// If no call is needed, no call is prepared.
+// Prepares a call only if the access needs a call.
 template <typename Value, Place kPlace>
 void load(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -262,7 +262,7 @@ void loadExclusive(Core& core, const Instruction& in) {
   }
 }
 
-// Register m shows whether it was stored.
+// Writes to register m whether the value was stored: 0 if it was.
 template <typename Value>
 void storeExclusive(Core& core, const Instruction& in) {
   Registers& x = core.registers;

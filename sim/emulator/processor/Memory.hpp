@@ -98,9 +98,8 @@ class Memory {
     return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief Reports a decoded instruction: from its address on a store into this memory is a call,
-  /// which clears decoded instructions. Stores below this address, such as stores to a stack, stay
-  /// fast.
+  /// @brief Reports a decoded instruction. A store at or above its address is then a call, which
+  /// clears decoded instructions. Stores below this address, such as stores to a stack, stay fast.
   void decoded(std::uint32_t address);
 
   /// @brief Clears the decoded instructions that a store has changed.

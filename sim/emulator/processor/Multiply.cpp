@@ -84,7 +84,7 @@ void smlaw(Core& core, const Instruction& in) {
   core.registers.r[in.d] = narrowed(core, productWithHalf(core, in) + wide(addend(core, in)));
 }
 
-/// The products of both halves, added or subtracted.
+/// Returns the products of both halves, added or subtracted.
 template <bool kSubtracts>
 std::int64_t dual(const Core& core, const Instruction& in) {
   const Registers& x = core.registers;

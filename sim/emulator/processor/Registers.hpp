@@ -65,7 +65,7 @@ struct Registers {
   /// @brief Sets GE.
   void setGe(std::uint32_t apsr) { ge = static_cast<std::uint8_t>(apsr >> 16 & 0xFU); }
 
-  /// @brief Flags, exception, IT block and Thumb bit, as they are stacked: B1.4.2.
+  /// @brief Returns flags, exception, IT block and Thumb bit, as they are stacked: B1.4.2.
   [[nodiscard]] std::uint32_t state() const {
     return flags() | exception | (thumb ? 1U << 24 : 0) | (std::uint32_t{it} & 3U) << 25 |
            (std::uint32_t{it} >> 2) << 10;
@@ -93,7 +93,7 @@ struct Registers {
   [[nodiscard]] std::uint32_t& mainStack() { return onProcessStack ? otherStack : r[kStack]; }
   [[nodiscard]] std::uint32_t& processStack() { return onProcessStack ? r[kStack] : otherStack; }
 
-  /// @brief The next instruction of an IT block: A7.3.3, ITAdvance.
+  /// @brief Advances to the next instruction of an IT block: A7.3.3, ITAdvance.
   void advanceIt() {
     const std::uint32_t now = it;
     it = static_cast<std::uint8_t>((now & 7U) == 0 ? 0U : (now & 0xE0U) | (now << 1U & 0x1FU));

@@ -101,8 +101,8 @@ void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint
   module().robot = std::make_unique<LiveRobot>(std::move(setup));
 }
 
-/// Runs until a control cycle has ended, or for 200 ms without a clock pulse: 0 it continues, 1 the
-/// scenario has ended, 2 a finding.
+/// Runs until a control cycle has ended, or for 200 ms without a clock pulse. Returns 0 if the run
+/// continues, 1 if the scenario has ended, 2 a finding.
 int liveCycle() {
   return static_cast<int>(module().robot->runCycle());
 }
@@ -174,7 +174,7 @@ std::size_t liveSize() {
   return module().bytes.size();
 }
 
-/// The calls of the last control cycle.
+/// Returns the calls of the last control cycle.
 const std::uint32_t* liveCalls() {
   return module().robot->cycle().calls.data();
 }
@@ -200,12 +200,12 @@ std::uint32_t liveCallsHash() {
   return module().robot->cycle().hash;
 }
 
-/// The number of entries of each function.
+/// Returns the number of entries of each function.
 const std::uint32_t* liveEntries() {
   return module().robot->entries().data();
 }
 
-/// The events of the board: their hash, and their number.
+/// Returns the hash of the events of the board; liveEventCount() returns their number.
 std::uint64_t liveEventHash() {
   return module().robot->events().hash();
 }

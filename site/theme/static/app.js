@@ -1,4 +1,4 @@
-/* Theme, menu, search, cards of modules, letter keys, filters. The pages can be read without this
+/* Theme, menu, search, cards of modules, letter keys, and filters of all pages. The pages can be read without this
  * script. */
 (function () {
   "use strict";
@@ -117,7 +117,7 @@
       event.preventDefault();
     }
     if (event.key === "Escape") {
-      const back = hide(); // the focus goes back to the name, and its card stays closed
+      const back = hide(); // the name gets the focus again, and its card stays closed
       silent = true;
       if (back) back.focus();
       silent = false;
@@ -130,8 +130,7 @@
     if (name && data.modules[name]) link.dataset.m = name;
   });
 
-  /* a drawing and the tables of its page: the box and the rows of a module are highlighted together, and the edge and
-     the rows of a transition */
+  /* highlights the box and the table rows of a module together, and the edge and the table rows of a transition */
   const drawn = new Set(all(".main svg a[data-m]").map((link) => link.dataset.m));
   let joint = [];
   function join(node) {
@@ -173,7 +172,7 @@
     silent = false;
   function hide() {
     clearTimeout(timer);
-    const back = card && card.contains(document.activeElement) ? owner : null; // had led there
+    const back = card && card.contains(document.activeElement) ? owner : null; // the focus was in the card
     if (card) card.remove();
     if (owner) owner.removeAttribute("aria-details");
     card = owner = null;
@@ -205,7 +204,7 @@
         )
         .join("")}</div>`;
     link.setAttribute("aria-details", "card");
-    /* outside of the element of the name, whose styles do not fit a card; but in its window */
+    /* the card is outside of the element of the name, whose styles do not fit a card, but in the same window */
     (link.closest("dialog") || document.body).append(card);
     const at = link.closest("svg") ? link.getBoundingClientRect() : link.getClientRects()[0],
       height = card.offsetHeight;
@@ -248,11 +247,11 @@
     { passive: true },
   );
 
-  /* search: the hits of search.js, in groups, and a preview of the chosen one */
+  /* search: the hits of search.js, in groups, and a preview of the chosen hit */
   const input = one("#q"),
     hits = one("#hits"),
     field = input.parentElement;
-  const GROUP_SIZE = 5; // hits of a group that are shown at first
+  const GROUP_SIZE = 5; // number of hits of a group that are shown at first
   const SCRIPTS = ["minisearch", "search_index", "search"];
   let chosen = -1,
     shown = [],
@@ -294,7 +293,7 @@
     const text = lit(`${words} ${group === "Answers" ? "" : around(more, hit.terms)}`, hit.terms);
     return `<a role="option" tabindex="-1" id="hit${number}" class="${key}" href="${base + address}">${letter}<b>${lit(title, hit.terms)}</b><span class="d">${text}</span></a>`;
   }
-  /* a hit: its group, its text, the words around the found ones, and its address */
+  /* a hit: its group, its text, the words around the found words, and its address */
   function preview(hit) {
     if (hit.group) return "";
     const [group, , title, words, address, more] = PORTAL_SEARCH.entries[hit.id];
@@ -307,7 +306,7 @@
   async function find(text, whole = "") {
     if (!text.trim()) return close();
     await load();
-    if (text !== input.value) return; // typed on meanwhile
+    if (text !== input.value) return; // the reader has typed more
     let list = "";
     shown = [];
     for (const [group, found] of PortalSearch.grouped(text)) {
@@ -321,7 +320,7 @@
       list += "</div>";
     }
     const none =
-      '<div class="g">Nothing has these words. Try fewer words, or a name such as MainController or FR-15.</div>';
+      '<div class="g">No entry contains these words. Try fewer words, or a name such as MainController or FR-15.</div>';
     one(".list", hits).innerHTML = list || none;
     hits.hidden = false;
     input.setAttribute("aria-expanded", "true");
@@ -353,7 +352,7 @@
       event.preventDefault();
     } else if (event.key === "Enter" && chosen >= 0) all("a", hits)[chosen].click();
     else if (event.key === "Escape") {
-      close(); // the focus stays
+      close(); // the input keeps the focus
       event.preventDefault();
     }
   });
@@ -361,7 +360,7 @@
     if (!field.contains(event.relatedTarget)) close();
   });
   hits.addEventListener("pointerdown", (event) => {
-    if (event.target.closest(".list")) event.preventDefault(); // the field keeps the focus
+    if (event.target.closest(".list")) event.preventDefault(); // the input keeps the focus
   });
   hits.addEventListener("pointerover", (event) => {
     const at = all("a", hits).indexOf(event.target.closest("a"));
@@ -413,7 +412,7 @@
       count.textContent =
         (left === rows.length ? "" : left + " of ") + rows.length + " " + count.dataset.noun;
     };
-    /* the address keeps the choice, so that it can be sent as a link */
+    /* the address contains the choice, so that a link can repeat it */
     const controls = [field, ...facets];
     const nameOf = (control) => control.dataset.facet || "filter";
     const keepInAddress = () => {
@@ -462,7 +461,7 @@
   const here = one(".side [aria-current]");
   if (here) side.scrollTop = here.offsetTop - side.clientHeight / 3;
 
-  /* each section gets a link, a long page a table of contents, and code a button to copy it */
+  /* adds a link to each section, a table of contents to a long page, and a copy button to code */
   const heads = all(".main .sec[id] > h2, .prose section[id] > h2, .prose section[id] > h3");
   heads.forEach((head) => {
     if (one(".headerlink", head)) return;
@@ -527,7 +526,7 @@
     frame.scrollLeft += (marked.left + marked.right - view.left - view.right) / 2;
   });
 
-  /* the active tour: its stop, in a bar at the foot of the page */
+  /* shows the present stop of the active tour in a bar at the foot of the page */
   const tours = data.tours || {};
   function read() {
     try {

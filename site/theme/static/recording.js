@@ -9,11 +9,11 @@
   const HEIGHT = 300;
   const TICKS = 5;
   const MS_OF_S = 1000;
-  const AT_END = 97; // per cent: a label at the end of an axis is aligned with the end
+  const AT_END = 97; // per cent; beyond this place a label is aligned with the end of the axis
 
   /* ---- reading ---- */
 
-  /* The cells of each line; a cell in quotes may contain commas, quotes and ends of lines. */
+  /* Returns the cells of each line. A cell in quotes may contain commas, quotes and ends of lines. */
   function cellsOf(text) {
     const lines = [];
     let line = [];
@@ -26,8 +26,8 @@
     return lines;
   }
 
-  /* The columns by their names, and the time of each report since the first one [s]. After a reset of the robot the
-     time continues. */
+  /* Returns the columns by their names, and the time of each report since the first report [s]. After a reset of the
+     robot the time continues. */
   function tableOf(text) {
     const [heads = [], ...lines] = cellsOf(text);
     const needed = [
@@ -48,7 +48,7 @@
     return { column, times: times.map((at) => at - times[0]) };
   }
 
-  /* The points of a column; an empty cell is a missing value. */
+  /* Returns the points of a column. An empty cell is a missing value. */
   function pointsOf({ column, times }, name, isDrawn = () => true) {
     return column(name)
       .map((cell, i) => [times[i], cell, i])
@@ -82,7 +82,7 @@
     return made;
   };
 
-  /* An axis with some round values; if rounded, its ends are also round values. */
+  /* Returns an axis with some round values. If it is rounded, its ends are also round values. */
   function axisOf(low, high, isRounded) {
     const top = low + (high - low || 1);
     const rough = (top - low) / TICKS;
@@ -102,7 +102,8 @@
     return { first, last, at, ticks };
   }
 
-  /* A set-point applies until the next one; between other values the line is straight. */
+  /* Returns the path of a curve. A set-point applies until the next set-point; other values are joined by straight
+     lines. */
   function pathOf(points, x, y, isStep) {
     const parts = points.map(([at, value], i) => {
       const across = (x.at(at) * WIDTH).toFixed(1);

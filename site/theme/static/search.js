@@ -1,4 +1,4 @@
-/* The search: MiniSearch over the entries of search_index.js. Both are read on first use. */
+/* The search: MiniSearch over the entries of search_index.js. Both files are loaded on first use. */
 (function () {
   "use strict";
   const SMALL = new Set(
@@ -47,9 +47,9 @@
   const DEFINES = /\b(mean|means|meaning|definition)\b|^what (is|are) (an? )?[\w-]+( here)?\??$/i; // asks for the glossary
   const MAY = /^can (?=(i|you|we|it|this|the|a)\b)/i;
   const DEFINED = 4; // weight of a term for such a question
-  const ENOUGH = 8; // hits with all words; with fewer hits, those without one word are also shown
+  const ENOUGH = 8; // number of hits with all words; with fewer hits, hits without one word are also shown
   const NEAR = 0.45; // least score of a question with two words, as a share of the best score
-  const IDENTIFIER = /\b(?:FR|NFR|SG|HZ|AU)[- ]?\d+\b/gi; // of requirements, goals, hazards, assumptions
+  const IDENTIFIER = /\b(?:FR|NFR|SG|HZ|AU)[- ]?\d+\b/gi; // ids of requirements, goals, hazards, assumptions
   const FEW = 3; // least number of letters of a word that may contain a typing error
 
   /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15. */
@@ -110,8 +110,8 @@
     }
     return found;
   }
-  /* How a word is searched: a word that exists needs no tolerance, and hits inside longer words
-     then have little weight; else with the least number of errors that finds a word. */
+  /* Returns the options of the search for a word. A word that exists needs no tolerance, and hits inside longer words
+     have little weight. Any other word is searched with the least number of errors that finds a word. */
   const kept = new Map();
   function tolerance(word) {
     if (!kept.has(word)) kept.set(word, tolerated(word));
@@ -140,7 +140,7 @@
   const has = (terms, { own, others }) =>
     [own, ...others].some((words) => words.every((word) => terms.has(word)));
 
-  /* The numbers of the entries that match a text, the best first. */
+  /* Returns the numbers of the entries that match a text, the best match first. */
   function find(text) {
     prepare();
     const all = pieces(text.replace(MAY, "")); // "can I": the CAN bus is not meant
@@ -157,8 +157,8 @@
       boost: { title: 6, also: 5, text: 2, words: 1 },
       boostDocument: (id) => (entries[id][0] === "Glossary" && DEFINES.test(text) ? DEFINED : WEIGHTS[entries[id][0]] || 1),
     };
-    /* Its title, or the name of the method without its class. A method name of one word, such as release, is
-       also an ordinary word. The paper's names come later. */
+    /* Returns the title of an entry, or the name of a method without its class. A method name of one word, such as
+       release, is also an ordinary word. The paper's names come later. */
     const named = ([group, , title]) => {
       const method = title.split("::").pop();
       const names = pieces(method).length > 1 ? [title, method] : [title];
@@ -183,8 +183,8 @@
     );
   }
 
-  /* Whether a question contains the words of a text with two or more words; if there are many words, one may be
-   * missing. For two words alone the score must also be near to the best. */
+  /* Returns whether a question contains the words of a text with two or more words. Of many words, one may be
+   * missing. With exactly two words, the score must also be near the best score. */
   function asks({ id, wanted, score, isSentence }, near) {
     const [group, , title, , , also = ""] = entries[id];
     if (group !== ANSWERS) return false;
@@ -196,7 +196,7 @@
     return isNear && found.length >= wanted.length - (wanted.length > 3);
   }
 
-  /* The hits in groups: the group of the best hit first. */
+  /* Returns the hits in groups, the group of the best hit first. */
   function grouped(text) {
     const groups = new Map();
     const written = new Set();

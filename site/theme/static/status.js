@@ -1,4 +1,4 @@
-/* While ./wr portal measures: shows the running tasks, and loads the page again when results exist.
+/* Shows the running tasks while ./wr portal measures, and loads the page again when results exist.
  * */
 (function () {
   "use strict";
@@ -31,10 +31,10 @@
     let state;
     try {
       const answer = await fetch(address, { cache: "no-store" });
-      if (!answer.ok) return; // nothing runs
+      if (!answer.ok) return; // no task is running
       state = await answer.json();
     } catch (error) {
-      return line.remove(); // the server ended
+      return line.remove(); // the server has ended
     }
     if (pages !== null && state.pages !== pages) return location.reload();
     pages = state.pages;

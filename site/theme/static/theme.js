@@ -1,4 +1,4 @@
-/* Before the first paint: the theme that the reader chose. */
+/* Sets the theme that the reader chose, before the page is shown. */
 (function () {
   var chosen = new URLSearchParams(location.search).get("theme");
   try { chosen = chosen || localStorage.getItem("theme"); } catch (error) { /* no storage: the system decides */ }

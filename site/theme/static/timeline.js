@@ -1,4 +1,4 @@
-/* The time line of one cycle: zoom from 100 ms to one call. Without this script the page shows a
+/* The time line of one cycle, with a zoom from 100 ms to one call. Without this script the page shows a
  * fixed drawing. */
 (function () {
   "use strict";
@@ -140,7 +140,7 @@
     lanes.forEach((lane, number) => {
       const group = draw("g", { class: "lane" + number }, area);
       const names = new Set();
-      // The last drawn row is one in which all calls are too short for a bar.
+      // In the last drawn row all calls are too short for a bar.
       let depth = 0;
       while (depth < lane.rows.length) {
         const y = top + HEAD + depth * ROW;

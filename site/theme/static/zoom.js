@@ -1,8 +1,9 @@
-/* Diagrams that are wider than their place: a button shows the whole diagram in a window of its own, where it can be
- * enlarged. On a phone the page shows the diagram scaled to its place. Without this script each diagram scrolls. */
+/* Adds a button to each diagram that is wider than its place. The button shows the whole diagram in a window, where
+ * it can be enlarged. On a phone the page shows the diagram scaled to its place. Without this script each diagram
+ * scrolls. */
 (function () {
   "use strict";
-  const STEP = 1.25; // of the buttons and keys
+  const STEP = 1.25; // factor of the zoom buttons and keys
   const LEAST = 0.25;
   const MOST = 4;
 
@@ -58,7 +59,7 @@
     }
     dialog.addEventListener("keydown", (event) => {
       const found = actions.find(([, key]) => key && key === event.key);
-      event.stopPropagation(); // the letter keys of the page
+      event.stopPropagation(); // the letter keys of the page do not act
       if (found) found[2]();
     });
     dialog.addEventListener("close", () => {
@@ -76,8 +77,8 @@
     sheet.focus();
   }
 
-  /* A place has a width once it is shown, and another one when a phone is turned. The page is changed in the next
-   * frame: a change while sizes are observed is an error of the browser. */
+  /* A place has a width when it is shown, and another width when a phone is turned. The page is changed in the next
+   * frame, because a change while sizes are observed is an error of the browser. */
   const diagrams = new Map();
   function offer(place) {
     const wide = place.clientWidth && natural(diagrams.get(place)) > place.clientWidth + 1;

@@ -15,7 +15,7 @@ using Table = std::array<std::uint16_t, kBytes>;
 // Remainder of each byte that leaves the check sum at its upper end. The polynomial is x^16 + x^12
 // + x^5 + 1: each bit is added at the positions 12, 5 and 0, and the bits at the upper 4 positions
 // are shifted out once more. The bytes of the check sum are swapped here, so that no byte has to
-// move when another one is shifted out.
+// move when another byte is shifted out.
 consteval Table remainders() {
   Table table{};
   for (std::uint32_t byte = 0; byte < kBytes; ++byte) {
@@ -27,7 +27,7 @@ consteval Table remainders() {
 
 constexpr Table kRemainders = remainders();
 
-// Remainder of each byte that is followed by one byte more than in another table.
+// Returns the remainders for bytes that one more byte follows than in another table.
 consteval Table beforeByte(const Table& other) {
   Table table{};
   for (std::size_t byte = 0; byte < kBytes; ++byte) {

@@ -20,8 +20,8 @@ enum class FrameType : std::uint8_t {
 /// @brief A frame without its coding for the line.
 /// @datatype
 struct Frame {
-  FrameType type = FrameType::Hello;        ///< kind of the payload; may have no name
-  std::uint8_t sequence = 0;                ///< number of the frame from its sender
+  FrameType type = FrameType::Hello;  ///< kind of the payload; values without a name are possible
+  std::uint8_t sequence = 0;          ///< number of the frame from its sender
   std::span<const std::uint8_t> payload{};  ///< the payload
 };
 
@@ -34,16 +34,16 @@ inline constexpr std::uint8_t kLowestVersion = kProtocolVersion;
 /// @brief Highest version of the protocol that is accepted.
 inline constexpr std::uint8_t kHighestVersion = kProtocolVersion;
 
-/// @brief Fewest bytes of a body.
+/// @brief Least number of bytes of a body.
 inline constexpr std::size_t kMinBody = 5;
 
-/// @brief Most bytes of a body.
+/// @brief Greatest number of bytes of a body.
 inline constexpr std::size_t kMaxBody = 205;
 
-/// @brief Most bytes of a payload.
+/// @brief Greatest number of bytes of a payload.
 inline constexpr std::size_t kMaxPayload = kMaxBody - kMinBody;
 
-/// @brief Most bytes of a frame on the line, with the zero that ends it.
+/// @brief Greatest number of bytes of a frame on the line, with the zero that ends it.
 inline constexpr std::size_t kMaxCoded = kMaxBody + 2;
 
 }  // namespace wr

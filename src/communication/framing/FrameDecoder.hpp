@@ -74,7 +74,7 @@ class FrameDecoder final {
   std::array<std::uint8_t, kMaxCoded> bytes_{};  // coded bytes; after the end of the frame, the
                                                  // first code and the body
   std::size_t count_ = 0;                        // bytes of the frame that has not ended
-  std::size_t length_ = 0;                       // of the last complete body
+  std::size_t length_ = 0;                       // length of the last complete body
   bool tooLong_ = false;                         // bytes of this frame were dropped
 };
 

@@ -33,7 +33,7 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   body[checked + 1] = static_cast<std::uint8_t>(crc.value() >> 8U);
   const std::size_t end = 1 + checked + 2;
 
-  // Each zero is replaced by the distance to the next one. The last one ends the frame and stays.
+  // Each zero is replaced by the distance to the next zero. The last zero ends the frame and stays.
   coded_[end] = 0;
   std::uint8_t* code = coded_.data();
   std::uint8_t* next = code;
@@ -48,7 +48,7 @@ std::span<const std::uint8_t> FrameEncoder::encode(const Frame& frame) {
   for (std::size_t rest = end % 4; rest != 0; --rest) {
     encodeNext();
   }
-  // Four bytes a round: the branch back costs as much as the work on a byte.
+  // A round processes four bytes, because the branch back costs as much as the work on a byte.
   // bound: (kMaxBody + 1) / 4
   for (std::size_t rounds = end / 4; rounds != 0; --rounds) {
     encodeNext();

@@ -14,7 +14,7 @@ namespace wr {
 /// @secret How the bytes to send are built in one buffer.
 class FrameEncoder final {
  public:
-  /// @brief Most bytes that encode() returns.
+  /// @brief Greatest number of bytes that encode() returns.
   static constexpr std::size_t kMaxBytes = kMaxCoded;
 
   /// @brief Constructs an encoder without a frame.

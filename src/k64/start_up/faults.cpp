@@ -15,7 +15,7 @@ extern const std::uint32_t stackTop[];
 /// @brief Records the fault, and ends the firmware.
 /// @param frame registers that the core has pushed on the stack; outside the stack when the stack overflowed
 [[noreturn, gnu::used]] void endOfProgram(const std::uint32_t* frame) {
-  constexpr std::size_t kProgramCounter = 6;  // in the frame [word]
+  constexpr std::size_t kProgramCounter = 6;  // index in the exception frame [word]
   constexpr std::size_t kFrame = 8;           // [word]
   const bool onStack = frame >= stackBottom && frame + kFrame <= stackTop;
   const std::uint16_t exception = wr::activeException();

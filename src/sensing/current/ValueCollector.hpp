@@ -80,9 +80,9 @@ class ValueCollector final {
   std::int32_t learned_ = 0;   // number of samples in zero_ during the calibration
   std::int32_t zero_ = 0;      // sum of samples during the calibration, then the zero
   bool plausible_ = false;     // the zero is computed and plausible
-  std::int32_t least_ = 0;     // greatest sample that is not too high
+  std::int32_t least_ = 0;     // least sample that is not too high
   std::int32_t greatest_ = 0;  // greatest sample that is not too high
-  std::uint32_t tooHigh_ = 0;  // samples in a row
+  std::uint32_t tooHigh_ = 0;  // number of successive samples that are too high
   std::uint32_t sum_ = 0;
   std::uint32_t number_ = 0;
   Pipe<CurrentRecord> record_;

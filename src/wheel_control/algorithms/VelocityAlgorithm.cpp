@@ -20,8 +20,8 @@ constexpr PiGains kGains{.proportional = 4650, .integral = 2094};
 // more voltage than this velocity explains, and the tolerances of supply, winding and motor
 // constant do not explain the difference.
 constexpr std::int32_t kModelTolerance = 400;       // [mV]
-constexpr std::int32_t kModelToleranceDivisor = 3;  // this part of the voltage is added
-constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // cycles in a row
+constexpr std::int32_t kModelToleranceDivisor = 3;  // the voltage divided by this value is added
+constexpr std::uint8_t kMaxDoubtfulCycles = 5;      // number of successive cycles
 
 // Velocity of the model before the model has begun.
 constexpr std::int32_t kNoModel = std::numeric_limits<std::int32_t>::min();

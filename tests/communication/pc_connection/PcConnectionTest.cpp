@@ -803,8 +803,8 @@ TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   EXPECT_TRUE(port.received.empty());
 }
 
-/// @brief Each read of a cycle ends a frame or fills the storage of a frame, except the last one: short
-/// reads do not make the cycle longer. The proven bound of the cycle counts on this.
+/// @brief Each read of a cycle, except the last read, ends a frame or fills the storage of a frame:
+/// short reads do not make the cycle longer. The proven bound of the cycle counts on this.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheReadsOfOneCycleAreBounded) {
   constexpr std::size_t kBytes = 1216;
@@ -987,7 +987,7 @@ TEST(ProtocolExamples, FR40_TheCodecAgreesWithEachExample) {
   }
 }
 
-/// The example of a Welcome, with the build id of this build.
+/// Returns the example of a Welcome, with the build id of this build.
 Bytes withThisBuild(Bytes body) {
   std::copy(firmwareIdentity.buildId.begin(), firmwareIdentity.buildId.end(), body.begin() + 7);
   return test::withCrc(body);

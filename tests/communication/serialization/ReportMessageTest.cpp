@@ -55,7 +55,7 @@ unsigned u16(const Bytes& bytes, std::size_t offset) {
   return bytes[offset] + 256U * bytes[offset + 1];
 }
 
-/// @brief Random number, often one of the limits.
+/// @brief Returns a random number, often one of the limits.
 template <class Number>
 Number number(std::mt19937& random) {
   switch (random() % 4) {

@@ -256,7 +256,8 @@ void obey(std::uint8_t order, std::uint8_t first, std::uint8_t second, std::uint
   }
 }
 
-// A byte of an order in two letters, because the port drops a zero byte after another zero byte.
+// Returns the byte of an order that two letters encode. The port drops a zero byte after another
+// zero byte, so orders consist of letters.
 std::uint8_t number(std::uint8_t high, std::uint8_t low) {
   return static_cast<std::uint8_t>((high - 'A') << 4U | (low - 'A'));
 }

@@ -24,7 +24,7 @@ class BrokenReader final : public Reader {
 
 class ModeTest : public ControllerFixture {
  protected:
-  // An order over the line to the connected PC's reader.
+  // Sends an order over the line to the reader of the connected PC.
   void order(std::uint16_t id, bool stop = false) {
     port.arrive(pc.order({.id = id, .stop = stop}));
     serveLink();

@@ -21,7 +21,7 @@ class EnableSwitchTest : public ControllerFixture {
  protected:
   EnableSwitchTest() { time.advance(milliseconds(1000)); }
 
-  /// Signals of the remote control, 100 ms after the previous signals.
+  /// Sets the signals of the remote control, 100 ms after the previous signals.
   void signals(int width, int velocityNow = 0, int directionNow = 0) {
     time.advance(milliseconds(100));
     enable.write(Microseconds(width), time.now());
@@ -253,7 +253,7 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
 TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   signals(kDrivePulse, 0);
   for (int cycles = 0; cycles <= 20; ++cycles) {
-    signals(kDrivePulse, cycles % 2 == 0 ? 1500 : 1548);  // 8 us
+    signals(kDrivePulse, cycles % 2 == 0 ? 1500 : 1548);  // a change of 8 us
     EXPECT_FALSE(mode.stopOrdered()) << cycles;
   }
   signals(kDrivePulse, 1500);
@@ -271,7 +271,7 @@ TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
 TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   signals(kDrivePulse, 0);
   for (int cycles = 0; cycles <= 20; ++cycles) {
-    signals(kDrivePulse, 1500, cycles % 2 == 0 ? 0 : 52);  // 8 us
+    signals(kDrivePulse, 1500, cycles % 2 == 0 ? 0 : 52);  // a change of 8 us
     EXPECT_FALSE(mode.stopOrdered()) << cycles;
   }
   signals(kDrivePulse, 1500);
@@ -286,10 +286,10 @@ TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
     const bool changed = cycles / 20 % 2 == 1;
     switch (cycles / 60 % 3) {
       case 0:
-        signals(kDrivePulse, changed ? 1554 : 1500);  // 9 us
+        signals(kDrivePulse, changed ? 1554 : 1500);  // a change of 9 us
         break;
       case 1:
-        signals(kDrivePulse, 1500, changed ? 60 : 0);  // 9 us
+        signals(kDrivePulse, 1500, changed ? 60 : 0);  // a change of 9 us
         break;
       default:
         signals(changed ? kDrivePulse + 9 : kDrivePulse, 1500);

@@ -21,7 +21,8 @@ struct Motor {
 
 class WatchedLeads : public testing::Test {
  protected:
-  /// A cycle at a velocity, in which the motor has a voltage. Its current is computed from both.
+  /// Runs a cycle at a velocity, in which the motor has a voltage. The current is computed from
+  /// both.
   bool cycle(double rpm, double ordered) {
     motor.position += rpm * 60 / 600;
     const double real = ordered * motor.supply / 24;

@@ -48,7 +48,7 @@ class SafeRobot : public testing::Test {
     cycle();
   }
 
-  /// Cycles in each of which the PC orders one value for all wheels.
+  /// Runs cycles in each of which the PC orders one value for all wheels.
   void order(int count, int value, std::uint8_t quantity = 0, bool stop = false) {
     scenario::PcOrder order{.id = 1, .stop = stop};
     order.wheels.fill({quantity, static_cast<std::int16_t>(value)});

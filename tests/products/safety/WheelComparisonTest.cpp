@@ -20,7 +20,7 @@ class ComparedWheels : public testing::Test {
     EXPECT_EQ(comparison.behind(measurements), std::nullopt);
   }
 
-  /// A cycle in which the wheels move by some edges.
+  /// Runs a cycle in which the wheels move by some edges.
   std::optional<std::uint8_t> move(const std::array<int, kWheelCount>& edges) {
     for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
       HallCount& position = *measurements.wheels[wheel].position;

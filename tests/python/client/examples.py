@@ -1,6 +1,6 @@
-"""The worked examples of the protocol. As a script, it writes them in the present layout.
+"""The worked examples of the protocol. The script writes them in the present layout.
 
-Missing fields become 0 at the end of the payload; the schema hash becomes the present one.
+Missing fields at the end of a payload become 0, and the schema hash becomes the present hash.
 """
 
 from __future__ import annotations

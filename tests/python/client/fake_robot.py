@@ -54,8 +54,8 @@ class FakeRobot:
     schema: int = SCHEMA_HASH
     start: tuple[int, int, int, int] = (1, 0, 0, 0)
     conditions: tuple[int, ...] = (1, 0, 0, 0, 0, 0, 0, 0)
-    numbers: dict[int, int] = field(default_factory=dict)  # number of bytes in the fixed part of
-    # the report
+    # Offset in the report -> the byte that replaces the computed byte.
+    numbers: dict[int, int] = field(default_factory=dict)
     more: bytes = b""  # bytes that a later version appends to Report and Welcome
     noise: bytes = b""
     silent: bool = False
@@ -63,7 +63,7 @@ class FakeRobot:
     angle: int = 0
     enable: str = "pc"
     transmitter: bool = True
-    hold_last: bool = False  # a receiver without fail-safe
+    hold_last: bool = False  # true: the receiver has no fail-safe
     estop: bool = False
     estop_wired: bool = True
     stop: bool = False

@@ -43,7 +43,7 @@ def images(tmp_path: Path) -> Path:
 
 
 class First(BringUp):
-    """Only the first steps, up to the given one."""
+    """The first steps, up to a given step."""
 
     last = ""
 
@@ -62,7 +62,7 @@ def go(
     volts: float = 24.0,
     last: str = "",
 ) -> Record:
-    """Goes through all steps, or up to the last one named, with the simulated operator."""
+    """Executes all steps, or the steps up to a named step, with the simulated operator."""
     record = Record("2026-01-01T00:00:00", str(mcu.path), simulated=True)
     operator = SimulatedOperator(Control(control), volts)
     with Link(mcu.path) as link:
@@ -313,7 +313,7 @@ def test_the_port_of_the_only_board_is_chosen(
 
 
 class Person:
-    """A person at a terminal with the command in it."""
+    """A person at a terminal in which the command runs."""
 
     def __init__(self, mcu: Any, folder: Path) -> None:
         self.keys, self._inner = pty.openpty()

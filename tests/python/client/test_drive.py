@@ -47,7 +47,7 @@ def options(mcu: Any, **more: Any) -> argparse.Namespace:
 
 
 def orders(mcu: Any) -> list[tuple[int, int, int]]:
-    """Velocity of the first wheel, steering and commands of each order, as on the line."""
+    """Returns velocity of the first wheel, steering and commands of each order, as on the line."""
     return [
         (
             int.from_bytes(frame.payload[9:11], "little", signed=True),
@@ -476,7 +476,7 @@ def start_drive(mcu: Any, *words: str, stdin: int) -> subprocess.Popen[bytes]:
 
 @dataclass
 class Terminal:
-    """A terminal with the keyboard's program in it."""
+    """A terminal in which the program for the keyboard runs."""
 
     keys: int
     inner: int

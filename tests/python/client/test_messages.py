@@ -29,7 +29,7 @@ SEED = int(os.environ.get("WR_SEED", "1"))
 
 
 def example(start: str) -> Frame:
-    """The frame of the worked example whose name starts with a text."""
+    """Returns the frame of the worked example whose name starts with a text."""
     (line,) = (line for name, *_, line in examples() if name.startswith(start))
     (frame,) = Decoder().feed(bytes.fromhex(line))
     return frame

@@ -118,7 +118,9 @@ def test_the_robot_tells_why_it_started_and_no_fault(
 
 
 def test_an_order_sent_before_a_clock_pulse_is_in_the_report_of_that_cycle(robot: Path) -> None:
-    """Checks each order that was written at least 20 ms before the clock pulse of this clock."""
+    """Checks each order that was written at least 20 ms before a clock pulse, by the clock of this
+    computer.
+    """
     received: list[tuple[float, Report]] = []
     sent: list[float] = []
     with Link(robot) as link:

@@ -14,14 +14,14 @@ COMPILER = "arm-none-eabi-g++"
 CORE = ("-mcpu=cortex-m4", "-mthumb")
 
 SRAM_LOWER = 0x1FFF0000
-BORDER = 0x20000000  # SRAM_L ends, SRAM_U begins
+BORDER = 0x20000000  # end of SRAM_L, begin of SRAM_U
 VECTORS = 16 + 86
 CODE = 0x410
 
 
 @dataclass(frozen=True)
 class Symbol:
-    """A name of a program; address and size are 0 when it has none."""
+    """A symbol of a program; a missing address or size is 0."""
 
     name: str
     address: int = 0
@@ -34,7 +34,7 @@ def output(*words: str | Path) -> str:
 
 
 def symbols(program: Path) -> list[Symbol]:
-    """All symbols, including undefined ones."""
+    """Returns all symbols, including undefined symbols."""
     found = []
     for line in output("arm-none-eabi-nm", "--format=posix", program).splitlines():
         name, _kind, *numbers = line.split()
@@ -44,7 +44,7 @@ def symbols(program: Path) -> list[Symbol]:
 
 
 def sections(program: Path) -> dict[str, tuple[int, int]]:
-    """Name -> address and size."""
+    """Returns address and size of each section."""
     pattern = r"^ *\[ *\d+\] (\S+) +\S+ +([0-9a-f]{8}) [0-9a-f]+ ([0-9a-f]+) "
     text = output("arm-none-eabi-readelf", "--sections", "--wide", program)
     return {
@@ -54,7 +54,7 @@ def sections(program: Path) -> dict[str, tuple[int, int]]:
 
 
 def across_border(program: Path) -> list[str]:
-    """The sections and objects of a program that lie on both sides of the border."""
+    """Returns the sections and objects of a program that are on both sides of the border."""
     places = [(name, *place) for name, place in sections(program).items()]
     places += [(one.name, one.address, one.size) for one in symbols(program)]
     return [name for name, address, size in places if address < BORDER < address + size]

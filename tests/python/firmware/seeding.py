@@ -117,7 +117,7 @@ def changed(file: str, changes: tuple[Change, ...]) -> str:
 
 
 def link_command() -> list[str]:
-    """The command that links the image, without the map file of the build."""
+    """Returns the command that links the image, without the map file of the build."""
     ninja = ["ninja", "-C", str(BUILD), "-t", "commands", "weeding_robot_paper.elf"]
     done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
     line = done.stdout.splitlines()[-1].removeprefix(": && ")
@@ -128,7 +128,7 @@ def link_command() -> list[str]:
 
 
 def driven(image: Path, folder: Path) -> Run:
-    """Runs an image, its suffix left out, for two seconds of the robot's time."""
+    """Runs an image, named without its suffix, for two seconds of the robot's time."""
     scenario = folder / "drive.scenario"
     scenario.write_text(DRIVE, encoding="utf-8")
     words: list[str | Path] = [BOARD, "--image", f"{image}.bin", "--elf", f"{image}.elf"]

@@ -97,7 +97,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "received byte of the UART not taken": (
-        "uart-overrun",  # before the interrupt counts as a storm
+        "uart-overrun",  # detected before the interrupt counts as a storm
         (Change("K64Uart.cpp", "uart::D.at(offset()).read()", "uart::BDL.at(offset()).read()"),),
     ),
     "transmit interrupt of the UART never switched off": (
@@ -150,7 +150,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "inputs b of the converters not chosen": (
-        "unmodelled-register",  # the inputs a of these channels
+        "unmodelled-register",  # the program then reads the inputs a of these channels
         (Change("K64Adc.cpp", "write(adc::CFG2_MUXSEL_B)", "write({0})"),),
     ),
     "result of a converter not taken": (
@@ -165,7 +165,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "interrupt-storm",
         (
             Change("K64Port.cpp", "    flags.write(port::ISFR.bit(number_));\n", ""),
-            Change("K64Port.cpp", "    ++edges_;\n", ""),  # else the bound ends the storm
+            Change("K64Port.cpp", "    ++edges_;\n", ""),  # otherwise the bound ends the storm
         ),
     ),
     "vector of the Hall sensors missing": (

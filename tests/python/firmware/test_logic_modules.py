@@ -57,7 +57,12 @@ def build(root: Path, file: str, before: str, after: str) -> str:
         ("src/switch/Switch.cpp", "\n", INCLUDE, REFUSED),
         ("src/switch/Switch.cpp", "\n", INCLUDE.replace("bulb/", "../bulb/"), "does not depend"),
         ("src/switch/Switch.hpp", "\n", INCLUDE, REFUSED),
-        ("src/switch/states/On.hpp", "on()", "on(std::int32_t)", "int32_t"),  # not alone
+        (
+            "src/switch/states/On.hpp",
+            "on()",
+            "on(std::int32_t)",
+            "int32_t",
+        ),  # the header does not compile alone
         ("design/uses.toml", "switch/states", "bulb", "does not depend"),
         ("src/switch/Switch.cpp", "return on", "int glow(); return glow", "undefined reference"),
     ],
@@ -71,7 +76,7 @@ def test_a_forbidden_use_fails_the_build(
 
 
 def test_cmake_reads_each_use() -> None:
-    """CMake reads lines, Python reads TOML: each use must be in a line that CMake can read."""
+    """CMake reads lines, and Python reads TOML. Each use must be in a line that CMake can read."""
     lines = (ROOT / "design" / "uses.toml").read_text(encoding="utf-8").splitlines()
     allowed = read_declared(ROOT).allowed
     assert allowed

@@ -53,7 +53,7 @@ def slowed(folder: Path) -> Path:
 
 
 def rows(image: Path, folder: Path) -> dict[str, float]:
-    """Module -> instructions in a cycle."""
+    """Returns the instructions of each module in a cycle."""
     scenario, output = folder / "few.scenario", folder / "bench.json"
     scenario.write_text(FEW, encoding="utf-8")
     words: list[str | Path] = [BOARD, "--image", f"{image}.bin", "--scenario", scenario]

@@ -71,7 +71,8 @@ def test_both_saw_the_same_lines_executed(counted: dict[str, Lines], recorded: C
 
 
 def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: Coverage) -> None:
-    """In sources. Functions of headers are in several objects, with separate branches in gcov.
+    """The test compares sources only. Functions of headers are in several objects, with separate
+    branches in gcov.
 
     For a line that several functions share, gcov reports the branches of each function, or of none.
     """

@@ -82,7 +82,7 @@ def gdb(port: str, *commands: str) -> str:
 
 
 def instants(text: str) -> list[tuple[float, int]]:
-    """The answers of `monitor time`: ms, and number of instructions."""
+    """Returns the answers of `monitor time`: ms, and number of instructions."""
     found = re.findall(r"^([\d.]+) ms, (\d+) instructions", text, re.MULTILINE)
     return [(float(ms), int(count)) for ms, count in found]
 
@@ -162,7 +162,9 @@ def test_a_variable_is_watched(start: Start) -> None:
     changes = re.findall(r"Old value = (\d+)\nNew value = (\d+)", text)
     assert len(changes) == 3
     assert changes[0][1] == changes[1][0]
-    assert changes[2] == changes[1][::-1]  # backwards the same change, from the new to the old
+    assert (
+        changes[2] == changes[1][::-1]
+    )  # backwards, the same change from the new value to the old value
     assert first[1] < second[1]
     assert first[1] <= back[1] < second[1]
 

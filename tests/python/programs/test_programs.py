@@ -44,7 +44,7 @@ def program(request: pytest.FixtureRequest) -> Words:
 
 Row = dict[str, str]
 # Columns that depend on the time of a measurement, or on the run time of the image. The firmware
-# decides all others in a report.
+# decides all other columns of a report.
 MEASURED = {"time_ms", "steering", "velocity", "current", "position", "tension"}
 MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}
 # Orders of the remote control are measured too: each is the width of a pulse. The steering follows
@@ -55,7 +55,7 @@ SET_POINTS = {"set_point", "steering_set_point", "turn", "steering_state"}
 RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_000}
 RANGES_OF_REMOTE_CONTROL = {"set_point": 3000, "steering_set_point": 3200}
 WHEELS = "0123"
-# The greatest difference of one value in one cycle, and the greatest of all but six of a hundred
+# The greatest difference of a value in one cycle, and the greatest difference in 94 of 100 cycles
 # [%]. A wheel may reverse one cycle earlier in one of the two runs, which no report shows. A wheel
 # at rest keeps the voltage of the last velocity that was measured: a velocity that only one of the
 # two runs measures, such as 2.3 rpm, changes the current at rest by 0.13 A.
@@ -74,7 +74,7 @@ def decided(row: Row) -> Row:
 
 
 def difference(first: Row, second: Row) -> float:
-    """The greatest difference of a measured or applied value, in percent of its range."""
+    """Returns the greatest difference of a measured or applied value, in percent of its range."""
     remote = RANGES_OF_REMOTE_CONTROL if first["mode"] == REMOTE_CONTROL else {}
     return max(
         100 * abs(float(first[name]) - float(second[name])) / full
@@ -121,8 +121,9 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 
 
 def shifted_decisions(common: list[tuple[Row, Row]]) -> list[int]:
-    """The cycles with different decisions of the two runs; each value then occurs in a neighbouring
-    cycle."""
+    """Returns the cycles with different decisions of the two runs; each value then occurs in a
+    neighbouring cycle.
+    """
     found = []
     for index, (first, second) in enumerate(common):
         one, other = decided(first), decided(second)
@@ -245,7 +246,7 @@ def test_a_finding_is_printed_and_has_its_own_exit_code(tmp_path: Path) -> None:
 
 @pytest.fixture(scope="module")
 def alone(build: Callable[..., None]) -> Path:
-    """A raw image that is not part of the firmware."""
+    """Returns a raw image that is not part of the firmware."""
     build("host", "alone_program")
     return ROOT / "build" / "host" / "guest" / "alone.bin"
 

@@ -34,14 +34,14 @@ SERIES = tuple(itertools.product((100, 200, 500, 1000, 2000, 3000), (0, 20), (-1
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result of a drive: distance until the stop in mm, greatest velocity in 0.1 rpm."""
+    """Result of a drive: distance until the stop [mm], and greatest velocity [0.1 rpm]."""
 
     way: float | None
     fastest: float
 
 
 def wheels(velocity: int, degrees: int) -> str:
-    """Set-points that match the steering angle: each wheel rolls on its own circle."""
+    """Returns set-points that match the steering angle: each wheel rolls on a separate circle."""
     if degrees == 0:
         return str(velocity)
     middle = WHEELBASE / math.tan(math.radians(abs(degrees)))
@@ -68,7 +68,7 @@ def outcome(rows: list[dict[str, str]]) -> Outcome:
 
 
 def without_fault(seed: int) -> Outcome:
-    """A minute of changing orders on changing slopes."""
+    """Drives for a minute with changing orders on changing slopes."""
     chance = random.Random(seed)
     lines = [f"seed {seed}", "plant varied", "at 50 arm"]
     changes: Iterator[int] = iter(())
@@ -85,7 +85,7 @@ def without_fault(seed: int) -> Outcome:
 
 
 def with_fault(fault: str, seed: int, velocity: int, degrees: int, slope: int) -> Outcome:
-    """A steady drive of a varied robot, during which a part breaks."""
+    """Drives a varied robot steadily while a part breaks."""
     order = f"order velocity {wheels(velocity, degrees)} steering {degrees}00"
     lines = [f"seed {seed}", "plant varied", f"at 20 slope {slope}", "at 50 arm"]
     lines += [f"from 1550 to {DRIVE_END} every 100 {order}", f"at {FAULT_AT} mark"]

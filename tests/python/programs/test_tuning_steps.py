@@ -1,6 +1,7 @@
 """The steps of the page "Values to tune" find the parameters of the simulated robot.
 
-The expected values are those of the plant in docs/plant.rst, not those that the firmware assumes.
+The expected values are the values of the plant in docs/plant.rst, not the assumptions of the
+firmware.
 """
 
 import csv

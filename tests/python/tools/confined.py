@@ -1,5 +1,6 @@
-"""Surroundings in which ./wr must end with a message: a full disk, a folder that cannot be written,
-no network, a user without rights. Linux namespaces make them; no test changes the machine."""
+"""Environments in which ./wr must end with a message: a full disk, a folder that cannot be written,
+no network, a user without rights. They are Linux namespaces, so no test changes the machine.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +17,7 @@ NOBODY = 65534
 
 @functools.cache
 def namespaces() -> str:
-    """Returns why this system makes no namespaces; empty if it does."""
+    """Returns the reason why this system makes no namespaces; empty if it makes them."""
     words = ["unshare", "--map-root-user", "--mount", "--net", "true"]
     try:
         done = subprocess.run(words, capture_output=True, text=True, check=False)
@@ -26,9 +27,9 @@ def namespaces() -> str:
 
 
 def confined(*options: str, first: str, then: list[str | Path]) -> list[str]:
-    """The command ``then`` in namespaces of its own, after the shell commands ``first``.
+    """Returns a command that executes ``first`` and ``then`` in separate namespaces.
 
-    Skips the test, with the reason, where the system does not allow it.
+    Skips the test, with the reason, if the system does not allow namespaces.
     """
     if reason := namespaces():
         pytest.skip(f"this system makes no namespaces: {reason}")
@@ -37,13 +38,13 @@ def confined(*options: str, first: str, then: list[str | Path]) -> list[str]:
 
 
 def with_disk(folder: Path, size: str, then: list[str | Path]) -> list[str]:
-    """The command with a small disk at the folder."""
+    """Returns the command with a small disk at the folder."""
     first = f"mount -t tmpfs -o size={size} none {shlex.quote(str(folder))}"
     return confined("--mount", first=first, then=then)
 
 
 def read_only(folder: Path, then: list[str | Path]) -> list[str]:
-    """The command with a folder that cannot be written."""
+    """Returns the command with a folder that cannot be written."""
     name = shlex.quote(str(folder))
     first = f"mount --bind {name} {name}\nmount -o remount,ro,bind {name}"
     return confined("--mount", first=first, then=then)
@@ -54,7 +55,7 @@ def without_network(then: list[str | Path]) -> list[str]:
 
 
 def without_rights(then: list[str | Path]) -> list[str]:
-    """The command without the rights of root."""
+    """Returns the command without the rights of root."""
     if os.geteuid() != 0:
         return [str(word) for word in then]
     group = str(NOBODY)

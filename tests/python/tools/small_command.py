@@ -17,8 +17,8 @@ from weeding_robot_client.exit_codes import BUSY, INTERRUPTED, MISSING
 SOURCES = ("src/a.txt", "src/b.txt")
 OBJECTS = ("build/a.out", "build/b.out")
 RESULT = "build/results/sum.txt"
-_past = itertools.count(1)  # times of the sources: before each run, and no two are equal
-# Empties the output, then writes it in pieces: a program that was ended leaves a part.
+_past = itertools.count(1)  # different times of the sources, before each run
+# Empties the output, then writes it in pieces, so that a killed program leaves a part.
 COPY = """
 : > "$2"
 while read -r line; do sleep 0.01; echo "$line"; done < "$1" > "$2"

@@ -1,4 +1,4 @@
-"""./wr campaign: its chunks, its files, its workers, and the sums of its records."""
+"""./wr campaign: its chunks, its files, its workers, and the totals of its records."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ root = Path(sys.argv[1])
 sys.exit(run(root, *sys.argv[2:]))
 """
 SOURCE = Path(__file__).resolve().parents[3]
-SLOW = 60  # [s] for a whole test on a machine that has other work
+SLOW = 60  # [s] time limit of a whole test on a busy machine
 
 
 def small(root: Path) -> Kind:
@@ -162,7 +162,7 @@ def test_the_number_of_workers_does_not_matter(tmp_path: Path) -> None:
 
 def test_a_chunk_counts_once(tmp_path: Path) -> None:
     run(tmp_path, "--count", "12", "--publish")
-    run(tmp_path, "--count", "20", "--resume", "--publish")  # the third chunk has now five cases
+    run(tmp_path, "--count", "20", "--resume", "--publish")  # the third chunk now has five cases
     assert record_of(tmp_path)["cases"] == 20
 
 
@@ -200,7 +200,7 @@ def test_two_campaigns_with_the_same_chunks_do_not_run_at_once(tmp_path: Path) -
     store = Store(tmp_path, "faults", "program", 1)
     with store.only_one(), pytest.raises(BusyError, match="Another process"), store.only_one():
         pass
-    with store.only_one():  # free again
+    with store.only_one():  # the lock is free again
         pass
 
 

@@ -77,7 +77,9 @@ def test_set_up_does_nothing_when_nothing_is_missing() -> None:
 
 
 def tools_without(tmp_path: Path, *missing: str, **scripts: str) -> str:
-    """A search path with the tools that wr calls, except some, or with replacements."""
+    """Returns a search path with the tools that wr calls, without some tools, or with
+    replacements.
+    """
     for tool in ("sh", "dirname", "cat", "sed", "tr", "grep", "id", "env", "sha256sum"):
         if tool not in missing:
             (tmp_path / tool).symlink_to(f"/usr/bin/{tool}")

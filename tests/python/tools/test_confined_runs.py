@@ -1,5 +1,6 @@
-"""./wr where something is missing: space on the disk, a folder to write, the network, rights. Each
-message shows the fault, its place, and the next action; the run after the correction is right."""
+"""./wr when space on the disk, a writable folder, the network or rights are missing. Each message
+shows the fault, its place, and the next action. The run after the correction succeeds.
+"""
 
 from __future__ import annotations
 
@@ -62,7 +63,7 @@ def copy() -> Iterator[Path]:
 
 @pytest.mark.parametrize("size", ["4k", "8k", "12k", "16k", "20k", "24k", "28k"])
 def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size: str) -> None:
-    """The sources need no space of the disk: it is mounted at build."""
+    """The disk is mounted at build, so the sources need no space on it."""
     write_sources(tmp_path, "text")
     (tmp_path / "build").mkdir()
     keep = tmp_path / "kept"
@@ -152,7 +153,7 @@ def test_set_up_without_network_says_so_and_begins_anew(copy: Path) -> None:
 
 
 def test_a_set_up_waits_for_another_and_does_not_repeat_it(copy: Path) -> None:
-    """The first makes the folder and its stamp while it has the lock."""
+    """The first set-up makes the folder and its stamp while it has the lock."""
     (copy / ".venv/bin").mkdir(parents=True)
     begin = "exec 9>>.venv/lock; flock 9; echo begun; read -r _; ln -s /bin/true .venv/bin/python"
     stamp = 'printf "%s\\n" "$(sha256sum <setup/python.lock) $PWD" >.venv/stamp'

@@ -1,4 +1,4 @@
-"""Totals by gcovr: they are those of the last run of the tests, or missing."""
+"""Totals by gcovr: they belong to the last run of the tests, or are missing."""
 
 import json
 import subprocess
@@ -31,7 +31,7 @@ RUN = "build/results/trace.json"
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """A project of one file, whose program ran: 6 of 7 lines, 2 of 4 branches."""
+    """A project of one file, whose program executed 6 of 7 lines and 2 of 4 branches."""
     for name in ("src", "build/results", "build/trace"):
         (tmp_path / name).mkdir(parents=True)
     (tmp_path / "src/choose.cpp").write_text(CHOOSE)

@@ -1,4 +1,4 @@
-"""./wr debug: which debugger, at which program."""
+"""./wr debug: its choice of the debugger and the program."""
 
 import json
 import re

@@ -54,7 +54,7 @@ UNKNOWN_NAMES = (
 
 
 def ended(capsys: pytest.CaptureFixture[str], words: list[str]) -> tuple[int, str, str]:
-    """The exit code of a command, its output, and its errors."""
+    """Returns the exit code of a command, its output, and its errors."""
     try:
         code = cli.main(words)
     except SystemExit as exited:

@@ -56,7 +56,7 @@ class Desk:
         (device / "product").write_text(f"{product}\n")
 
     def add_drive(self, name: str = "DAPLINK", mode: str = "Interface") -> Path:
-        """A mounted drive like the drive of the board."""
+        """Adds a mounted drive like the drive of the board."""
         drive = self.root / name
         drive.mkdir()
         (drive / "DETAILS.TXT").write_text(f"# DAPLink Firmware\nDaplink Mode: {mode}\n")
@@ -204,7 +204,12 @@ def test_a_tool_that_fails_fails_the_command(
     ("installed", "probe", "options", "words"),
     [
         ([], False, [], ["pyocd: not installed\n", "openocd: not installed\n"]),
-        ([], False, [], ["drive: none is mounted\n", "debug probe on USB: none\n"]),
+        (
+            [],
+            False,
+            [],
+            ["drive: no drive of a board is mounted\n", "debug probe on USB: not connected\n"],
+        ),
         (["pyocd"], False, [], ["pyocd: installed\n"]),
         (["pyocd"], True, ["--with", "openocd"], ["openocd: not installed"]),
     ],

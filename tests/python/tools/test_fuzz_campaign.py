@@ -1,4 +1,4 @@
-"""./wr campaign fuzz: its program with two false fuzzers, and the sums of its record."""
+"""./wr campaign fuzz: its program with two fake fuzzers, and the totals of its record."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_a_run_without_failure_counts_its_inputs(tmp_path: Path) -> None:
 def test_a_failure_is_kept_with_its_input_and_its_text(tmp_path: Path) -> None:
     summary = summarise(tmp_path, run(tmp_path, 2, fails=True))
     assert summary["outcomes"]["failures"] == 1
-    assert summary["inputs"]["link"] == 17 + INPUTS["link"]  # those up to the failure
+    assert summary["inputs"]["link"] == 17 + INPUTS["link"]  # the inputs up to the failure
     (failure,) = summary["failures"]
     assert failure["fuzzer"] == "link"
     assert failure["input"] == ["01ff"]

@@ -1,5 +1,6 @@
-"""A command that is ended at any instant: the next run has the right results, and repeats no task
-that had ended."""
+"""A command that is ended at any instant: the next run has the right results, and repeats no
+completed task.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ from tools.lock import HOLDER, only_one, outliving, programs_of
 from weeding_robot_client.exit_codes import BUSY, INTERRUPTED
 
 SOURCE = Path(__file__).resolve().parents[3]
-# The command as ./wr begins it. It prints a line when interrupts are heeded.
+# The command as ./wr begins it. It prints a line when it can handle interrupts.
 COMMAND = """
 import sys
 from pathlib import Path
@@ -59,7 +60,7 @@ def run(root: Path) -> str:
 
 
 def done(output: str) -> set[str]:
-    """The tasks that ended well."""
+    """Returns the completed tasks."""
     return set(re.findall(r"^\[\d/3\] (.*?) \.\.\. .*(?: s|unchanged)$", output, re.MULTILINE))
 
 

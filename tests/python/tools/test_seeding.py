@@ -1,4 +1,4 @@
-"""A fault that hides the others of its group costs few runs more."""
+"""A fault that hides the other faults of its group causes few additional runs."""
 
 from __future__ import annotations
 

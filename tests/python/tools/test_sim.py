@@ -1,4 +1,4 @@
-"""./wr sim: which program runs, with which options."""
+"""./wr sim: its choice of the program and of its options."""
 
 import os
 import subprocess
@@ -31,7 +31,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def replace_builds(monkeypatch: pytest.MonkeyPatch, root: Path, broken: str = "") -> None:
-    """Builds that do nothing, or fail."""
+    """Replaces the builds by builds that do nothing, or fail."""
 
     def action(name: str, _log: TextIO) -> None:
         if name == broken:

@@ -36,7 +36,7 @@ class Project:
     def write(self, name: str, text: str) -> None:
         (self.root / name).parent.mkdir(parents=True, exist_ok=True)
         (self.root / name).write_text(text)
-        before = time.time() - 10  # as if it had been written before the tasks run
+        before = time.time() - 10  # a time before the tasks run
         os.utime(self.root / name, (before, before))
 
     def action(

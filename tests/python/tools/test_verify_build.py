@@ -1,4 +1,4 @@
-"""./wr verify-build: the builds that it compares, and those that it refuses to compare."""
+"""./wr verify-build: the builds that it compares, and the builds that it refuses to compare."""
 
 from __future__ import annotations
 

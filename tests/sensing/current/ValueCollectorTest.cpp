@@ -30,7 +30,7 @@ class CurrentTest : public testing::Test {
  protected:
   CurrentTest() { timer.add(readCnt); }
 
-  /// One tick, at which the conversion of the previous tick has a result.
+  /// Runs one tick, at which the conversion of the previous tick has a result.
   void tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {

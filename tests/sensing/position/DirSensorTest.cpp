@@ -15,8 +15,8 @@ namespace {
 
 class DirSensorTest : public testing::Test {
  protected:
-  /// One tick, at which the conversion of the previous tick has a result; returns true when the
-  /// tick ended a measurement.
+  /// Runs one tick, at which the conversion of the previous tick has a result; returns true when
+  /// the tick ended a measurement.
   bool tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -118,10 +118,10 @@ TEST_F(DirSensorTest, FR129_MeanOfEight) {
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_MeanIsRounded) {
   ticks(7, 2048);
-  ticks(1, 2050);  // 0.49
+  ticks(1, 2050);  // the mean is 0.49
   EXPECT_EQ(angle(), 0);
   ticks(7, 2048);
-  ticks(1, 2051);  // 0.73
+  ticks(1, 2051);  // the mean is 0.73
   EXPECT_EQ(angle(), 1);
   ticks(7, 2048);
   ticks(1, 2045);

@@ -14,7 +14,7 @@ namespace {
 
 class SensorCollectorTest : public testing::Test {
  protected:
-  /// An edge, some time after the previous edge.
+  /// Causes an edge, some time after the previous edge.
   void edge(std::uint8_t phase, std::int64_t microseconds = 10000) {
     at = at + Microseconds(microseconds);
     collector.collect(phase, at);

@@ -43,7 +43,7 @@ struct TurningWheel {
     advanceTo(std::llround(end));
   }
 
-  /// @brief One edge at the present time.
+  /// @brief Causes one edge at the present time.
   /// @param direction 1 forwards, -1 backwards
   void edge(int direction) {
     passed += direction;

@@ -200,7 +200,7 @@ TEST_F(VelSensorTest, FR123_OneLostEdge) {
   const HallCount before = wheel.velocity.position();
   EXPECT_EQ(wheel.velocity.rejectedEdges(), 0);
   wheel.turn(100, milliseconds(45));
-  wheel.passed += 1;  // passes without an interrupt
+  wheel.passed += 1;  // an edge passes without an interrupt
   wheel.turn(100, milliseconds(55));
   EXPECT_NEAR(wheel.measure(), 1000, 210);
   EXPECT_EQ(wheel.velocity.rejectedEdges(), 1);

@@ -46,9 +46,9 @@ TEST(ExecutedCodeTest, WhatIsJumpedOverIsNotExecuted) {
   constexpr std::uint32_t kCode = 0x100;
   const std::array<std::uint8_t, 8> vectors{0, 8, 0, 0, 0x01, 0x01, 0, 0};  // start at kCode
   const std::array<std::uint8_t, 8> program{0x01, 0x20,                     // movs r0, #1
-                                            0x00, 0xE0,                     // b to the last one
-                                            0x01, 0x21,                     // movs r1, #1
-                                            0xFE, 0xE7};                    // b to itself
+                                            0x00, 0xE0,   // b to the last instruction
+                                            0x01, 0x21,   // movs r1, #1
+                                            0xFE, 0xE7};  // b to itself
   CortexM4 cpu;
   cpu.mapMemory(0, 0x1000, CortexM4::Access::ReadWriteExecute);
   cpu.load(0, vectors);

@@ -49,7 +49,7 @@ class CanOfTheBoard : public testing::Test {
     can.connectPins([this] { return connected; });
   }
 
-  // Buffer 1 receives the identifier 0x101, buffer 2 sends 0x102.
+  // Sets the controller up: buffer 1 receives the identifier 0x101, and buffer 2 sends 0x102.
   void bringUp() {
     can.write(kCtrl1, 4, 0x2000);
     can.write(kMcr, 4, 0x50020002);

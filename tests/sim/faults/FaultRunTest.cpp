@@ -34,7 +34,7 @@ class FaultRunTest : public testing::Test {
   static std::filesystem::path elf() { return imageOf("weeding_robot").replace_extension(".elf"); }
   static std::vector<std::uint8_t> image() { return emulator::readImage(imageOf("weeding_robot")); }
 
-  /// The drive without a fault is the same for all tests.
+  /// Returns the drive without a fault, which is the same for all tests.
   static FaultRun& drive() {
     static FaultRun run(image(), elf(), kSeed);
     return run;

@@ -75,8 +75,8 @@ class RobotTest : public testing::Test {
     return (gear + friction) / motor.constant;
   }
 
-  // The steady state: Ohm's law with the speed that was reached, and the current that the forces
-  // need.
+  // Checks the steady state: Ohm's law with the speed that was reached, and the current that the
+  // forces need.
   void expectSteady(double volts, double forceOfWheel) const {
     constexpr MotorParameters motor;
     const double rpm = robot.velocityRpm(0);

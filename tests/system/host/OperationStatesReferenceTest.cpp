@@ -48,8 +48,8 @@ class MainControlRobot final : public HostSteppedRobot {
 };
 
 /// @brief In 10000 random sequences of orders from both sources the robot behaves in every cycle
-/// like a reference written from the requirements, and executes each transition of both machines
-/// often.
+/// like a reference that was written from the requirements, and executes each transition of both
+/// machines often.
 /// @verifies FR-10
 /// @verifies FR-11
 /// @verifies FR-12

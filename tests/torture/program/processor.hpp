@@ -4,7 +4,7 @@
 
 namespace wr::torture {
 
-/// @brief A register of the system control space, ARMv7-M ARM, B3.2.2 and B3.4.3.
+/// @brief Returns a register of the system control space, ARMv7-M ARM, B3.2.2 and B3.4.3.
 template <class T>
 [[nodiscard]] inline volatile T& at(std::uint32_t address) {
   return *reinterpret_cast<volatile T*>(address);

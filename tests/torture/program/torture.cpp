@@ -40,7 +40,7 @@ constexpr std::uint32_t bit(std::uint32_t number) {
   return std::uint32_t{1} << number;
 }
 
-/// @brief One to three lines, often including the running line.
+/// @brief Returns one to three lines, often including the running line.
 std::uint32_t randomLines() {
   std::uint32_t lines = bit(random(32));
   if (random(3) == 0) {
@@ -89,7 +89,7 @@ void check(Check what, std::uint32_t wanted, std::uint32_t found) {
   check(static_cast<std::uint32_t>(what), wanted, found);
 }
 
-/// @brief Random values for all registers but R0 and R1.
+/// @brief Returns random values for all registers but R0 and R1.
 Probe filled(std::uint32_t r0, std::uint32_t r1) {
   Probe probe;
   for (std::uint32_t& value : probe.core) {
@@ -153,7 +153,7 @@ void pendSystem() {
   store(kInterruptControl, kBits[random(8)]);
 }
 
-/// @brief Priorities of the memory, bus and usage faults, SVC, PendSV and SysTick.
+/// @brief Sets the priorities of the memory, bus and usage faults, SVC, PendSV and SysTick.
 void setSystemPriority() {
   constexpr std::uint8_t kOffsets[] = {0, 1, 2, 7, 10, 11};
   at<std::uint8_t>(kSystemPriority + kOffsets[random(6)]) =
@@ -166,12 +166,13 @@ void setPriority() {
   synchronize();
 }
 
-/// @brief The priorities of four lines in one access.
+/// @brief Sets the priorities of four lines in one access.
 void setPriorities() {
   write(kPriority + random(8) * 4, random() & 0xF0F0F0F0);
 }
 
-/// @brief The memory, bus and usage faults have separate handlers, or are hard faults.
+/// @brief Chooses whether the memory, bus and usage faults have separate handlers, or are hard
+/// faults.
 void enableFaults() {
   const std::uint32_t others = read(kSystemHandlers) & ~(bit(16) | bit(17) | bit(18));
   write(kSystemHandlers, others | random(8) << 16);
@@ -223,7 +224,7 @@ void maskFaults(std::uint32_t inner) {
   }
 }
 
-/// @brief Thread mode sleeps while an interrupt is pending, like an idle loop with masked
+/// @brief Lets thread mode sleep while an interrupt is pending, like an idle loop with masked
 /// interrupts.
 void sleep() {
   const Masks now = masks();
@@ -239,7 +240,7 @@ void sleep() {
   setInterruptMask(0);
 }
 
-/// @brief The next exception does not preserve the floating-point registers.
+/// @brief Lets the next exception not preserve the floating-point registers.
 void forgetFloatingPoint() {
   if (depth == 0) {
     setControl(control() & ~bit(2));

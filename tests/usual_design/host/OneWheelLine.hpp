@@ -111,7 +111,7 @@ class OneWheelLine final : public scenario::RobotSession {
 
   [[nodiscard]] Time nextPulse() const { return nextPulse_; }
 
-  // 1 ms: the tick and the clock pulse at its beginning, then the edges in it.
+  // Runs 1 ms: the tick and the clock pulse at its beginning, then the edges in it.
   void step() {
     advanceTo(nextStep_);
     tickTimer_.periodPassed();

@@ -22,13 +22,13 @@ class PatternDesign {
 
   void start();
 
-  // Called by the interrupts.
+  // The interrupts call these functions.
   void cycleTimerExpired();
   void tickTimerExpired();
   void hallEdge();
   void remoteControlEdge();
 
-  // Called by the main loop after each interrupt: here the threads do the work.
+  // The main loop calls this function after each interrupt. Here the threads do the work.
   void run() {}
 
  private:

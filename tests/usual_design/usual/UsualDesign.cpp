@@ -752,7 +752,7 @@ bool UsualDesign::plausible(const HallRecord& record) const {
   return record.unclear - seenHall_.unclear + reversals <= kMostImplausible;
 }
 
-// A wheel that is faster than this would have caused one more edge.
+// Limits a velocity: a faster wheel would have caused one more edge.
 Velocity UsualDesign::bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const {
   const std::optional<Velocity> bound = velocityOf(std::abs(edges) + 1, elapsed);
   return bound ? std::clamp(value, -*bound, *bound) : value;

@@ -30,13 +30,13 @@ class UsualDesign {
 
   void start();
 
-  // Called by the interrupts.
+  // The interrupts call these functions.
   void cycleTimerExpired();
   void tickTimerExpired();
   void hallEdge();
   void remoteControlEdge();
 
-  // Called by the main loop after each interrupt.
+  // The main loop calls this function after each interrupt.
   void run() {
     if (pulses_.load(std::memory_order_relaxed) != begun_) {
       cycle();
@@ -70,7 +70,7 @@ class UsualDesign {
     Pipe<std::int32_t> value;
   };
 
-  // One control cycle.
+  // Runs one control cycle.
   void cycle();
   void readOrder();
   [[nodiscard]] bool pcOrderIsNew() const;

@@ -1,4 +1,4 @@
-/* Two products on the same drive: their states over time, and the modules that only one of them runs. */
+/* Compares two products on the same drive: their states over time, and the modules that only one product runs. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-compare]");
@@ -8,7 +8,7 @@
   const folder = new URL(place.dataset.folder, location.href).href;
   const root = place.dataset.root;
   const products = place.dataset.compare.split(" ");
-  const MOST = 24; // rows: later changes of a state are not shown
+  const MOST = 24; // number of rows; later changes of a state are not shown
 
   const element = (name, attributes, ...content) => {
     const made = document.createElement(name);

@@ -1,11 +1,11 @@
-/* The frames of a running robot, part by part: a reader points at the bytes of a field and sees its value. */
+/* Shows the frames of a running robot, part by part. A reader points at the bytes of a field and sees its value. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-frames-of]");
   if (!place || location.protocol === "file:" || typeof Worker === "undefined") return;
   const one = (selector) => place.querySelector(selector);
   const [button, kinds, parts, detail] = ["go", "kind", "parts", "detail"].map((name) => one(`[data-${name}]`));
-  const PERIOD = 250; // ms between two cycles: a reader can follow the bytes
+  const PERIOD = 250; // ms between two cycles, so that a reader can follow the bytes
   const folder = new URL(place.dataset.framesOf, location.href).href;
   const newest = new Map(); // name -> the newest frame of this kind
   let layouts = null,

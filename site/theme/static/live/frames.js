@@ -1,4 +1,4 @@
-/* Frames of the PC protocol on the line: between zeros, stuffed, with a CRC. */
+/* Decodes frames of the PC protocol on the line. Frames are between zeros, stuffed, and have a CRC. */
 (function (scope) {
   "use strict";
 
@@ -33,7 +33,7 @@
     return read[field.t]();
   }
 
-  /* The values of a body (version, type, sequence number, payload), by the names of the fields. */
+  /* Returns the values of a body (version, type, sequence number, payload), by the names of the fields. */
   function valuesOf(body, frame) {
     const values = {};
     if (body.length < HEADER) return values;
@@ -87,7 +87,7 @@
     }
   }
 
-  /* The value of a field as a reader writes it: its name, or the number with its unit. */
+  /* Returns the text of a value of a field: its name, or the number with its unit. */
   function shownValue(field, value) {
     if (field.v) return `${value} ${field.v[value] || ""}`.trim();
     if (field.b) return field.b.filter((_, bit) => (value >> bit) & 1).join(", ") || "no bit set";
@@ -95,7 +95,7 @@
     return field.s === 1 ? `${value} ${field.u}` : `${value}, that is ${value / Math.round(1 / field.s)} ${field.u}`;
   }
 
-  /* The parts of a frame as it is on the line, in order: the stuffing, the header, the fields, the
+  /* Returns the parts of a frame in their order on the line: the stuffing, the header, the fields, the
    * check sum and the end. Stuffing bytes inside of the body are replaced by the zeros that they
    * stand for. */
   function partsOf(line, frames) {

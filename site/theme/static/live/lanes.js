@@ -1,11 +1,11 @@
-/* The interrupts and threads of one control cycle, a lane for each priority. watch.js plays the drive, and passes each
-   cycle to this script. */
+/* Draws the interrupts and threads of one control cycle, with a lane for each priority. watch.js plays the drive, and
+   passes each cycle to this script. */
 (function (scope) {
   "use strict";
   const FIRST_INTERRUPT = 16; // number of the exception of line 0
-  const WIDTH = 1000; // of a lane, in units of the drawing
+  const WIDTH = 1000; // width of a lane, in units of the drawing
   const LEAST = 1.5; // width of the thinnest bar
-  const STEPS = 1000; // of the slider
+  const STEPS = 1000; // number of steps of the slider
   const MS = 1e6; // ns
   const WINDOWS = [
     [100, "100 ms"],
@@ -14,7 +14,7 @@
   ];
   const SVG = "http://www.w3.org/2000/svg";
 
-  /* The activations of a cycle: exception, begin and end [ns]. One that is active at a border of the cycle ends there. */
+  /* Returns the activations of a cycle: exception, begin and end [ns]. An activation ends at the border of the cycle. */
   function activationsOf(switches, lasted) {
     const open = new Map();
     const found = [];
@@ -29,7 +29,7 @@
     return found.sort((a, b) => a.begin - b.begin);
   }
 
-  /* The lanes of the contexts, the highest priority first, each with its activations. */
+  /* Returns the lanes of the contexts, the highest priority first, each with its activations. */
   function lanesOf(contexts, activations) {
     const priorities = [...new Set(contexts.map((context) => context.priority))].sort((a, b) => a - b);
     return priorities.map((priority) => {
@@ -43,7 +43,7 @@
     });
   }
 
-  /* The contexts that have begun and not ended at an instant: the first one runs, it preempts the others. */
+  /* Returns the contexts that have begun and not ended at an instant. The first context preempts the others. */
   const activeAt = (lanes, at) =>
     lanes.flatMap((lane) => lane.bars.filter(({ begin, end }) => begin <= at && at < end).map((each) => each.context));
 

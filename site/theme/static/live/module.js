@@ -1,5 +1,5 @@
-/* The WebAssembly module with the virtual board and the simulated robot. The page runs it in a worker, the
-   tests in Node. */
+/* The WebAssembly module with the virtual board and the simulated robot. The page runs it in a worker, and the tests
+   run it in Node. */
 (function (scope) {
   "use strict";
 
@@ -110,7 +110,7 @@
       this.withText("liveRepeat", order);
     }
 
-    /* The present values, by name. */
+    /* Returns the present values, by name. */
     numbers() {
       const at = this.call("liveNumbers");
       const values = new Float64Array(this.exports.memory.buffer, at, this.names.length);
@@ -137,7 +137,7 @@
       return new Uint32Array(this.exports.memory.buffer, at, this.functions).slice();
     }
 
-    /* The begins and ends of interrupts and threads in the last cycle, in the order of time [ns]. */
+    /* Returns the begins and ends of interrupts and threads in the last cycle, in the order of time [ns]. */
     switches() {
       this.call("liveSwitches");
       const bytes = this.kept();
@@ -149,7 +149,7 @@
       }));
     }
 
-    /* The bytes on the line since the last call. */
+    /* Returns the bytes on the line since the last call. */
     line() {
       this.call("liveLine");
       const bytes = this.kept();

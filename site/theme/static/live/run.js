@@ -62,7 +62,7 @@
   });
   productField.addEventListener("change", () => worker && begin(0));
 
-  /* The image of a product, of the chosen kind. */
+  /* Returns the image of a product, of the chosen kind. */
   function imageOf(product) {
     return "flashed" in productField.selectedOptions[0].dataset ? product : `${product}_calls`;
   }
@@ -76,7 +76,7 @@
   }
 
   if (location.protocol === "file:")
-    unavailable("a page that is opened from a file cannot load the module. Serve the portal with ./wr portal");
+    unavailable("a page that was opened from a file cannot load the module; serve the portal with ./wr portal");
   else if (typeof WebAssembly === "undefined" || typeof Worker === "undefined")
     unavailable("this browser has no WebAssembly");
 
@@ -234,7 +234,7 @@
   );
   live.dataset.shown = "robot";
 
-  /* ---- hands ------------------------------------------------------------------------------------------------ */
+  /* ---- manual actions --------------------------------------------------------------------------------------- */
 
   const hand = (name) => one(`[data-hand=${name}]`);
   const shown = (name, text) => {
@@ -749,7 +749,7 @@
 
   const MOST_LINES = 240;
 
-  /* The calls as lines; equal calls one after the other share a line. */
+  /* Returns the calls as lines. Successive equal calls share a line. */
   function linesOf(rows) {
     const lines = [];
     const above = [];
@@ -761,7 +761,7 @@
         above.length = depth + 1;
         return;
       }
-      if (above.slice(0, depth).some((line) => line && line.again)) return; // within a repeated call
+      if (above.slice(0, depth).some((line) => line && line.again)) return; // the call is within a repeated call
       const line = { method, depth, activation, count: 1, under: above[depth - 1] };
       above[depth] = line;
       above.length = depth + 1;

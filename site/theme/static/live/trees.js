@@ -1,9 +1,9 @@
-/* Recorded calls of a control cycle: their rows, the declared trees in them, and the states of the machines. The
-   rules are those of traceability/reading/traces.py. */
+/* Recorded calls of a control cycle: their rows, the declared trees in them, and the states of the machines.
+   traceability/reading/traces.py has the same rules. */
 (function (scope) {
   "use strict";
 
-  /* Rows of the calls: method, depth, parent, end, and the activation of the interrupt that made it. */
+  /* Returns a row for each call: method, depth, parent, end, and the activation of the interrupt that made the call. */
   function rowsOf(calls, methodAt, hardware) {
     const rows = [];
     const open = [];
@@ -53,7 +53,7 @@
     return { id: declared.id, text: declared.text, root, needed, possible };
   }
 
-  /* Looks for a tree: a child lies within the call of its parent, in order. A call by an interrupt
+  /* Looks for a tree: each child is within the call of its parent, in order. A call by an interrupt
      is not a call of the parent, but a posted command is. Returns the rows of the nodes, or
      nothing. */
   function embed(tree, rows) {
@@ -84,7 +84,7 @@
     return fit(tree.root, 0, rows.length, null);
   }
 
-  /* The trees that are in the rows, by their ids. */
+  /* Returns the trees that are in the rows, by their ids. */
   function treesIn(trees, rows) {
     const present = new Set(rows.map((row) => row.method));
     const some = (methods) => {
@@ -120,7 +120,7 @@
       this.state = to;
     }
 
-    /* An operation of a state was called: the machine was in this state. When only one transition
+    /* Records that an operation of a state was called: the machine was in this state. When only one transition
      * is possible, it is taken. */
     operation(module, method, moves) {
       const state = this.stateOf.get(module);

@@ -1,5 +1,5 @@
-/* The robot on other pages. On that of a requirement it plays scenarios until the calls of its tree are recorded. On a
-   page with drawn modules it plays a drive, and marks the modules that are called in each control cycle. */
+/* Runs the robot on other pages. On the page of a requirement it plays scenarios until the calls of the tree are
+   recorded. On a page with drawn modules it plays a drive, and marks the modules that each control cycle calls. */
 (function () {
   "use strict";
   const place = document.querySelector("[data-watch], [data-play]");
@@ -68,7 +68,7 @@
     ["50", "5 times faster"],
     ["2", "5 times slower"],
   ];
-  let run = null; // the scenario that plays
+  let run = null; // the scenario that is playing
   let timer = 0;
   let ended = false;
   let scenario = null,
@@ -123,7 +123,7 @@
     });
     button.after(step, pace, scenario);
     place.querySelector("[data-says]").hidden = true;
-    result.removeAttribute("role"); // it changes ten times in a second
+    result.removeAttribute("role"); // the text changes ten times in a second
     document.addEventListener("visibilitychange", () => document.hidden && timer && stop());
   }
 
@@ -131,7 +131,7 @@
   const inDrawings = (selector) => drawings.flatMap((svg) => [...svg.querySelectorAll(selector)]);
 
   /* The lines of a call in a class diagram: from the caller to the module that declares the operation, and from there
-   * to the module that has it. PlantUML names a line "Caller-Declarer", and an inheritance "Base_-Derived". */
+   * to the module that implements it. PlantUML names a line "Caller-Declarer", and an inheritance "Base_-Derived". */
   function linesOf(from, to) {
     const line = (name) => inDrawings(`path[id^="pattern-"][id$="-${name}"]`)[0];
     for (const way of waysUp(to, 4)) {
@@ -141,7 +141,7 @@
     return [];
   }
 
-  /* The chains of drawn bases that begin with a module. */
+  /* Returns the chains of drawn base classes that begin with a module. */
   function waysUp(name, most) {
     const bases = inDrawings(`path[id^="pattern-"][id$="_-${name}"]`)
       .map((path) => path.id.slice(0, -name.length - 2).split("-").pop())
@@ -188,13 +188,13 @@
   }
 
   const callsOf = (number) =>
-    number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call in its own code";
+    number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call inside the module";
 
   function show(data) {
     button.disabled = false;
     button.textContent = "Again";
     if (!data.scenario) {
-      say("No scenario of this page makes these calls in an image that keeps their names. See the tests below.");
+      say("No scenario of this page makes these calls in an image with visible calls. See the tests below.");
       return;
     }
     const time = String(Math.round(data.at));

@@ -1,4 +1,4 @@
-/* Runs the robot next to the page: cycle by cycle, at the chosen speed, with a snapshot at most 20
+/* Runs the robot in a worker of the page: cycle by cycle, at the chosen speed, with a snapshot at most 20
  * times a second. */
 "use strict";
 importScripts("module.js", "trees.js", "frames.js");
@@ -41,11 +41,11 @@ async function choose(folder, name) {
     .map((tree) => LiveTrees.prepared(tree, product.has));
 }
 
-/* A run: the module with a robot in it, and all that was recorded of it. */
+/* A run: the module with a robot, and the records of this robot. */
 class Robot {
   constructor(scenario, log) {
     this.scenario = scenario;
-    this.log = log; // actions by hand: [time, kind, text]
+    this.log = log; // manual actions: [time, kind, text]
     this.next = 0; // position in the log while it is repeated
     simulator = simulator || new LiveModule(compiled);
     simulator.start({
@@ -62,7 +62,7 @@ class Robot {
     this.state = "runs";
     this.rows = [];
     this.rowsHash = 0;
-    this.entries = []; // after each of the last cycles
+    this.entries = []; // entries after each of the last cycles
     this.clear();
   }
 
@@ -88,7 +88,7 @@ class Robot {
       return;
     }
     if (at !== undefined) return;
-    this.log.splice(this.next); // an action after a step back replaces the later ones
+    this.log.splice(this.next); // an action after a step back replaces the later actions
     this.log.push([this.time(), kind, text]);
     this.next = this.log.length;
   }
@@ -230,7 +230,7 @@ function seek(time) {
   snapshot();
 }
 
-/* Plays the scenarios, those of the paper's design first, until the tree of a requirement is in a cycle. */
+/* Plays the scenarios until a cycle contains the tree of a requirement. Scenarios of the paper's design come first. */
 async function find({ folder, id }) {
   pause();
   for (const scenario of facts.scenarios) {
@@ -266,7 +266,8 @@ async function find({ folder, id }) {
   post({ kind: "found" });
 }
 
-/* The image that contains most of the given modules: among equals that of the paper's design, then the default. */
+/* Returns the image that contains most of the given modules. Of equal images, the paper's design and then the default
+   is preferred. */
 function imageWith(modules) {
   const modulesOf = (one) => new Set(one.functions.map(([, method]) => ownerOf(method)));
   const held = (one) => modules.filter((name) => modulesOf(one).has(name)).length;
@@ -277,7 +278,7 @@ function imageWith(modules) {
 
 const ownerOf = (method) => facts.methods[method].split("::")[0];
 
-/* The modules that a page shows while a scenario plays, and their calls until now. */
+/* Records the modules that a page shows while a scenario plays, and their calls until now. */
 let shown = { modules: new Set(), counts: {} };
 
 /* Prepares a drive for a page that shows modules; each order "beat" then runs one control cycle of it. */
@@ -298,7 +299,7 @@ async function play({ folder, modules, scenario: wanted, image }) {
   });
 }
 
-/* How often each module was called since the start. */
+/* Returns the number of calls of each module since the start. */
 function countsOf(modules) {
   const entries = simulator.entries();
   const counts = Object.fromEntries([...modules].map((name) => [name, 0]));
@@ -309,7 +310,7 @@ function countsOf(modules) {
   return counts;
 }
 
-/* The calls from one shown module to another in the last cycle. */
+/* Returns the calls from one shown module to another in the last cycle. */
 function callsBetween(modules) {
   const found = new Set();
   robot.rows.forEach((row) => {
@@ -320,7 +321,7 @@ function callsBetween(modules) {
   return [...found].map((pair) => pair.split(" "));
 }
 
-/* The machines whose state the report contains. */
+/* Returns the machines whose state the report contains. */
 const REPORTED = { "operation-states": "state", "reading-modes": "mode" };
 
 function nameOf(field, number) {
@@ -328,7 +329,7 @@ function nameOf(field, number) {
   return (found && found.v && found.v[number]) || String(number);
 }
 
-/* The present state of each machine, and the module of this state. */
+/* Returns the present state of each machine, and the module of this state. */
 function presentStates() {
   const reported = robot.numbers.reports > 0;
   return machines.map(({ id, state: inferred, declared }) => {
@@ -362,7 +363,7 @@ function beat() {
   });
 }
 
-/* Plays one scenario with each of some products; the states of each cycle, and the modules that ran. */
+/* Plays one scenario with each of some products. Returns the states of each cycle, and the modules that ran. */
 async function compare({ folder, products, scenario: name }) {
   pause();
   const scenario = facts.scenarios.find((one) => one.name === name);
@@ -438,7 +439,7 @@ const ORDERS = {
   },
 };
 
-/* One order after the other: because some wait for a file. */
+/* Executes one order after the other, because some orders wait for a file. */
 let orders = Promise.resolve();
 
 async function obey(data) {
