@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from traceability.checks import (
@@ -86,8 +87,9 @@ def run_link_checks(model: Model, facts: Facts, site: Path) -> list[Finding]:
 
 
 def sort(findings: list[Finding]) -> list[Finding]:
+    """Returns the findings in the order of their places, each with its fix."""
     return sorted(
-        findings,
+        (replace(each, fix=each.fix or KNOWN[each.check].fix.rstrip(".")) for each in findings),
         key=lambda finding: (finding.place.file, finding.place.line, finding.check, finding.text),
     )
 

@@ -16,10 +16,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         names += [(name, group.place) for name in (group.module, *group.modules)]
     findings = [
         Finding(
-            facts.declared.entries.line_in(place, name),
-            "arch-module",
-            f"there is no module {name}",
-            "correct the name of the module",
+            facts.declared.entries.line_in(place, name), "arch-module", f"there is no module {name}"
         )
         for name, place in names
         if name not in model.modules
@@ -32,20 +29,16 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         if connection.connector not in connectors:
             text = f"there is no connector {connection.connector}"
             place = facts.declared.entries.line_in(connection.place, connection.connector)
-            findings.append(
-                Finding(place, "arch-module", text, "correct the name of the connector")
-            )
+            findings.append(Finding(place, "arch-module", text))
         ends = (connection.source, connection.target)
         if is_outside(connection):
             continue
         missing = [name for name in ends if name not in model.modules]
         if missing:
             text = f"there is no module {missing[0]}"
-            fix = "correct the end of the connection"
             place = facts.declared.entries.line_in(connection.place, missing[0])
-            findings.append(Finding(place, "arch-module", text, fix))
+            findings.append(Finding(place, "arch-module", text))
         elif not connection.way:
             text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
-            fix = "correct the connection, or the code"
-            findings.append(Finding(connection.place, "arch-code", text, fix))
+            findings.append(Finding(connection.place, "arch-code", text))
     return findings

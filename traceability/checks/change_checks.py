@@ -32,10 +32,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         if pattern.name not in texts.recipes
     ]
     line_in = facts.declared.entries.line_in
-    return [
-        Finding(line_in(place, word), "pattern-change", text, "correct the name in the design")
-        for place, word, text in wrong
-    ]
+    return [Finding(line_in(place, word), "pattern-change", text) for place, word, text in wrong]
 
 
 def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, str, str]]:

@@ -58,20 +58,18 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
     lines = handler_lines(facts)
     for handler in sorted(set(lines) - set(declared)):
         text = f"the handler {handler} of line {lines[handler][0]} belongs to no context"
-        findings.append(_declared(DECLARED, text, "declare its context in design/execution.toml"))
+        findings.append(_declared(DECLARED, text))
     for handler, context in declared.items():
         if handler not in facts.bodies:
             text = f"{context.id} names the handler {handler}, which does not exist"
-            findings.append(_declared(context.place, text, "correct the name"))
+            findings.append(_declared(context.place, text))
         elif handler not in lines and context.kind in (INTERRUPT, THREAD):
             text = f"the vector table does not contain {handler}"
-            findings.append(
-                _declared(context.place, text, "enter it in the table, or remove it here")
-            )
+            findings.append(_declared(context.place, text))
     for context in model.contexts.values():
         if context.kind == THREAD and context.body not in facts.bodies:
             text = f"the thread {context.id} names the body {context.body}, which does not exist"
-            findings.append(_declared(context.place, text, "correct the name of the body"))
+            findings.append(_declared(context.place, text))
     return findings
 
 
@@ -84,27 +82,23 @@ def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], 
     for context in model.contexts.values():
         if context.kind not in KINDS:
             text = f"{context.id} has the kind {context.kind}, and not one of: {', '.join(KINDS)}"
-            findings.append(_declared(context.place, text, "correct the kind"))
+            findings.append(_declared(context.place, text))
         if (context.kind == THREAD) != bool(context.body):
             body = "a body" if context.body else "no body"
             text = f"{context.id} is of the kind {context.kind}, and has {body}"
             key = "body" if context.body else "kind"
             place = facts.declared.entries.line_in(context.place, key)
-            findings.append(
-                _declared(place, text, "give a body to each thread, and to no other context")
-            )
+            findings.append(_declared(place, text))
         if len(set(context.handlers)) != len(context.handlers):
             text = f"{context.id} names a handler twice"
             place = facts.declared.entries.line_in(context.place, "handlers")
-            findings.append(_declared(place, text, "remove one of the two names"))
+            findings.append(_declared(place, text))
         for handler in context.handlers:
             other = declared.setdefault(handler, context)
             if other is not context:
                 for first, two in (context, other), (other, context):
                     text = f"{first.id} and {two.id} have the same handler {handler}"
-                    findings.append(
-                        _declared(first.place, text, "remove it from one of the two contexts")
-                    )
+                    findings.append(_declared(first.place, text))
     return declared, findings
 
 
@@ -113,7 +107,7 @@ def _pipes(model: Model, facts: Facts) -> list[Finding]:
     for pipe in model.pipes:
         if pipe.id not in facts.declared.pipes:
             text = f"the pipe {pipe.id} has no name"
-            findings.append(_declared(pipe.place, text, "name it in design/execution.toml"))
+            findings.append(_declared(pipe.place, text))
         writing = {context for contexts in pipe.writers.values() for context in contexts}
         reading = {context for contexts in pipe.readers.values() for context in contexts}
         for what, contexts in (("writes", writing), ("reads", reading)):
@@ -127,9 +121,7 @@ def _pipes(model: Model, facts: Facts) -> list[Finding]:
     for name, pipe_text in facts.declared.pipes.items():
         if name not in names:
             text = f"the robot has no pipe {name}"
-            findings.append(
-                _declared(pipe_text.place, text, "correct the name, or remove the entry")
-            )
+            findings.append(_declared(pipe_text.place, text))
     return findings
 
 
@@ -148,11 +140,10 @@ def _priorities(model: Model, facts: Facts) -> list[Finding]:
             given = facts.syntax.constants[name]
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
-                fix = "correct the priority, or change the design"
                 # The finding is at the call, because the constant may be right for another context.
                 place = _enabled_at(name, facts) if name in right else _place_of(name, facts)
                 key = (name, context.id if name in right else "")
-                findings[key] = _declared(place, f"{text}{context.place.file}", fix)
+                findings[key] = _declared(place, f"{text}{context.place.file}")
     return list(findings.values())
 
 
@@ -178,14 +169,14 @@ def _ends(facts: Facts) -> list[Finding]:
     called = {call.target for body in facts.syntax.bodies for call in body.calls}
     place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
     return [
-        _declared(place, f"no code calls {name}, which must end the firmware", "correct the name")
+        _declared(place, f"no code calls {name}, which must end the firmware")
         for name in facts.declared.ends
         if name not in called
     ]
 
 
-def _declared(place: Place, text: str, fix: str) -> Finding:
-    return Finding(place, "exec-declared", text, fix)
+def _declared(place: Place, text: str) -> Finding:
+    return Finding(place, "exec-declared", text)
 
 
 def _interrupts(model: Model, facts: Facts) -> list[Finding]:
@@ -205,8 +196,7 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
         for name in sorted(set(reached) & set(forbidden)):
             way = " > ".join(way_to(name, reached))
             text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
-            fix = "let a thread call it, or make it safe and write @isr{yes}"
-            findings.append(Finding(forbidden[name].place, "exec-isr", text, fix))
+            findings.append(Finding(forbidden[name].place, "exec-isr", text))
     return findings
 
 
@@ -223,7 +213,6 @@ def _claims(model: Model, facts: Facts) -> list[Finding]:
             call.place,
             "exec-isr",
             f"{body.id} is @isr{{yes}}, and calls {target}, which is @isr{{no}}",
-            "let a thread make the call, or correct one of the two tags",
         )
         for body in facts.syntax.bodies
         if claims.get(body.id) == "yes"
@@ -245,7 +234,7 @@ def _floats(model: Model, facts: Facts) -> list[Finding]:
             if body.floats:
                 place = Place(body.place.file, body.floats)
                 text = f"{body.id} uses floating point, and the interrupt '{context.name}' runs it"
-                findings[place] = Finding(place, "exec-float", text, "compute with integers")
+                findings[place] = Finding(place, "exec-float", text)
     return list(findings.values())
 
 
@@ -254,13 +243,11 @@ def _loops(facts: Facts) -> list[Finding]:
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
-    fix = "count the rounds in the head of the loop, or state in design/justified.toml why it ends"
     findings = [
         Finding(
             Place(body.place.file, body.loops[0]),
             "exec-loop",
             f"the head of a loop in {name} counts its rounds",
-            fix,
         )
         for name, body in looping.items()
         if name not in named
@@ -275,7 +262,6 @@ def _loops(facts: Facts) -> list[Finding]:
 
 def _heap(facts: Facts) -> Iterator[Finding]:
     """Finds memory of the heap in the source: the image may be older."""
-    fix = "use an array or a std::optional of a fixed size"
     for path in files_below(facts.root, SOURCES, (".cpp", ".hpp")):
         file = str(path.relative_to(facts.root))
         bare = comment_blanked(path.read_text(encoding="utf-8"))
@@ -283,7 +269,7 @@ def _heap(facts: Facts) -> Iterator[Finding]:
             if match := HEAP.search(line):
                 words = match[0] if match[0].startswith("#") else match[0].split()[0]
                 text = f"'{words.partition('(')[0]}' uses the heap"
-                yield Finding(Place(file, number), "exec-heap", text, fix)
+                yield Finding(Place(file, number), "exec-heap", text)
 
 
 def _enabled(facts: Facts) -> list[Finding]:
@@ -292,7 +278,6 @@ def _enabled(facts: Facts) -> list[Finding]:
         _declared(
             facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
             f"the table of vectors has {handler} at line {line}, but no call enables this line",
-            "enable the line, or remove the handler from the table",
         )
         for line, handler in silent_lines(facts).items()
     ]
@@ -339,7 +324,6 @@ def _shared(model: Model, facts: Facts) -> list[Finding]:
             f"{member.id} is changed by {' and '.join(member.writers)}"
             + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
             + ", and no protection is declared",
-            "put a Pipe between them, or declare the protection in design/execution.toml",
         )
         for member in model.shared
         if not member.protection
@@ -350,5 +334,5 @@ def _shared(model: Model, facts: Facts) -> list[Finding]:
         owner, _, last = name.rpartition("::")
         if name not in members and not (last == "*" and owner in owners):
             text = f"{name} is not shared by two contexts"
-            findings.append(_declared(protection.place, text, "remove it from the entry"))
+            findings.append(_declared(protection.place, text))
     return findings

@@ -30,8 +30,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _finding(place: Place, text: str) -> Finding:
-    fix = "make it a private part of a module, or a module, or a @datatype"
-    return Finding(place, "module-file", text, fix)
+    return Finding(place, "module-file", text)
 
 
 def _files(model: Model, facts: Facts) -> list[Finding]:
@@ -127,7 +126,6 @@ def _preprocessor(root: Path) -> list[Finding]:
                     Place(str(path.relative_to(root)), number),
                     "module-preprocessor",
                     f"#{match[1]} is neither an include of a named file nor #pragma once",
-                    "use a constant, a template, or another module that the build chooses",
                 )
             )
     return findings

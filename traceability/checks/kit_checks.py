@@ -9,8 +9,6 @@ from traceability.reading.change_kits import Kit
 from traceability.reading.source_facts import Facts
 from traceability.schema import HOST, VIRTUAL_K64, Finding, LikelyChange, MadeChange
 
-FIX = "complete the kit as changes/README.md explains"
-
 
 def check(model: Model, facts: Facts) -> list[Finding]:
     if not facts.declared.patterns:
@@ -28,7 +26,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         else:
             problems = _change(model, facts, change, change.made, kits[name])
             wrong += [(change.made.place, text) for text in problems]
-    return [Finding(place, "change-kit", text, FIX) for place, text in wrong]
+    return [Finding(place, "change-kit", text) for place, text in wrong]
 
 
 def _change(

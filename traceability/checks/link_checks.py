@@ -157,7 +157,6 @@ def check(model: Model, site: Path) -> list[Finding]:
             Place(file, line),
             "link-site",
             f"dead link '{target}' in {links[0][0]}{_others(links)}: {links[0][1]}",
-            "correct the source of the page",
         )
         for (file, line, target), links in pages.items()
     ]
@@ -236,8 +235,8 @@ def missing_paths(root: Path) -> list[Finding]:
                 listed = path.name == "README.md" and named.endswith("/")
                 is_path = (root / top).is_dir() or name.suffix in SOURCES or listed
                 if is_path and top != "build" and not name.exists():
-                    text, fix = f"there is no {named}", "name a file that exists"
-                    findings.append(Finding(Place(file, number), "link-doc", text, fix))
+                    place = Place(file, number)
+                    findings.append(Finding(place, "link-doc", f"there is no {named}"))
     return findings
 
 
@@ -273,9 +272,7 @@ def missing_parts(root: Path) -> list[Finding]:
             wrong += [f"pin {name} in use" for name in PIN.findall(line) if name not in pins]
             for name in wrong:
                 place = Place(str(path.relative_to(root)), number)
-                findings.append(
-                    Finding(place, "link-doc", f"there is no {name}", "correct the name")
-                )
+                findings.append(Finding(place, "link-doc", f"there is no {name}"))
     return findings
 
 

@@ -74,7 +74,6 @@ def _unused(model: Model, facts: Facts) -> list[Finding]:
             module.place,
             "module-used",
             f"no composition uses {module.name}, so no product contains it",
-            "let a builder construct it, or remove it",
         )
         for module in model.modules.values()
         if not module.datatype and module.name not in used and named.get("")
@@ -105,7 +104,6 @@ def _behaviour(model: Model, facts: Facts) -> list[Finding]:
             body.place,
             "module-data",
             f"{body.id} has a condition or a loop, and {body.owner} is a data type",
-            "move the behaviour into a module",
         )
         for body in facts.syntax.bodies
         if (module := model.modules.get(body.owner)) and module.datatype
@@ -122,7 +120,6 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
                 module.place,
                 "module-logic",
                 f"{module.name} lies in {folder}, which is not a described logic module",
-                f"describe the folder in {folder}/module.dox, or move the module",
             )
         )
     if Path(module.header).stem != module.name:
@@ -131,7 +128,6 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
                 module.place,
                 "module-name",
                 f"the module {module.name} is in {Path(module.header).name}",
-                f"move it to {module.name}.hpp, or mark a value type with @datatype",
             )
         )
     names = facts.declared.names
@@ -141,7 +137,6 @@ def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
                 module.place,
                 "module-count",
                 f"{module.name} is not a module of {module.logic} in design/modules.toml",
-                "remove it, mark a value type with @datatype, or change the design",
             )
         )
     return findings
@@ -167,7 +162,6 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
             module.place,
             "module-count",
             f"{module.name} has a @datatype, but is a module of {module.logic} in the design",
-            "remove the mark, or correct the design",
         )
         for module in model.modules.values()
         if module.datatype and module.name in names.get(module.logic, [])
@@ -180,8 +174,7 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
             f"the design lists {len(listed)} modules, {different} different, but the paper has "
             f"{total}"
         )
-        fix = "correct the lists of design/modules.toml"
-        findings.append(Finding(Place("design/modules.toml", 1), "module-count", text, fix))
+        findings.append(Finding(Place("design/modules.toml", 1), "module-count", text))
     return findings
 
 
@@ -196,8 +189,7 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> li
     else:
         functions[words_of(module.function)] = module.name
         return []
-    fix = "write above the class a purpose that no other module has"
-    return [Finding(module.place, "module-function", wrong, fix)]
+    return [Finding(module.place, "module-function", wrong)]
 
 
 def says(text: str) -> bool:
@@ -218,12 +210,7 @@ def _nested(facts: Facts) -> list[Finding]:
         if fact.access == "public" and fact.name.split("::")[0] in facts.modules
     ]
     return [
-        Finding(
-            fact.place,
-            "module-spec",
-            f"{fact.name} is public, and has no @brief",
-            "make it private, or write a brief above it",
-        )
+        Finding(fact.place, "module-spec", f"{fact.name} is public, and has no @brief")
         for fact in nested
         if not facts.comment(fact).brief
     ]
@@ -236,21 +223,18 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
         for finding in findings
         if finding.check == "module-spec"
     }
-    fix = "make it private, or write a brief next to it"
     for declaration in facts.syntax.silent:
         place = declaration.place
         if (place.file, place.line) in seen or place.file == REGISTERS:
             continue
         if place.end is None or not _has_words(place, facts):
-            yield Finding(
-                place, "module-spec", f"{declaration.name} is public, and has no @brief", fix
-            )
+            yield Finding(place, "module-spec", f"{declaration.name} is public, and has no @brief")
     for fact in facts.syntax.classes:
         described = facts.comment(fact).words("tparam")
         for name in fact.parameters if described else ():
             if name not in described:
                 text = f"{fact.name}, {name} is public, and has no @tparam"
-                yield Finding(fact.place, "module-spec", text, fix)
+                yield Finding(fact.place, "module-spec", text)
 
 
 def _units(model: Model, facts: Facts) -> list[Finding]:
@@ -275,7 +259,7 @@ def _units(model: Model, facts: Facts) -> list[Finding]:
         unit = UNITS.findall(unit_text(kind, model)) if said else []
         if unit and unit[0].split(" since ")[0] not in said:
             wrong = f"the text of {name} has the unit [{said[0]}], and its type has [{unit[0]}]"
-            findings.append(Finding(place, "module-spec", wrong, "write the unit of the type"))
+            findings.append(Finding(place, "module-spec", wrong))
     return findings
 
 
@@ -296,7 +280,6 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[F
                 module.place,
                 "module-secret",
                 f"{module.name} has {count or 'no'} {'secrets' if count else 'secret'}",
-                "state above the class the one likely change that it hides, with @secret",
             )
         )
     elif words_of(module.secret) in (words_of(module.function), words_of(module.brief)):
@@ -305,7 +288,6 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[F
                 module.place,
                 "module-secret",
                 f"the secret of {module.name} is the same as its public texts",
-                "state the one likely change that it hides",
             )
         )
     elif words_of(module.secret) in secrets:
@@ -314,7 +296,6 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[F
                 module.place,
                 "module-secret",
                 f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
-                "state the likely change that only this module hides",
             )
         )
     else:
@@ -345,15 +326,7 @@ def _specification(method: Method) -> list[Finding]:
             missing.append("unit or meaning of the result")
     if method.kind != "constructor" and not INTERRUPT.match(method.interrupt):
         missing.append("@isr{yes} or @isr{no}")
-    return [
-        Finding(
-            method.place,
-            "module-spec",
-            f"{method.id} has no {what}",
-            "write it above the declaration",
-        )
-        for what in missing
-    ]
+    return [Finding(method.place, "module-spec", f"{method.id} has no {what}") for what in missing]
 
 
 def _gives_result(method: Method) -> bool:
@@ -389,12 +362,7 @@ def _folders(model: Model, facts: Facts) -> list[Finding]:
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
                 missing = [f"separate @secret: {secrets[secret]} has the same"]
         findings += [
-            Finding(
-                logic.place,
-                "module-folder",
-                f"the logic module {logic.id} has no {name}",
-                f"write it in {folder_of(logic.id)}/module.dox",
-            )
+            Finding(logic.place, "module-folder", f"the logic module {logic.id} has no {name}")
             for name in missing
         ]
     return findings

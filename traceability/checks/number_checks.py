@@ -45,8 +45,7 @@ def _unlinked(
     for number in stated.keys() - (links.constants.keys() if links else set()):
         if f"{requirement.id} {number}" not in without:
             text = f"{requirement.id} states {number}, but no constant is linked with it"
-            fix = f"name the constant in {LINKS}, or state there why no constant exists"
-            yield Finding(requirement.place, "req-number", text, fix)
+            yield Finding(requirement.place, "req-number", text)
 
 
 def _linked(
@@ -58,15 +57,14 @@ def _linked(
         constants = constants_named(name, facts.syntax.values)
         if number not in stated:
             text = f"{entry.requirement} does not state {number}"
-            yield Finding(place, "req-number", text, "correct the number, or remove the link")
+            yield Finding(place, "req-number", text)
         elif not constants:
             text = f"{name} is no constant, but is linked with {number} of {entry.requirement}"
-            yield Finding(place, "req-number", text, "correct the name of the constant")
+            yield Finding(place, "req-number", text)
         elif not any(is_same(stated[number], quantity_of(constant)) for constant in constants):
             value = f"{constants[0].number} {constants[0].unit}".strip()
             text = f"{name} is {value}, and {entry.requirement} states {number}"
-            fix = "correct the constant or the requirement"
-            yield Finding(constants[0].place, "req-number", text, fix)
+            yield Finding(constants[0].place, "req-number", text)
 
 
 def _unneeded(model: Model, without: dict[str, Place]) -> list[Finding]:

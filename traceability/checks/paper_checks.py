@@ -44,7 +44,7 @@ def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
             texts.append(("it has neither an answer nor a deviation", "says"))
         for text, word in texts:
             line = facts.declared.entries.line_in(statement.place, word)
-            yield Finding(line, "paper-statement", text, "correct the entry")
+            yield Finding(line, "paper-statement", text)
 
 
 def _unstated(model: Model) -> Iterator[Finding]:
@@ -57,8 +57,7 @@ def _unstated(model: Model) -> Iterator[Finding]:
             pair = (source.name, f"requirement:{requirement.id}")
             if source.kind == "paper" and pair not in answered:
                 text = f"no statement of {source.name} of the paper names {requirement.id}"
-                fix = "add it to design/statements.toml, or correct the source"
-                yield Finding(requirement.place, "paper-statement", text, fix)
+                yield Finding(requirement.place, "paper-statement", text)
 
 
 def _complete(model: Model, facts: Facts) -> list[Finding]:
@@ -75,15 +74,13 @@ def _complete(model: Model, facts: Facts) -> list[Finding]:
             )
         elif key not in concordance.named:
             text = f"design/paper.toml lists no {entry.kind} {entry.name}"
-            fix = "correct the kind or the name, or remove the entry"
-            findings.append(Finding(entry.place, "paper-complete", text, fix))
+            findings.append(Finding(entry.place, "paper-complete", text))
         entries[key] = entry
     findings += [
         Finding(
             place,
             "paper-complete",
             f"the {key[0]} {key[1]} of the paper has no entry in the concordance",
-            "write its counterpart in design/concordance.toml",
         )
         for key, place in concordance.lines.items()
         if key not in entries
@@ -123,7 +120,6 @@ def _stale(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
             facts.declared.entries.line_in(entry.place, target),
             "paper-stale",
             f"the paper's {entry.kind} {entry.name} is linked to {target}, which does not exist",
-            "name the part that replaced it",
         )
         for target in entry.here
         if not exists(target, model, facts)
@@ -171,9 +167,7 @@ def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
         text = (
             f"the paper's {entry.name} is named {' and '.join(entry.here)} here, but has no alias"
         )
-        return [
-            Finding(entry.place, "paper-alias", text, "write the reason, or use the paper's name")
-        ]
+        return [Finding(entry.place, "paper-alias", text)]
     if entry.alias and entry.kind == "module" and entry.name in facts.classes:
         text = f"the code has a class {entry.name}, but the entry has another name for it"
         return [Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")]
@@ -232,7 +226,6 @@ def check_pages(model: Model, facts: Facts, site: Path) -> list[Finding]:
             facts.declared.entries.line_in(place, target),
             check,
             f"{what} is linked to {target}, which is no page",
-            "name the page that shows it",
         )
         for place, target, check, what in named
         if target.startswith("view:") and not has_page(site, _page_of(target))

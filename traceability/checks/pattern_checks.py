@@ -209,8 +209,7 @@ def _counts(facts: Facts) -> list[Finding]:
                 f"the design has {len(applications)} applications of {pattern.name}, not "
                 f"{pattern.applications}"
             )
-            fix = f"correct the entries of {APPLICATIONS}"
-            findings.append(Finding(pattern.place, "pattern-count", text, fix))
+            findings.append(Finding(pattern.place, "pattern-count", text))
     return findings
 
 
@@ -230,14 +229,8 @@ def _required(facts: Facts) -> list[Finding]:
             for module in modules
             if module not in facts.classes
         ]
-        fix = f"bind each role of the pattern in {APPLICATIONS}"
         findings += [
-            Finding(
-                facts.declared.entries.line_in(item.place, word),
-                "pattern-role-required",
-                text,
-                fix,
-            )
+            Finding(facts.declared.entries.line_in(item.place, word), "pattern-role-required", text)
             for text, word in problems
         ]
     return findings
@@ -271,7 +264,6 @@ def _missing_roles(application: PatternApplication, model: Model, facts: Facts) 
             model.modules[module].place,
             "pattern-role-missing",
             f"{module} has no mark that it is {role} in {application.id}",
-            f"write @role{{{application.id}, {role}}} above it",
         )
         for role, modules in (declared.roles if declared else {}).items()
         for module in modules
@@ -298,7 +290,6 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
                         "pattern-heir-unbound",
                         f"{heir} derives from {binding.module}, which is {binding.role} in "
                         f"{application.id}, and plays no role of a subclass",
-                        "bind it to such a role, or derive it from another class",
                     ),
                 )
     return list(findings.values())

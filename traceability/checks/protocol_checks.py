@@ -34,8 +34,7 @@ def _numbers(facts: Facts) -> Iterator[Finding]:
                 )
                 written = re.compile(rf'\b{number}, *name *= *"{re.escape(str(name))}"')
                 at = next((n for n, line in enumerate(lines, 1) if written.search(line)), 1)
-                fix = "correct the number; never give a new meaning to a number on the line"
-                yield Finding(Place(FRAMES, at), "doc-frame", text, fix)
+                yield Finding(Place(FRAMES, at), "doc-frame", text)
 
 
 def _enumerators(name: str, facts: Facts) -> dict[str, int]:
@@ -69,8 +68,7 @@ def _examples(facts: Facts) -> Iterator[Finding]:
         ]
         if wrong:
             text = f"the {' and the '.join(wrong)} of this example do not belong to its body"
-            fix = "run tests/python/client/examples.py, which writes the examples"
-            yield Finding(Place(EXAMPLES, number), "doc-example", text, fix)
+            yield Finding(Place(EXAMPLES, number), "doc-example", text)
 
 
 def _crc(data: bytes) -> int:

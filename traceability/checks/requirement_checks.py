@@ -87,12 +87,7 @@ def _texts(model: Model) -> list[Finding]:
             f"@priority ({', '.join(PRIORITIES)})": requirement.priority in PRIORITIES,
         }
         findings += [
-            Finding(
-                requirement.place,
-                "req-text",
-                f"{requirement.id} has no {part}",
-                "write it below the @requirement",
-            )
+            Finding(requirement.place, "req-text", f"{requirement.id} has no {part}")
             for part, there in parts.items()
             if not there
         ]
@@ -115,9 +110,7 @@ def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
         wrong += [f"a @product {name}, which does not exist" for name in sorted(unknown)]
         for words in wrong:
             text = f"{requirement.id} has {words}"
-            yield Finding(
-                requirement.place, "req-attribute", text, "write it below the @requirement"
-            )
+            yield Finding(requirement.place, "req-attribute", text)
 
 
 def _has_way(requirement: Requirement) -> bool:
@@ -168,22 +161,12 @@ def _without(model: Model) -> list[Finding]:
     """Finds methods and tests that serve no requirement and are not justified."""
     justified = {name for item in model.justified for name in item.covers}
     methods = [
-        Finding(
-            method.place,
-            "req-method",
-            f"{method.id} serves no requirement",
-            "tag it with @satisfies, use it in a tree, or justify it in design/justified.toml",
-        )
+        Finding(method.place, "req-method", f"{method.id} serves no requirement")
         for _, method in methods_without(model)
         if method.id not in justified
     ]
     tests = [
-        Finding(
-            test.place,
-            "req-test",
-            f"{test.id} verifies no requirement",
-            "tag it with @verifies, or justify it in design/justified.toml",
-        )
+        Finding(test.place, "req-test", f"{test.id} verifies no requirement")
         for test in tests_without(model)
         if test.id not in justified
     ]
@@ -209,14 +192,13 @@ def _uncalled(model: Model, facts: Facts) -> list[Finding]:
     }
     entries = [entry for entry in facts.declared.justified if entry.kind == "uncalled"]
     named = {name for entry in entries for name in entry.names}
-    fix = "call it, remove it, or justify it in design/justified.toml"
     findings = [
-        Finding(method.place, "req-caller", f"only tests call {name}", fix)
+        Finding(method.place, "req-caller", f"only tests call {name}")
         for name, method in spare.items()
         if name not in named
     ]
     return findings + [
-        Finding(entry.place, "req-justified", f"{name} has a caller", "remove the name")
+        Finding(entry.place, "req-justified", f"{name} has a caller")
         for entry in entries
         for name in entry.names
         if name not in spare
@@ -229,7 +211,6 @@ def _unneeded(model: Model) -> list[Finding]:
             item.place,
             "req-justified",
             f"no {item.kind} needs this justification: {', '.join(spare)}",
-            "remove the names, or correct them",
         )
         for item in model.justified
         if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST))
@@ -251,19 +232,14 @@ def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
         held = bodies.get((entry.file, entry.method), [])
         if not any(entry.line in _lines_of(facts.root, body) for body in held):
             text = f"{entry.method} in {entry.file} does not contain the line: {entry.line}"
-            yield Finding(
-                entry.place,
-                "req-justified",
-                text,
-                "quote a line of the method, or remove the entry",
-            )
+            yield Finding(entry.place, "req-justified", text)
         for change in entry.changes if whole else []:
             if (entry.file, entry.method, change) not in missed:
                 text = (
                     f"a test finds this change of {entry.method}, or no mutant makes the change: "
                     f"{change}"
                 )
-                yield Finding(entry.place, "req-justified", text, "correct or remove the change")
+                yield Finding(entry.place, "req-justified", text)
 
 
 def _lines_of(root: Path, body: BodyFact) -> list[str]:
@@ -286,7 +262,6 @@ def _stale(model: Model) -> list[Finding]:
             f"there are no test results of the {binding}"
             if made_from is None
             else f"the test results of the {binding} are older than the sources",
-            "run ./wr test",
         )
         for binding, made_from in model.results_hashes.items()
         if model.stale_on(binding)
@@ -321,21 +296,11 @@ def _requirements(model: Model) -> list[Finding]:
     for requirement in model.requirements.values():
         if requirement.by_calls and not requirement.satisfied_by:
             findings.append(
-                Finding(
-                    requirement.place,
-                    "req-satisfied",
-                    f"no method satisfies {requirement.id}",
-                    f"tag the method that does the work with @satisfies {requirement.id}",
-                )
+                Finding(requirement.place, "req-satisfied", f"no method satisfies {requirement.id}")
             )
         if not requirement.evidence and not requirement.verified_by:
             findings.append(
-                Finding(
-                    requirement.place,
-                    "req-verified",
-                    f"no test verifies {requirement.id}",
-                    f"tag a test with @verifies {requirement.id}",
-                )
+                Finding(requirement.place, "req-verified", f"no test verifies {requirement.id}")
             )
     return findings
 
@@ -350,12 +315,7 @@ def unmet(
     """
     checks = {finding.check for finding in others}
     return [
-        Finding(
-            evidence.place,
-            "req-evidence",
-            f"{requirement.id} is not met: {reason}",
-            "run ./wr test to measure it; if the value is beyond its bound, correct the code",
-        )
+        Finding(evidence.place, "req-evidence", f"{requirement.id} is not met: {reason}")
         for requirement in model.requirements.values()
         for evidence in requirement.evidence
         if not _is_reported(evidence, measured[evidence.figure], checks)
@@ -380,7 +340,6 @@ def _results(model: Model) -> list[Finding]:
             "req-passed",
             f"{test.id} {words[result.result]} on the {binding}"
             + (f", but it verifies {', '.join(test.verifies)}" if test.verifies else ""),
-            "correct the code or the test, then run ./wr test",
         )
         for test in model.tests.values()
         for binding, result in test.results.items()
@@ -425,7 +384,7 @@ def _unknown(model: Model, facts: Facts) -> list[Finding]:
         names = [figure.requirement for figure in scenario.figures if figure.requirement]
         tagged += [(facts.declared.entries.line_in(scenario.place, name), name) for name in names]
     return [
-        Finding(place, "req-unknown", f"there is no requirement {name}", "correct the id")
+        Finding(place, "req-unknown", f"there is no requirement {name}")
         for place, name in tagged
         if name not in model.requirements
     ]
@@ -438,7 +397,7 @@ def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
             if tag.name in _VERBS.values():
                 if tag.argument not in model.requirements:
                     text = f"there is no requirement {tag.argument}"
-                    yield Finding(tag.place, "req-unknown", text, "correct the id")
+                    yield Finding(tag.place, "req-unknown", text)
                 if tag.text:
                     text = f"this @{tag.name} names more than one requirement"
                     yield Finding(
@@ -471,7 +430,6 @@ def _tags(model: Model) -> list[Finding]:
                     test.place,
                     "req-name",
                     f"{test.id} is named after {name} but does not verify it",
-                    f"write @verifies {name} above it, or rename it",
                 )
             )
     return findings
@@ -487,7 +445,6 @@ def _lines(model: Model) -> list[Finding]:
             "req-line",
             f"no test of {', '.join(gap.requirements) or 'any requirement'} executes "
             f"{_listed(gap.lines)} of {gap.method}",
-            "test it for its requirement, remove it, or justify it in design/justified.toml",
         )
         for gap in model.line_gaps
         if not gap.reason
@@ -515,13 +472,11 @@ def _suspects(model: Model) -> list[Finding]:
         )
         for suspicion, ids in asking.items()
     ]
-    fix = "compare it with the code; then accept the change: ./wr review --baseline design"
     findings += [
         Finding(
             suspicion.place,
             "suspect-design",
             f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}",
-            fix,
         )
         for suspicion in model.suspicions
     ]
@@ -542,12 +497,7 @@ def _reviews(model: Model) -> Iterator[Finding]:
         for review in requirement.reviews:
             for objection in review.objections:
                 text = f"the record for {requirement.id} is no review: {objection}"
-                yield Finding(
-                    review.place,
-                    "req-review",
-                    text,
-                    "remove the record, and review the requirement again",
-                )
+                yield Finding(review.place, "req-review", text)
 
 
 def _macros(facts: Facts) -> Iterator[Finding]:

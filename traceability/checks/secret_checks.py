@@ -35,7 +35,7 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
             if field.access == "public" and not field.constant:
                 text = f"{module.name}::{field.name} is public data"
                 fix = "make it private, and add an operation"
-                findings.append(Finding(field.place, "secret-open", text, fix))
+                findings.append(Finding(field.place, "secret-open", text))
     for friend in facts.syntax.friends:
         module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
         if module_ != other:
@@ -113,7 +113,6 @@ def _hidden(model: Model, facts: Facts) -> list[Finding]:
                 place,
                 "secret-hidden",
                 f"{hidden.name} is used here, but is a secret of {hidden.owner}",
-                f"call an operation of {hidden.owner}, or change the secret",
             )
             for place in first.values()
         ]

@@ -27,7 +27,6 @@ def _self_calls(facts: Facts) -> list[Finding]:
             body.place,
             "stack-recursion",
             f"{body.id} calls itself, directly or through other functions of its file",
-            "write a loop with a bound",
         )
         for body in facts.syntax.bodies
         if body.id in _reached(body.id, calls[body.place.file])
@@ -49,7 +48,7 @@ def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
 def _calls(proof: StackProof) -> list[Finding]:
     fix = f"call an object that a builder passes, or declare the call in {DECLARED}"
     findings = [
-        Finding(place, "stack-call", f"the target of this call in {function} is unknown", fix)
+        Finding(place, "stack-call", f"the target of this call in {function} is unknown")
         for function, place in proof.unresolved
     ]
     if proof.untold:
@@ -61,13 +60,12 @@ def _calls(proof: StackProof) -> list[Finding]:
 
 
 def _cycles(proof: StackProof, facts: Facts) -> list[Finding]:
-    fix = "write a loop with a bound"
     findings = []
     for cycle in proof.cycles:
         bodies = [body for name in cycle for body in facts.bodies.get(name, [])]
         place = bodies[0].place if bodies else SCRIPT
         text = f"recursion: {' > '.join([*cycle, cycle[0]])}"
-        findings.append(Finding(place, "stack-recursion", text, fix))
+        findings.append(Finding(place, "stack-recursion", text))
     return findings
 
 
@@ -85,7 +83,7 @@ def _bound(proof: StackProof) -> list[Finding]:
             f"chains {largest.name} has the largest frame, {largest.bytes} bytes"
         )
         fix = "make this frame smaller, or raise stackSize in this file"
-        findings.append(Finding(SCRIPT, "stack-bound", text, fix))
+        findings.append(Finding(SCRIPT, "stack-bound", text))
     if proof.seen is not None and proof.seen > proof.total:
         text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"
         fix = "find the call that the proof misses"

@@ -47,7 +47,6 @@ def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
             application.place,
             "fsm-declared",
             f"the states of {application.id} have no state machine",
-            "declare its states and transitions in design/fsm",
         )
         for application in model.patterns.values()
         if application.pattern == "State"
@@ -233,7 +232,6 @@ def _operation(
                 row.place,
                 "fsm-code",
                 f"{state}::{operation} always changes the state, so {words(row)} cannot stay",
-                "remove the transition, or correct the code",
             )
             for row in rows
             if is_stay(row)
@@ -289,7 +287,7 @@ def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
             for question in sorted(_asked(machine, row) - set(change.asked)):
                 text = f"{words(row)} needs '{question}', but the code does not check it"
                 fix = "correct the guard, or the code"
-                findings.append(Finding(change.place, "fsm-code", text, fix))
+                findings.append(Finding(change.place, "fsm-code", text))
     for change in code.changes:
         evaluated = _known_before(machine, code, change)
         for question in sorted(set(change.asked) - evaluated):
@@ -315,14 +313,12 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
                 for name in machine.actions.get(row.action, ["an entry in [actions]"]):
                     if name not in before:
                         text = f"the action '{row.action}' of {words(row)} lacks {name}"
-                        fix = "correct the action, [actions], or the code"
-                        findings.append(Finding(row.place, "fsm-code", text, fix))
+                        findings.append(Finding(row.place, "fsm-code", text))
             declared = {name for row in rows for name in machine.actions.get(row.action, ())}
             every = {name for names in machine.actions.values() for name in names}
             for name in sorted((every & called) - declared) if rows else []:
                 text = f"{method} calls {name}, but no transition has this action"
-                fix = "declare the action, or remove the call"
-                findings.append(Finding(bodies[0].place, "fsm-code", text, fix))
+                findings.append(Finding(bodies[0].place, "fsm-code", text))
     return findings
 
 
@@ -345,7 +341,7 @@ def _guarded(row: Transition, change: Change) -> Finding:
     made = "on some paths only" if change.sometimes else "on every path"
     declared = "a guard" if row.guard else "no guard"
     text = f"{words(row)} has {declared}, but {change.source}::{change.operation} makes it {made}"
-    return Finding(change.place, "fsm-code", text, "declare the guard, or correct the code")
+    return Finding(change.place, "fsm-code", text)
 
 
 def _undeclared(machine: StateMachine, change: Change) -> Finding:
@@ -356,35 +352,24 @@ def _undeclared(machine: StateMachine, change: Change) -> Finding:
     text = (
         f"{where} changes {change.source} to {change.target}, which {machine.id} does not declare"
     )
-    return Finding(
-        change.place,
-        "fsm-code",
-        text,
-        f"declare the transition in {machine.place.file}, or remove it",
-    )
+    return Finding(change.place, "fsm-code", text)
 
 
 def _not_made(row: Transition, state: str, operation: str) -> Finding:
     text = f"{words(row)} is declared, but {state}::{operation} does not make this transition"
-    return Finding(row.place, "fsm-code", text, "correct the code, or remove the transition")
+    return Finding(row.place, "fsm-code", text)
 
 
 def _seen(machine: StateMachine) -> list[Finding]:
     findings = [
-        Finding(
-            step.place,
-            "fsm-seen",
-            f"no passing test makes the transition {words(step)}",
-            "test it through its Context, or remove it",
-        )
+        Finding(step.place, "fsm-seen", f"no passing test makes the transition {words(step)}")
         for step in machine.transitions
         if not step.tests
     ]
     for change, tests in machine.undeclared.items():
         source, operation, target = change.split(" ")
         text = f"{tests[0]} makes {source} change to {target} in {operation}, which is not declared"
-        fix = "declare the transition, or correct the code"
-        findings.append(Finding(machine.place, "fsm-seen", text, fix))
+        findings.append(Finding(machine.place, "fsm-seen", text))
     return findings
 
 
@@ -395,7 +380,6 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
             facts.declared.entries.line_in(step.place, name),
             "fsm-seen",
             f"no passing test of {name} makes the transition {words(step)}",
-            f"correct the requirement, or let a test of {name} make it",
         )
         for step in machine.transitions
         for name in step.requirements

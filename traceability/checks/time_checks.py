@@ -52,5 +52,4 @@ def _seen(proof: TimeProof, what: str, seen_ms: float | None, bound_ms: float) -
     if not proof.proven or seen_ms is None or seen_ms <= bound_ms:
         return []
     text = f"{what} took {seen_ms:.3f} ms, more than the bound of {bound_ms:.3f} ms"
-    fix = f"a bound is too small: correct the bound of a loop, or a number in {DECLARED_IN}"
-    return [Finding(DECLARATION, "time-seen", text, fix)]
+    return [Finding(DECLARATION, "time-seen", text)]

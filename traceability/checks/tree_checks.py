@@ -29,7 +29,6 @@ def check(model: Model, facts: Facts) -> list[Finding]:
                     requirement.place,
                     "tree-missing",
                     f"{requirement.id} has no tree of invocations",
-                    "write it in design/trees",
                 )
             )
             continue
@@ -44,10 +43,7 @@ def _nodes(requirement: Requirement) -> list[Finding]:
     assert requirement.tree is not None
     return [
         Finding(
-            node.place,
-            "tree-node",
-            f"there is no method {node.label} (tree of {requirement.id})",
-            "name a method that the class has or inherits",
+            node.place, "tree-node", f"there is no method {node.label} (tree of {requirement.id})"
         )
         for node in nodes_of(requirement.tree)
         if node.resolved is None
@@ -72,7 +68,6 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Findi
                     "tree-static",
                     f"{node.label} never {verb} {child.label}, but the tree of "
                     f"{requirement.id} contains the call ({tree})",
-                    "restore the call, or change the tree",
                 )
             )
         elif child.reachable:
@@ -122,6 +117,5 @@ def _executed(requirement: Requirement, model: Model) -> list[Finding]:
             "tree-dynamic",
             f"no passing test of {requirement.id} made the call of {failed.label} at this place of "
             "the tree",
-            "correct the tree, or test the requirement so that the calls are made",
         )
     ]

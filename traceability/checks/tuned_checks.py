@@ -81,5 +81,4 @@ def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> It
                 computed.add((constant.name, to))
             if sign.search(constant.text) and (constant.name, to) not in computed | declared:
                 text = f"{constant.name} seems to depend on {to} only"
-                fix = f"compute it from {to}, or declare it in {DECLARATIONS}"
-                yield Finding(constant.place, "change-tuned", text, fix)
+                yield Finding(constant.place, "change-tuned", text)

@@ -68,7 +68,6 @@ def _forbidden(model: Model) -> list[Finding]:
             place,
             "uses-allowed",
             f"{use.source} uses {use.target}, but design/uses.toml does not allow this use",
-            "remove the include or the call, or allow the use with a reason",
         )
         for use in model.uses
         if not _is_allowed(model, use)
@@ -82,12 +81,7 @@ def _extensions(model: Model) -> list[Finding]:
     # extension.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     return [
-        Finding(
-            place,
-            "uses-extension",
-            f"{use.source} uses the extension {use.target}",
-            "remove the include or the call: only a composition of the extension binds it",
-        )
+        Finding(place, "uses-extension", f"{use.source} uses the extension {use.target}")
         for use in model.uses
         if is_extension(use.target)
         and _extension(use.source) != _extension(use.target)
@@ -129,12 +123,7 @@ def _extension(logic: str) -> list[str]:
 
 def _unused(model: Model) -> list[Finding]:
     return [
-        Finding(
-            allowed.place,
-            "uses-unused",
-            f"{allowed.source} does not use {allowed.target}",
-            "remove the entry",
-        )
+        Finding(allowed.place, "uses-unused", f"{allowed.source} does not use {allowed.target}")
         for allowed in model.allowed_uses
         if not any(_covers(allowed, use) for use in model.uses)
     ] + _allowed_twice(model)
@@ -200,7 +189,6 @@ def _apart(facts: Facts) -> list[Finding]:
             place,
             "uses-apart",
             f"{user} names {target}, but design/uses.toml separates the two modules",
-            "pass the value through a pipe",
         )
         for user, target, place in named
         if (user, target) in pairs
@@ -218,12 +206,7 @@ def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
     """Finds a declared cycle that the uses do not form."""
     graph = _graph(model.uses, depth=9)
     return [
-        Finding(
-            cycle.place,
-            "uses-unused",
-            f"{module} is in no cycle with {cycle.modules[0]}",
-            "remove it from the cycle",
-        )
+        Finding(cycle.place, "uses-unused", f"{module} is in no cycle with {cycle.modules[0]}")
         for cycle in facts.declared.cycles
         for module in cycle.modules
         if module not in _reached(graph, cycle.modules[0])
@@ -242,8 +225,7 @@ def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _finding(use: Use, text: str) -> Finding:
-    fix = "remove one of the uses, or declare the cycle in design/uses.toml"
-    return Finding(use.places[0], "uses-cycle", text, fix)
+    return Finding(use.places[0], "uses-cycle", text)
 
 
 def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
