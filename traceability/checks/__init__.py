@@ -83,7 +83,7 @@ def run_checks(model: Model, facts: Facts) -> Report:
 def run_link_checks(model: Model, facts: Facts, site: Path) -> list[Finding]:
     """The dead links of the built site, and the expected pages that do not exist."""
     pages = paper_checks.check_pages(model, facts, site)
-    return sort(link_checks.check(model, site) + pages + link_checks.dead_clicks(site))
+    return sort([*link_checks.check(model, site), *pages, *link_checks.dead_clicks(site)])
 
 
 def sort(findings: list[Finding]) -> list[Finding]:

@@ -16,8 +16,8 @@ READ = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "
 
 def check(_model: Model, facts: Facts) -> list[Finding]:
     findings = [Finding(place, "syntax-error", text) for place, text in facts.syntax.errors]
-    findings += missing_paths(facts.root) + missing_commands(facts.root)
-    findings += missing_parts(facts.root)
+    for find in (missing_paths, missing_commands, missing_parts):
+        findings += find(facts.root)
     for problem in facts.declared.entries.problems:
         findings.append(Finding(problem.place, "design-entry", problem.text, problem.fix))
     findings += [Finding(place, "doc-warning", text.rstrip(" .")) for place, text in facts.warnings]

@@ -33,24 +33,21 @@ HEAP = re.compile(
 KINDS = (INTERRUPT, THREAD, START)
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    heap = list(_heap(facts))
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _heap(facts)
     if not facts.declared.contexts:
-        return heap
-    return (
-        heap
-        + _contexts(model, facts)
-        + _pipes(model, facts)
-        + _priorities(model, facts)
-        + _ends(facts)
-        + _interrupts(model, facts)
-        + _claims(model, facts)
-        + _floats(model, facts)
-        + _loops(facts)
-        + _enabled(facts)
-        + _shared(model, facts)
-        + _unprotected(model, facts)
-    )
+        return
+    yield from _contexts(model, facts)
+    yield from _pipes(model, facts)
+    yield from _priorities(model, facts)
+    yield from _ends(facts)
+    yield from _interrupts(model, facts)
+    yield from _claims(model, facts)
+    yield from _floats(model, facts)
+    yield from _loops(facts)
+    yield from _enabled(facts)
+    yield from _shared(model, facts)
+    yield from _unprotected(model, facts)
 
 
 def _contexts(model: Model, facts: Facts) -> list[Finding]:
@@ -102,12 +99,11 @@ def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], 
     return declared, findings
 
 
-def _pipes(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _pipes(model: Model, facts: Facts) -> Iterator[Finding]:
     for pipe in model.pipes:
         if pipe.id not in facts.declared.pipes:
             text = f"the pipe {pipe.id} has no name"
-            findings.append(_declared(pipe.place, text))
+            yield _declared(pipe.place, text)
         writing = {context for contexts in pipe.writers.values() for context in contexts}
         reading = {context for contexts in pipe.readers.values() for context in contexts}
         for what, contexts in (("writes", writing), ("reads", reading)):
@@ -116,13 +112,12 @@ def _pipes(model: Model, facts: Facts) -> list[Finding]:
                     f"more than one context {what} the {pipe.name}: {', '.join(sorted(contexts))}"
                 )
                 fix = "add a pipe for each writer and reader"
-                findings.append(Finding(pipe.place, "exec-shared", text, fix))
+                yield Finding(pipe.place, "exec-shared", text, fix)
     names = {pipe.id for pipe in model.pipes}
     for name, pipe_text in facts.declared.pipes.items():
         if name not in names:
             text = f"the robot has no pipe {name}"
-            findings.append(_declared(pipe_text.place, text))
-    return findings
+            yield _declared(pipe_text.place, text)
 
 
 def _priorities(model: Model, facts: Facts) -> list[Finding]:
@@ -179,7 +174,7 @@ def _declared(place: Place, text: str) -> Finding:
     return Finding(place, "exec-declared", text)
 
 
-def _interrupts(model: Model, facts: Facts) -> list[Finding]:
+def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds methods that no interrupt may call, but that run in an interrupt."""
     forbidden = {
         method.id: method
@@ -187,7 +182,6 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods
         if method.interrupt == "no"
     }
-    findings: list[Finding] = []
     for context in model.contexts.values():
         if context.kind != INTERRUPT:
             continue
@@ -196,8 +190,7 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
         for name in sorted(set(reached) & set(forbidden)):
             way = " > ".join(way_to(name, reached))
             text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
-            findings.append(Finding(forbidden[name].place, "exec-isr", text))
-    return findings
+            yield Finding(forbidden[name].place, "exec-isr", text)
 
 
 def _claims(model: Model, facts: Facts) -> list[Finding]:
@@ -294,14 +287,13 @@ def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
     ]
 
 
-def _unprotected(model: Model, facts: Facts) -> list[Finding]:
+def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds members that are not atomic or not locked, unlike their declaration."""
     contexts = {context.id: context for context in model.contexts.values()}
-    findings: list[Finding] = []
     for member in model.shared:
         if "atomic" in member.protection and "atomic" not in member.type:
             text = f"{member.id} is declared as atomic, and is {member.type}"
-            findings.append(Finding(member.place, "exec-shared", text, "make it std::atomic"))
+            yield Finding(member.place, "exec-shared", text, "make it std::atomic")
         if member.protection != MASKED:
             continue
         using = [contexts[name] for name in (*member.writers, *member.readers) if name in contexts]
@@ -312,8 +304,7 @@ def _unprotected(model: Model, facts: Facts) -> list[Finding]:
             if member.id in body.touches and body.id in reached and not locked:
                 text = f"{body.id} uses {member.id} without the {LOCK} that shall protect it"
                 fix = f"make an {LOCK} first, or declare the actual protection"
-                findings.append(Finding(body.place, "exec-shared", text, fix))
-    return findings
+                yield Finding(body.place, "exec-shared", text, fix)
 
 
 def _shared(model: Model, facts: Facts) -> list[Finding]:

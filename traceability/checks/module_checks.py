@@ -51,10 +51,10 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods:
             if method.access == "public":
                 findings += _specification(method)
-    findings += _folders(model, facts) + _written(model, facts) + _nested(facts)
-    findings += _products(model, facts)
-    findings += _unused(model, facts) + _behaviour(model, facts)
-    return [*findings, *_silent(facts, findings), *_units(model, facts)]
+    for find in (_folders, _written, _products, _unused, _behaviour, _units):
+        findings += find(model, facts)
+    findings += _nested(facts)
+    return [*findings, *_silent(facts, findings)]
 
 
 def _unused(model: Model, facts: Facts) -> list[Finding]:
@@ -111,35 +111,27 @@ def _behaviour(model: Model, facts: Facts) -> list[Finding]:
     ]
 
 
-def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _place_and_name(module: Module, facts: Facts) -> Iterator[Finding]:
     folder = Path(module.header).parent
     if not (facts.root / folder / "module.dox").exists() or str(folder) in DESIGN:
-        findings.append(
-            Finding(
-                module.place,
-                "module-logic",
-                f"{module.name} lies in {folder}, which is not a described logic module",
-            )
+        yield Finding(
+            module.place,
+            "module-logic",
+            f"{module.name} lies in {folder}, which is not a described logic module",
         )
     if Path(module.header).stem != module.name:
-        findings.append(
-            Finding(
-                module.place,
-                "module-name",
-                f"the module {module.name} is in {Path(module.header).name}",
-            )
+        yield Finding(
+            module.place,
+            "module-name",
+            f"the module {module.name} is in {Path(module.header).name}",
         )
     names = facts.declared.names
     if names and not module.extension and module.name not in names.get(module.logic, []):
-        findings.append(
-            Finding(
-                module.place,
-                "module-count",
-                f"{module.name} is not a module of {module.logic} in design/modules.toml",
-            )
+        yield Finding(
+            module.place,
+            "module-count",
+            f"{module.name} is not a module of {module.logic} in design/modules.toml",
         )
-    return findings
 
 
 def _written(model: Model, facts: Facts) -> list[Finding]:
@@ -237,7 +229,7 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
                 yield Finding(fact.place, "module-spec", text)
 
 
-def _units(model: Model, facts: Facts) -> list[Finding]:
+def _units(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds a unit in a text that differs from the unit of the type."""
     texts: list[tuple[Place, str, str, str]] = []  # place, name, type, text
     for module in model.modules.values():
@@ -253,14 +245,12 @@ def _units(model: Model, facts: Facts) -> list[Finding]:
             (field.place, f"{fact.name}::{field.name}", field.type, facts.comment(field).brief)
             for field in fact.fields
         ]
-    findings: list[Finding] = []
     for place, name, kind, text in texts:
         said = UNITS.findall(text)
         unit = UNITS.findall(unit_text(kind, model)) if said else []
         if unit and unit[0].split(" since ")[0] not in said:
             wrong = f"the text of {name} has the unit [{said[0]}], and its type has [{unit[0]}]"
-            findings.append(Finding(place, "module-spec", wrong))
-    return findings
+            yield Finding(place, "module-spec", wrong)
 
 
 def _has_words(place: Place, facts: Facts) -> bool:
@@ -271,36 +261,28 @@ def _has_words(place: Place, facts: Facts) -> bool:
     return above.strip().startswith("//") or "//" in line or line.startswith("extern ")
 
 
-def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[Finding]:
-    findings: list[Finding] = []
+def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> Iterator[Finding]:
     count = len([secret for secret in comment.all("secret") if says(secret)])
     if count != 1:
-        findings.append(
-            Finding(
-                module.place,
-                "module-secret",
-                f"{module.name} has {count or 'no'} {'secrets' if count else 'secret'}",
-            )
+        yield Finding(
+            module.place,
+            "module-secret",
+            f"{module.name} has {count or 'no'} {'secrets' if count else 'secret'}",
         )
     elif words_of(module.secret) in (words_of(module.function), words_of(module.brief)):
-        findings.append(
-            Finding(
-                module.place,
-                "module-secret",
-                f"the secret of {module.name} is the same as its public texts",
-            )
+        yield Finding(
+            module.place,
+            "module-secret",
+            f"the secret of {module.name} is the same as its public texts",
         )
     elif words_of(module.secret) in secrets:
-        findings.append(
-            Finding(
-                module.place,
-                "module-secret",
-                f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
-            )
+        yield Finding(
+            module.place,
+            "module-secret",
+            f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
         )
     else:
         secrets[words_of(module.secret)] = module.name
-    return findings
 
 
 def _specification(method: Method) -> list[Finding]:
@@ -345,8 +327,7 @@ def folder_of(logic: str) -> str:
     return logic if is_extension(logic) else f"{SRC}/{logic}"
 
 
-def _folders(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _folders(model: Model, facts: Facts) -> Iterator[Finding]:
     secrets: dict[str, str] = {}
     for logic in model.logic_modules.values():
         if logic.id not in facts.folders and not logic.place.file.endswith(".dox"):
@@ -361,8 +342,7 @@ def _folders(model: Model, facts: Facts) -> list[Finding]:
                 missing = ["@secret that differs from its public description"]
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
                 missing = [f"separate @secret: {secrets[secret]} has the same"]
-        findings += [
+        yield from (
             Finding(logic.place, "module-folder", f"the logic module {logic.id} has no {name}")
             for name in missing
-        ]
-    return findings
+        )

@@ -18,21 +18,20 @@ from traceability.schema import Finding, Place, Requirement, RequirementNumbers
 LINKS = "design/requirement_numbers.toml"
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     links = {entry.requirement: entry for entry in facts.declared.numbers}
     without = {
         number: facts.declared.entries.line_in(entry.place, number)
         for entry in facts.declared.numbers_without
         for number in entry.numbers
     }
-    findings: list[Finding] = []
     for requirement in model.requirements.values() if links or without else []:
         stated = stated_numbers(requirement.text)
-        findings += _unlinked(requirement, stated, links.get(requirement.id), without)
+        yield from _unlinked(requirement, stated, links.get(requirement.id), without)
     for entry in links.values():
         stated_in = model.requirements.get(entry.requirement)
-        findings += _linked(entry, stated_numbers(stated_in.text if stated_in else ""), facts)
-    return findings + _unneeded(model, without)
+        yield from _linked(entry, stated_numbers(stated_in.text if stated_in else ""), facts)
+    yield from _unneeded(model, without)
 
 
 def _unlinked(

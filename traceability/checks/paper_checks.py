@@ -194,13 +194,11 @@ def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
     return [Finding(place, "paper-stale", text, "correct the number, or the design")]
 
 
-def _returned(method: str, facts: Facts) -> list[str]:
+def _returned(method: str, facts: Facts) -> Iterator[str]:
     """Returns the number that a method returns."""
-    numbers: list[str] = []
     for body in facts.bodies.get(method, []):
         lines = facts.lines_of(body.place.file)[body.place.line - 1 : body.end]
-        numbers += re.findall(r"\breturn (\d+);", "\n".join(lines))
-    return numbers
+        yield from re.findall(r"\breturn (\d+);", "\n".join(lines))
 
 
 def _name_here(target: str, model: Model) -> str:

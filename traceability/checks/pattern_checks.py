@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from traceability.checks.pattern_clauses import CLAUSES, Shape
 from traceability.model.design_model import Model
 from traceability.reading.declared import ClauseText, KnownApplication
@@ -27,14 +29,14 @@ EXTENDED = ("Concrete Component", "Decorator", "Concrete Decorator")
 ALTERNATIVES = ("State", "Strategy", "Abstract Class")
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    findings = _roles(model, facts) + _declared_once(model, facts) + _heirs(model, facts)
-    findings += _required(facts) + _undeclared(model, facts) + _counts(facts)
-    findings += _lost(model, facts) + _undecided(facts)
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    for find in (_roles, _declared_once, _heirs, _undeclared, _lost):
+        yield from find(model, facts)
+    for find_declared in (_required, _counts, _undecided):
+        yield from find_declared(facts)
     for application in model.patterns.values():
-        findings += _known(application, facts)
-        findings += _missing_roles(application, model, facts)
-    return findings
+        yield from _known(application, facts)
+        yield from _missing_roles(application, model, facts)
 
 
 def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Finding]]:
@@ -70,23 +72,18 @@ def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
     return [Finding(application.place, "pattern-known", text, fix) for text, fix in problems]
 
 
-def _declared_once(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _declared_once(model: Model, facts: Facts) -> Iterator[Finding]:
     first: dict[str, str] = {}
     for module in model.modules.values():
         for tag in facts.comment_of(module.name).of("patternapp"):
             name = tag.argument
             if name in first:
                 words = f"{name} is already declared above {first[name]}"
-                findings.append(
-                    Finding(tag.place, "pattern-known", words, "remove one of the two tags")
-                )
+                yield Finding(tag.place, "pattern-known", words, "remove one of the two tags")
             first.setdefault(name, module.name)
-    return findings
 
 
-def _roles(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _roles(model: Model, facts: Facts) -> Iterator[Finding]:
     for module in model.modules.values():
         seen: set[tuple[str, str]] = set()
         for binding in module.roles:
@@ -97,8 +94,7 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
             seen.add((binding.application, binding.role))
             if problem:
                 text, fix = problem
-                findings.append(Finding(binding.place, "pattern-role-unknown", text, fix))
-    return findings
+                yield Finding(binding.place, "pattern-role-unknown", text, fix)
 
 
 def _lost(model: Model, facts: Facts) -> list[Finding]:
@@ -197,9 +193,8 @@ def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, s
     ]
 
 
-def _counts(facts: Facts) -> list[Finding]:
+def _counts(facts: Facts) -> Iterator[Finding]:
     """The number of applications of each pattern equals the number in the paper."""
-    findings: list[Finding] = []
     for pattern in facts.declared.patterns:
         applications = [
             i for i in facts.declared.applications.values() if i.pattern == pattern.name
@@ -209,13 +204,11 @@ def _counts(facts: Facts) -> list[Finding]:
                 f"the design has {len(applications)} applications of {pattern.name}, not "
                 f"{pattern.applications}"
             )
-            findings.append(Finding(pattern.place, "pattern-count", text))
-    return findings
+            yield Finding(pattern.place, "pattern-count", text)
 
 
-def _required(facts: Facts) -> list[Finding]:
+def _required(facts: Facts) -> Iterator[Finding]:
     """Each application of the design binds every role of its pattern to modules that exist."""
-    findings: list[Finding] = []
     patterns = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
     for item in facts.declared.applications.values():
         roles = patterns.get(item.pattern, [])
@@ -229,11 +222,10 @@ def _required(facts: Facts) -> list[Finding]:
             for module in modules
             if module not in facts.classes
         ]
-        findings += [
+        yield from (
             Finding(facts.declared.entries.line_in(item.place, word), "pattern-role-required", text)
             for text, word in problems
-        ]
-    return findings
+        )
 
 
 def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:

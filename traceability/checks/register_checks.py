@@ -23,12 +23,12 @@ START_UP = "/start_up/"  # the drivers are in this range of folders only
 MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # reads or writes memory
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    findings = _undeclared(facts) + _used(model, facts) + _past_the_table(facts) + _twice(facts)
-    findings += _borrowed(facts) + _given(facts) + _linked(facts) + _outside(facts)
-    return findings + [
-        finding for block in facts.declared.blocks for finding in _idle(block, facts)
-    ]
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _used(model, facts)
+    for find in (_undeclared, _past_the_table, _twice, _borrowed, _given, _linked, _outside):
+        yield from find(facts)
+    for block in facts.declared.blocks:
+        yield from _idle(block, facts)
 
 
 def _finding(place: Place, text: str, fix: str) -> Finding:
@@ -116,24 +116,22 @@ def _reaches(place: Place, facts: Facts) -> bool:
     return START_UP not in place.file and MEMORY.search(words) is not None
 
 
-def _twice(facts: Facts) -> list[Finding]:
+def _twice(facts: Facts) -> Iterator[Finding]:
     """Finds an address in two blocks. The owners of each block could access the registers of the
     other block.
     """
-    findings: list[Finding] = []
     first: dict[int, str] = {}
     for number, block, address in _table(facts):
         if address is None:
             text = "the address of the register is not a number"
             fix = "write the address from the manual"
-            findings.append(_finding(Place(REGISTERS, number), text, fix))
+            yield _finding(Place(REGISTERS, number), text, fix)
             continue
         owner = first.setdefault(address, block)
         if owner != block:
             text = f"the address {address:#x} of {block} is in {owner} already"
             fix = "keep it only in the block that the manual names"
-            findings.append(_finding(Place(REGISTERS, number), text, fix))
-    return findings
+            yield _finding(Place(REGISTERS, number), text, fix)
 
 
 def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
@@ -151,17 +149,16 @@ def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
             yield number, block, None
 
 
-def _outside(facts: Facts) -> list[Finding]:
+def _outside(facts: Facts) -> Iterator[Finding]:
     """Finds an offset that leads from one block of registers to another block."""
     blocks: dict[str, list[int]] = {}
     for _, block, address in _table(facts):
         if address is not None:
             blocks.setdefault(block, []).append(address)
-    findings: list[Finding] = []
     for fact in facts.syntax.offsets:
         if fact.offset >= PERIPHERALS:
             text = f"an offset contains the address {fact.offset:#x}"
-            findings.append(_finding(fact.place, text, "call an operation of the owner"))
+            yield _finding(fact.place, text, "call an operation of the owner")
             continue
         own = {block for block, registers in blocks.items() if fact.base in registers}
         reached = fact.base + fact.offset
@@ -170,8 +167,7 @@ def _outside(facts: Facts) -> list[Finding]:
         } - own
         if others and not any(_lies_in(reached, blocks[block]) for block in own):
             text = f"an offset from {', '.join(sorted(own))} leads to {', '.join(sorted(others))}"
-            findings.append(_finding(fact.place, text, "call an operation of the owner"))
-    return findings
+            yield _finding(fact.place, text, "call an operation of the owner")
 
 
 def _lies_in(address: int, registers: list[int]) -> bool:

@@ -76,9 +76,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     ]
 
 
-def _texts(model: Model) -> list[Finding]:
+def _texts(model: Model) -> Iterator[Finding]:
     """A requirement is one sentence with a shall, and has a rationale."""
-    findings: list[Finding] = []
     for requirement in model.requirements.values():
         parts = {
             "sentence with 'shall'": " shall " in requirement.text,
@@ -86,12 +85,11 @@ def _texts(model: Model) -> list[Finding]:
             "@source": requirement.source,
             f"@priority ({', '.join(PRIORITIES)})": requirement.priority in PRIORITIES,
         }
-        findings += [
+        yield from (
             Finding(requirement.place, "req-text", f"{requirement.id} has no {part}")
             for part, there in parts.items()
             if not there
-        ]
-    return findings
+        )
 
 
 def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -291,18 +289,14 @@ def _old_image(model: Model, facts: Facts) -> list[Finding]:
     return [Finding(place, "req-stale", text, "run ./wr firmware")]
 
 
-def _requirements(model: Model) -> list[Finding]:
-    findings: list[Finding] = []
+def _requirements(model: Model) -> Iterator[Finding]:
     for requirement in model.requirements.values():
         if requirement.by_calls and not requirement.satisfied_by:
-            findings.append(
-                Finding(requirement.place, "req-satisfied", f"no method satisfies {requirement.id}")
+            yield Finding(
+                requirement.place, "req-satisfied", f"no method satisfies {requirement.id}"
             )
         if not requirement.evidence and not requirement.verified_by:
-            findings.append(
-                Finding(requirement.place, "req-verified", f"no test verifies {requirement.id}")
-            )
-    return findings
+            yield Finding(requirement.place, "req-verified", f"no test verifies {requirement.id}")
 
 
 def unmet(
@@ -416,23 +410,19 @@ def _twice(facts: Facts) -> Iterator[Finding]:
             seen.add(tag.argument)
 
 
-def _tags(model: Model) -> list[Finding]:
+def _tags(model: Model) -> Iterator[Finding]:
     """A test with the id of a requirement in its name verifies this requirement."""
-    findings: list[Finding] = []
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
         if match is None:
             continue
         name = f"{match[1]}-{match[2]}"
         if name not in test.verifies:
-            findings.append(
-                Finding(
-                    test.place,
-                    "req-name",
-                    f"{test.id} is named after {name} but does not verify it",
-                )
+            yield Finding(
+                test.place,
+                "req-name",
+                f"{test.id} is named after {name} but does not verify it",
             )
-    return findings
 
 
 def _lines(model: Model) -> list[Finding]:

@@ -15,19 +15,16 @@ from traceability.sources import DESIGN, files_below
 INCLUDE = re.compile(r"\s*#\s*include\s*<([a-z_./]+)>")
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    return (
-        _open(model, facts)
-        + _given_out(model, facts)
-        + _declared_again(facts)
-        + _hidden(model, facts)
-        + _copied(model, facts)
-    )
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _open(model, facts)
+    yield from _given_out(model, facts)
+    yield from _declared_again(facts)
+    yield from _hidden(model, facts)
+    yield from _copied(model, facts)
 
 
-def _open(model: Model, facts: Facts) -> list[Finding]:
+def _open(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds public data and friends: both allow access that is not in the interface."""
-    findings: list[Finding] = []
     for module in model.modules.values():
         if module.datatype:
             continue
@@ -35,22 +32,20 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
             if field.access == "public" and not field.constant:
                 text = f"{module.name}::{field.name} is public data"
                 fix = "make it private, and add an operation"
-                findings.append(Finding(field.place, "secret-open", text))
+                yield Finding(field.place, "secret-open", text)
     for friend in facts.syntax.friends:
         module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
         if module_ != other:
             text = f"{module_} shows its friend {other} its hidden members"
             fix = "remove the friend: let it use the interface"
-            findings.append(Finding(friend.place, "secret-open", text, fix))
-    return findings
+            yield Finding(friend.place, "secret-open", text, fix)
 
 
-def _given_out(model: Model, facts: Facts) -> list[Finding]:
+def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds an operation that returns a reference through which a caller can change the module."""
     results: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         results.setdefault(flow.into, []).extend(flow.sources)
-    findings: list[Finding] = []
     for module in model.modules.values():
         fact = facts.classes[module.name]
         own = {
@@ -65,8 +60,7 @@ def _given_out(model: Model, facts: Facts) -> list[Finding]:
             for member in filter(None, map(own.get, results.get(f"result {method.id}", []))):
                 text = f"{method.id} lets its caller change the private {member}"
                 fix = "return a value, or a reference to const"
-                findings.append(Finding(method.place, "secret-open", text, fix))
-    return findings
+                yield Finding(method.place, "secret-open", text, fix)
 
 
 def _declared_again(facts: Facts) -> list[Finding]:
@@ -98,25 +92,23 @@ class Hidden:
         return file.startswith(self.files)
 
 
-def _hidden(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _hidden(model: Model, facts: Facts) -> Iterator[Finding]:
     for hidden in _declared(model):
         uses = _uses(hidden.name, facts)
         if uses is None or not any(hidden.allows(place.file) for place in uses):
             text = f"{hidden.owner} hides {hidden.name}, but does not use it"
             fix = "name a header, a constant, a function or a type of the module"
-            findings.append(Finding(hidden.place, "secret-hidden", text, fix))
+            yield Finding(hidden.place, "secret-hidden", text, fix)
             continue
         first = {(p.file, p.line): p for p in uses if not hidden.allows(p.file)}
-        findings += [
+        yield from (
             Finding(
                 place,
                 "secret-hidden",
                 f"{hidden.name} is used here, but is a secret of {hidden.owner}",
             )
             for place in first.values()
-        ]
-    return findings
+        )
 
 
 def _declared(model: Model) -> Iterator[Hidden]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from traceability.model.design_model import Model
 from traceability.model.stack import DECLARED
 from traceability.reading.source_facts import Facts
@@ -10,10 +12,13 @@ from traceability.schema import Finding, Place, StackProof
 SCRIPT = Place("src/k64/start_up/k64.ld", 1)
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if model.stack is None:
-        return _self_calls(facts)
-    return _calls(model.stack) + _cycles(model.stack, facts) + _bound(model.stack)
+        yield from _self_calls(facts)
+    else:
+        yield from _calls(model.stack)
+        yield from _cycles(model.stack, facts)
+        yield from _bound(model.stack)
 
 
 def _self_calls(facts: Facts) -> list[Finding]:
@@ -59,22 +64,19 @@ def _calls(proof: StackProof) -> list[Finding]:
     return findings
 
 
-def _cycles(proof: StackProof, facts: Facts) -> list[Finding]:
-    findings = []
+def _cycles(proof: StackProof, facts: Facts) -> Iterator[Finding]:
     for cycle in proof.cycles:
         bodies = [body for name in cycle for body in facts.bodies.get(name, [])]
         place = bodies[0].place if bodies else SCRIPT
         text = f"recursion: {' > '.join([*cycle, cycle[0]])}"
-        findings.append(Finding(place, "stack-recursion", text))
-    return findings
+        yield Finding(place, "stack-recursion", text)
 
 
-def _bound(proof: StackProof) -> list[Finding]:
-    findings = []
+def _bound(proof: StackProof) -> Iterator[Finding]:
     for function in proof.dynamic:
         text = f"the frame of {function} has no bound"
         fix = "choose a fixed size for each array"
-        findings.append(Finding(SCRIPT, "stack-bound", text, fix))
+        yield Finding(SCRIPT, "stack-bound", text, fix)
     if proof.proven and proof.total > proof.limit:
         calls = [call for level in proof.levels for call in level.chain]
         largest = max(calls, key=lambda call: call.bytes)
@@ -83,9 +85,8 @@ def _bound(proof: StackProof) -> list[Finding]:
             f"chains {largest.name} has the largest frame, {largest.bytes} bytes"
         )
         fix = "make this frame smaller, or raise stackSize in this file"
-        findings.append(Finding(SCRIPT, "stack-bound", text))
+        yield Finding(SCRIPT, "stack-bound", text)
     if proof.seen is not None and proof.seen > proof.total:
         text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"
         fix = "find the call that the proof misses"
-        findings.append(Finding(SCRIPT, "stack-bound", text, fix))
-    return findings
+        yield Finding(SCRIPT, "stack-bound", text, fix)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from traceability.model.design_model import Model
 from traceability.model.state_machines import (
@@ -25,19 +26,20 @@ _ALIKE = (
 )
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    findings = _machines_missing(model, facts)
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _machines_missing(model, facts)
     for machine in model.machines.values():
         problems = _declared(machine, model, facts)
-        findings += problems
-        if not problems:
-            code = read_machine(machine, facts)
-            findings += _code(machine, code, facts)
-            findings += _conditions(machine, code) + _actions(machine, code, facts)
-            findings += (
-                [] if model.results_stale else _seen(machine) + _shown(machine, model, facts)
-            )
-    return findings
+        yield from problems
+        if problems:
+            continue
+        code = read_machine(machine, facts)
+        yield from _code(machine, code, facts)
+        yield from _conditions(machine, code)
+        yield from _actions(machine, code, facts)
+        if not model.results_stale:
+            yield from _seen(machine)
+            yield from _shown(machine, model, facts)
 
 
 def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
@@ -207,7 +209,7 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
 
 def _operation(
     machine: StateMachine, code: MachineCode, state: str, operation: str
-) -> list[Finding]:
+) -> Iterator[Finding]:
     """Compares the changes in one operation of a state with the rows. For each target, the number
     of changes and rows must be equal."""
     rows = [
@@ -216,18 +218,17 @@ def _operation(
         if step.source == state and machine.events[step.event] == operation
     ]
     changes = code.of(state, operation)
-    findings: list[Finding] = []
     for target in {change.target for change in changes} | {row.target for row in rows}:
         here = [row for row in rows if row.target == target and not is_stay(row)]
         made = [change for change in changes if change.target == target]
         if len(made) > len(here):
-            findings += [_undeclared(machine, change) for change in made[len(here) :]]
+            yield from (_undeclared(machine, change) for change in made[len(here) :])
         elif len(here) > len(made):
-            findings += [_not_made(row, state, operation) for row in here[len(made) :]]
+            yield from (_not_made(row, state, operation) for row in here[len(made) :])
         elif len(rows) == 1:
-            findings += [_guarded(here[0], change) for change in made if _differs(here[0], change)]
+            yield from (_guarded(here[0], change) for change in made if _differs(here[0], change))
     if not code.stays(state, operation):
-        findings += [
+        yield from (
             Finding(
                 row.place,
                 "fsm-code",
@@ -235,8 +236,7 @@ def _operation(
             )
             for row in rows
             if is_stay(row)
-        ]
-    return findings
+        )
 
 
 def _differs(row: Transition, change: Change) -> bool:
@@ -276,31 +276,28 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
     return evaluated
 
 
-def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
+def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
     """Compares the conditions of the code before a change with the declared guards."""
-    findings: list[Finding] = []
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
             text = f"[guards] has no condition of the code for '{row.guard}'"
-            findings.append(Finding(row.place, "fsm-code", text, "write it, or correct the guard"))
+            yield Finding(row.place, "fsm-code", text, "write it, or correct the guard")
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):
                 text = f"{words(row)} needs '{question}', but the code does not check it"
                 fix = "correct the guard, or the code"
-                findings.append(Finding(change.place, "fsm-code", text))
+                yield Finding(change.place, "fsm-code", text)
     for change in code.changes:
         evaluated = _known_before(machine, code, change)
         for question in sorted(set(change.asked) - evaluated):
             change_text = f"the change from {change.source} to {change.target}"
             text = f"{change_text} checks '{question}', but no guard contains this condition"
             fix = f"declare it in [guards] of {machine.place.file}, or remove it"
-            findings.append(Finding(change.place, "fsm-code", text, fix))
-    return findings
+            yield Finding(change.place, "fsm-code", text, fix)
 
 
-def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
+def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator[Finding]:
     """Compares the calls in the operation of a state with the actions of its transitions."""
-    findings: list[Finding] = []
     for state, operations in code.runs.items():
         for operation, method in operations.items():
             rows = _rows(machine, state, operation)
@@ -313,13 +310,12 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
                 for name in machine.actions.get(row.action, ["an entry in [actions]"]):
                     if name not in before:
                         text = f"the action '{row.action}' of {words(row)} lacks {name}"
-                        findings.append(Finding(row.place, "fsm-code", text))
+                        yield Finding(row.place, "fsm-code", text)
             declared = {name for row in rows for name in machine.actions.get(row.action, ())}
             every = {name for names in machine.actions.values() for name in names}
             for name in sorted((every & called) - declared) if rows else []:
                 text = f"{method} calls {name}, but no transition has this action"
-                findings.append(Finding(bodies[0].place, "fsm-code", text))
-    return findings
+                yield Finding(bodies[0].place, "fsm-code", text)
 
 
 def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from traceability.model.design_model import Model
 from traceability.model.trees import accepted
 from traceability.reading.source_facts import Facts
@@ -11,32 +13,22 @@ from traceability.schema import Finding, Place, Requirement, TreeNode
 OFTEN = {"": "once", "?": "under a condition", "*": "several times"}
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    findings = [
-        Finding(place, "tree-node", text, fix) for place, text, fix in facts.declared.tree_errors
-    ]
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    for place, text, fix in facts.declared.tree_errors:
+        yield Finding(place, "tree-node", text, fix)
     for name, (place, _) in facts.declared.trees.items():
         if name not in model.requirements:
-            findings.append(
-                Finding(place, "tree-node", f"there is no requirement {name}", "correct the id")
-            )
+            yield Finding(place, "tree-node", f"there is no requirement {name}", "correct the id")
     for requirement in model.requirements.values():
         if requirement.tree is None:
-            if not requirement.by_calls:
-                continue
-            findings.append(
-                Finding(
-                    requirement.place,
-                    "tree-missing",
-                    f"{requirement.id} has no tree of invocations",
-                )
-            )
+            if requirement.by_calls:
+                text = f"{requirement.id} has no tree of invocations"
+                yield Finding(requirement.place, "tree-missing", text)
             continue
-        findings += _nodes(requirement)
-        findings += _edges(requirement.tree, requirement, facts)
+        yield from _nodes(requirement)
+        yield from _edges(requirement.tree, requirement, facts)
         if not model.results_stale:
-            findings += _executed(requirement, model)
-    return findings
+            yield from _executed(requirement, model)
 
 
 def _nodes(requirement: Requirement) -> list[Finding]:
@@ -50,30 +42,26 @@ def _nodes(requirement: Requirement) -> list[Finding]:
     ]
 
 
-def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[Finding]:
     for child in node.children:
         if child.reachable is False and child.otherwise:
             kind, mark = (
                 ("a post", "with 'post '") if child.kind == "call" else ("a call", "as one")
             )
             text = f"{node.label} reaches {child.label} by {kind} (tree of {requirement.id})"
-            findings.append(Finding(child.place, "tree-static", text, f"write it {mark}"))
+            yield Finding(child.place, "tree-static", text, f"write it {mark}")
         elif child.reachable is False and node.resolved and child.resolved:
             verb = "posts" if child.kind == "post" else "calls"
             tree = f"{child.place.file}:{child.place.line}"
-            findings.append(
-                Finding(
-                    _body_place(node, facts),
-                    "tree-static",
-                    f"{node.label} never {verb} {child.label}, but the tree of "
-                    f"{requirement.id} contains the call ({tree})",
-                )
+            yield Finding(
+                _body_place(node, facts),
+                "tree-static",
+                f"{node.label} never {verb} {child.label}, but the tree of "
+                f"{requirement.id} contains the call ({tree})",
             )
         elif child.reachable:
-            findings += _order(node, child, requirement, facts)
-        findings += _edges(child, requirement, facts)
-    return findings
+            yield from _order(node, child, requirement, facts)
+        yield from _edges(child, requirement, facts)
 
 
 def _order(

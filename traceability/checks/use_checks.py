@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -18,24 +18,21 @@ PROGRAMS = ("tests/k64/program/", "tests/usual_design/k64/")
 OF_FIRMWARE = tuple(f"{name}/" for name in DESIGN)
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     allowed = [use for use in model.uses if _is_allowed(model, use)]
-    return (
-        _forbidden(model)
-        + _extensions(model)
-        + _numbers_of_extensions(facts)
-        + _apart(facts)
-        + _unused(model)
-        + _idle_cycles(model, facts)
-        + _cycles(allowed, facts)
-        + _board(facts.root)
-    )
+    yield from _forbidden(model)
+    yield from _extensions(model)
+    yield from _numbers_of_extensions(facts)
+    yield from _apart(facts)
+    yield from _unused(model)
+    yield from _idle_cycles(model, facts)
+    yield from _cycles(allowed, facts)
+    yield from _board(facts.root)
 
 
-def _board(root: Path) -> list[Finding]:
+def _board(root: Path) -> Iterator[Finding]:
     """Simulators and tests include no driver, and the virtual K64 includes no file of the
     firmware."""
-    findings: list[Finding] = []
     for path in files_below(root, ("sim", "tests"), (".cpp", ".hpp", ".h")):
         file = str(path.relative_to(root))
         for include in includes_of(root, file):
@@ -50,8 +47,7 @@ def _board(root: Path) -> list[Finding]:
                 )
             else:
                 continue
-            findings.append(Finding(include.place, "uses-board", text, fix))
-    return findings
+            yield Finding(include.place, "uses-board", text, fix)
 
 
 def _covers(allowed: AllowedUse, use: Use) -> bool:
@@ -144,16 +140,15 @@ def _allowed_twice(model: Model) -> list[Finding]:
     ]
 
 
-def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
+def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
     """Finds cycles of allowed uses. A use that is not allowed is already a finding."""
     declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
-    findings: list[Finding] = []
     for use in uses:
         top, other = use.source.split("/")[0], use.target.split("/")[0]
         if top != other:
             graph = _graph(uses, depth=1)
             if top in _reached(graph, other):
-                findings.append(_finding(use, f"{top} and {other} use each other"))
+                yield _finding(use, f"{top} and {other} use each other")
             continue
         graph = _graph(uses, depth=9)
         loop = _reached(graph, use.target)
@@ -161,8 +156,7 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
             members = {m for m in loop if use.source in _reached(graph, m)}
             if not any(members <= cycle for cycle in declared):
                 names = ", ".join(sorted(members))
-                findings.append(_finding(use, f"undeclared cycle of {names}"))
-    return findings
+                yield _finding(use, f"undeclared cycle of {names}")
 
 
 def _apart(facts: Facts) -> list[Finding]:
