@@ -76,7 +76,7 @@ def run_checks(model: Model, facts: Facts) -> Report:
     clauses, broken = pattern_checks.decide(model, facts)
     all_findings += broken
     measured = measured_values(model, figures(model, clauses), all_findings, KNOWN)
-    findings = sort(all_findings + requirement_checks.unmet(model, measured, all_findings))
+    findings = sort([*all_findings, *requirement_checks.unmet(model, measured, all_findings)])
     return make_report(model, findings, clauses, measured)
 
 

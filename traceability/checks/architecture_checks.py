@@ -2,25 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from traceability.model.architecture import is_outside
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     names: list[tuple[str, Place]] = []
     for element in model.architecture:
         names += [(name, element.place) for name in element.modules]
     for group in model.groups:
         names += [(name, group.place) for name in (group.module, *group.modules)]
-    findings = [
-        Finding(
-            facts.declared.entries.line_in(place, name), "arch-module", f"there is no module {name}"
-        )
-        for name, place in names
-        if name not in model.modules
-    ]
+    for name, place in names:
+        if name not in model.modules:
+            yield Finding(
+                facts.declared.entries.line_in(place, name),
+                "arch-module",
+                f"there is no module {name}",
+            )
     connectors = {
         "",
         *(element.name for element in model.architecture if element.kind == "connector"),
@@ -29,7 +31,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         if connection.connector not in connectors:
             text = f"there is no connector {connection.connector}"
             place = facts.declared.entries.line_in(connection.place, connection.connector)
-            findings.append(Finding(place, "arch-module", text))
+            yield Finding(place, "arch-module", text)
         ends = (connection.source, connection.target)
         if is_outside(connection):
             continue
@@ -37,8 +39,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         if missing:
             text = f"there is no module {missing[0]}"
             place = facts.declared.entries.line_in(connection.place, missing[0])
-            findings.append(Finding(place, "arch-module", text))
+            yield Finding(place, "arch-module", text)
         elif not connection.way:
             text = f"the code has no {connection.kind} from {ends[0]} to {ends[1]}"
-            findings.append(Finding(connection.place, "arch-code", text))
-    return findings
+            yield Finding(connection.place, "arch-code", text)

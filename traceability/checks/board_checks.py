@@ -13,8 +13,10 @@ from traceability.schema import BoardBelief, Finding, Place
 BELIEFS = "design/board_beliefs.toml"
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    return [*_findings(model), *_beliefs(model, facts), *_without_belief(model, facts)]
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _findings(model)
+    yield from _beliefs(model, facts)
+    yield from _without_belief(model, facts)
 
 
 def _findings(model: Model) -> list[Finding]:

@@ -120,7 +120,7 @@ def _pipes(model: Model, facts: Facts) -> Iterator[Finding]:
             yield _declared(pipe_text.place, text)
 
 
-def _priorities(model: Model, facts: Facts) -> list[Finding]:
+def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
     """Each line of a context has the priority that the design gives to the context."""
     names = line_priorities(facts)
     right = {
@@ -139,7 +139,7 @@ def _priorities(model: Model, facts: Facts) -> list[Finding]:
                 place = _enabled_at(name, facts) if name in right else _place_of(name, facts)
                 key = (name, context.id if name in right else "")
                 findings[key] = _declared(place, f"{text}{context.place.file}")
-    return list(findings.values())
+    yield from findings.values()
 
 
 def _enabled_at(constant: str, facts: Facts) -> Place:
@@ -160,14 +160,12 @@ def _place_of(constant: str, facts: Facts) -> Place:
     return Place(file, next((n for n, line in enumerate(lines, 1) if name in line), 1))
 
 
-def _ends(facts: Facts) -> list[Finding]:
+def _ends(facts: Facts) -> Iterator[Finding]:
     called = {call.target for body in facts.syntax.bodies for call in body.calls}
     place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
-    return [
-        _declared(place, f"no code calls {name}, which must end the firmware")
-        for name in facts.declared.ends
-        if name not in called
-    ]
+    for name in facts.declared.ends:
+        if name not in called:
+            yield _declared(place, f"no code calls {name}, which must end the firmware")
 
 
 def _declared(place: Place, text: str) -> Finding:
@@ -193,7 +191,7 @@ def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(forbidden[name].place, "exec-isr", text)
 
 
-def _claims(model: Model, facts: Facts) -> list[Finding]:
+def _claims(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds methods with @isr{yes} that call a method with @isr{no}."""
     claims = {
         method.id: method.interrupt
@@ -201,21 +199,16 @@ def _claims(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods
         if method.kind != "constructor"
     }
-    return [
-        Finding(
-            call.place,
-            "exec-isr",
-            f"{body.id} is @isr{{yes}}, and calls {target}, which is @isr{{no}}",
-        )
-        for body in facts.syntax.bodies
-        if claims.get(body.id) == "yes"
-        for call in body.calls
-        for target in facts.references.targets(call)
-        if claims.get(target) == "no"
-    ]
+    for body in facts.syntax.bodies:
+        if claims.get(body.id) == "yes":
+            for call in body.calls:
+                for target in facts.references.targets(call):
+                    if claims.get(target) == "no":
+                        text = f"{body.id} is @isr{{yes}}, and calls {target}, which is @isr{{no}}"
+                        yield Finding(call.place, "exec-isr", text)
 
 
-def _floats(model: Model, facts: Facts) -> list[Finding]:
+def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds floating-point numbers in interrupts, which do not save the registers for them."""
     findings: dict[Place, Finding] = {}
     for context in model.contexts.values():
@@ -228,29 +221,23 @@ def _floats(model: Model, facts: Facts) -> list[Finding]:
                 place = Place(body.place.file, body.floats)
                 text = f"{body.id} uses floating point, and the interrupt '{context.name}' runs it"
                 findings[place] = Finding(place, "exec-float", text)
-    return list(findings.values())
+    yield from findings.values()
 
 
-def _loops(facts: Facts) -> list[Finding]:
+def _loops(facts: Facts) -> Iterator[Finding]:
     """Finds a loop that does not count its rounds and is not in design/justified.toml."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
-    findings = [
-        Finding(
-            Place(body.place.file, body.loops[0]),
-            "exec-loop",
-            f"the head of a loop in {name} counts its rounds",
-        )
-        for name, body in looping.items()
-        if name not in named
-    ]
-    return findings + [
-        Finding(entry.place, "exec-loop", f"{name} has no such loop", "remove the name")
-        for entry in entries
-        for name in entry.names
-        if name not in looping
-    ]
+    for name, body in looping.items():
+        if name not in named:
+            text = f"the head of a loop in {name} counts its rounds"
+            yield Finding(Place(body.place.file, body.loops[0]), "exec-loop", text)
+    for entry in entries:
+        for name in entry.names:
+            if name not in looping:
+                text = f"{name} has no such loop"
+                yield Finding(entry.place, "exec-loop", text, "remove the name")
 
 
 def _heap(facts: Facts) -> Iterator[Finding]:
@@ -265,15 +252,13 @@ def _heap(facts: Facts) -> Iterator[Finding]:
                 yield Finding(Place(file, number), "exec-heap", text)
 
 
-def _enabled(facts: Facts) -> list[Finding]:
+def _enabled(facts: Facts) -> Iterator[Finding]:
     """Finds an interrupt line that has a handler and that no call enables."""
-    return [
-        _declared(
+    for line, handler in silent_lines(facts).items():
+        yield _declared(
             facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
             f"the table of vectors has {handler} at line {line}, but no call enables this line",
         )
-        for line, handler in silent_lines(facts).items()
-    ]
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
@@ -307,23 +292,20 @@ def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
                 yield Finding(body.place, "exec-shared", text, fix)
 
 
-def _shared(model: Model, facts: Facts) -> list[Finding]:
-    findings = [
-        Finding(
-            member.place,
-            "exec-shared",
-            f"{member.id} is changed by {' and '.join(member.writers)}"
-            + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
-            + ", and no protection is declared",
-        )
-        for member in model.shared
-        if not member.protection
-    ]
+def _shared(model: Model, facts: Facts) -> Iterator[Finding]:
+    for member in model.shared:
+        if not member.protection:
+            yield Finding(
+                member.place,
+                "exec-shared",
+                f"{member.id} is changed by {' and '.join(member.writers)}"
+                + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
+                + ", and no protection is declared",
+            )
     members = {member.id for member in model.shared}
     owners = {member.rpartition("::")[0] for member in members}
     for name, protection in facts.declared.protections.items():
         owner, _, last = name.rpartition("::")
         if name not in members and not (last == "*" and owner in owners):
             text = f"{name} is not shared by two contexts"
-            findings.append(_declared(protection.place, text))
-    return findings
+            yield _declared(protection.place, text)

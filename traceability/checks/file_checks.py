@@ -74,14 +74,14 @@ def _outside(facts: Facts) -> Iterator[Finding]:
         if not body.id.startswith("operator"):
             text = f"the function {body.id} is next to {module}, and other files can call it"
             yield _finding(body.place, text)
-    yield from (
-        _finding(fact.place, f"the class {fact.name} has no header")
-        for fact in facts.syntax.classes
-        if fact.place.file.endswith(".cpp")
-        and fact.kind in ("class", "struct")
-        and not fact.local
-        and "::" not in fact.name
-    )
+    for fact in facts.syntax.classes:
+        if (
+            fact.place.file.endswith(".cpp")
+            and fact.kind in ("class", "struct")
+            and not fact.local
+            and "::" not in fact.name
+        ):
+            yield _finding(fact.place, f"the class {fact.name} has no header")
 
 
 def _loose(facts: Facts) -> Iterator[Finding]:
@@ -94,12 +94,11 @@ def _loose(facts: Facts) -> Iterator[Finding]:
             yield Finding(variable.place, "module-file", text, fix)
 
 
-def _idle(facts: Facts) -> list[Finding]:
-    return [
-        Finding(shared.place, "module-file", f"there is no {shared.file}", "remove the entry")
-        for shared in facts.declared.shared
-        if not (facts.root / shared.file).is_file()
-    ]
+def _idle(facts: Facts) -> Iterator[Finding]:
+    for shared in facts.declared.shared:
+        if not (facts.root / shared.file).is_file():
+            text = f"there is no {shared.file}"
+            yield Finding(shared.place, "module-file", text, "remove the entry")
 
 
 def _preprocessor(root: Path) -> Iterator[Finding]:

@@ -141,7 +141,7 @@ def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
     return dead
 
 
-def check(model: Model, site: Path) -> list[Finding]:
+def check(model: Model, site: Path) -> Iterator[Finding]:
     """Returns one finding for each link in a source text, also if several pages contain the
     link."""
     places = _sources(model)
@@ -153,14 +153,9 @@ def check(model: Model, site: Path) -> list[Finding]:
         target = re.sub(r"^(\.\./)+", "", link)
         place = texts.place_of(target, page) or _place(path, line, root, places)
         pages.setdefault((place.file, place.line, target), []).append((page, reason))
-    return [
-        Finding(
-            Place(file, line),
-            "link-site",
-            f"dead link '{target}' in {links[0][0]}{_others(links)}: {links[0][1]}",
-        )
-        for (file, line, target), links in pages.items()
-    ]
+    for (file, line, target), links in pages.items():
+        text = f"dead link '{target}' in {links[0][0]}{_others(links)}: {links[0][1]}"
+        yield Finding(Place(file, line), "link-site", text)
 
 
 def _others(links: list[tuple[str, str]]) -> str:

@@ -57,7 +57,7 @@ def check(model: Model, facts: Facts) -> list[Finding]:
     return [*findings, *_silent(facts, findings)]
 
 
-def _unused(model: Model, facts: Facts) -> list[Finding]:
+def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds modules that no composition reaches by names in the code and by base classes."""
     named: dict[str, set[str]] = {}  # module, or "" for a composition -> names in its code
     for name in facts.syntax.names:
@@ -69,46 +69,34 @@ def _unused(model: Model, facts: Facts) -> list[Finding]:
         reached = named.get(work.pop(), set()) - used
         used |= reached
         work += reached
-    return [
-        Finding(
-            module.place,
-            "module-used",
-            f"no composition uses {module.name}, so no product contains it",
-        )
-        for module in model.modules.values()
-        if not module.datatype and module.name not in used and named.get("")
-    ]
+    for module in model.modules.values():
+        if not module.datatype and module.name not in used and named.get(""):
+            text = f"no composition uses {module.name}, so no product contains it"
+            yield Finding(module.place, "module-used", text)
 
 
-def _products(model: Model, facts: Facts) -> list[Finding]:
+def _products(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds modules of the list of products that do not exist."""
     file = str(PRODUCT_LIST)
     products = listed(facts.root) if (facts.root / PRODUCT_LIST).exists() else []
     place = Place(file, 1)
-    return [
-        Finding(
-            facts.declared.entries.line_in(place, f'"{name}"'),
-            "module-used",
-            f"{file} lists {name}, which is no module",
-            "correct the name",
-        )
-        for name in sorted({name for product in products for name in product.has})
-        if name not in model.modules
-    ]
+    for name in sorted({name for product in products for name in product.has}):
+        if name not in model.modules:
+            text = f"{file} lists {name}, which is no module"
+            yield Finding(
+                facts.declared.entries.line_in(place, f'"{name}"'),
+                "module-used",
+                text,
+                "correct the name",
+            )
 
 
-def _behaviour(model: Model, facts: Facts) -> list[Finding]:
+def _behaviour(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds a method of a data type with a condition or a loop."""
-    return [
-        Finding(
-            body.place,
-            "module-data",
-            f"{body.id} has a condition or a loop, and {body.owner} is a data type",
-        )
-        for body in facts.syntax.bodies
-        if (module := model.modules.get(body.owner)) and module.datatype
-        if body.branches
-    ]
+    for body in facts.syntax.bodies:
+        if ((module := model.modules.get(body.owner)) and module.datatype) and body.branches:
+            text = f"{body.id} has a condition or a loop, and {body.owner} is a data type"
+            yield Finding(body.place, "module-data", text)
 
 
 def _place_and_name(module: Module, facts: Facts) -> Iterator[Finding]:
@@ -134,30 +122,24 @@ def _place_and_name(module: Module, facts: Facts) -> Iterator[Finding]:
         )
 
 
-def _written(model: Model, facts: Facts) -> list[Finding]:
+def _written(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds missing modules of the design, and a number of modules that differs from the paper."""
     names = facts.declared.names
-    findings = [
-        Finding(
-            facts.declared.name_places[folder],
-            "module-count",
-            f"there is no module {name} in {folder_of(folder)}",
-            f"write {folder_of(folder)}/{name}.hpp, or correct design/modules.toml",
-        )
-        for folder, listed in names.items()
-        for name in listed
-        if name not in facts.classes
-        or str(Path(facts.classes[name].place.file).parent) != folder_of(folder)
-    ]
-    findings += [
-        Finding(
-            module.place,
-            "module-count",
-            f"{module.name} has a @datatype, but is a module of {module.logic} in the design",
-        )
-        for module in model.modules.values()
-        if module.datatype and module.name in names.get(module.logic, [])
-    ]
+    written = {name: str(Path(fact.place.file).parent) for name, fact in facts.classes.items()}
+    for logic, place in facts.declared.name_places.items():
+        folder = folder_of(logic)
+        for name in names[logic]:
+            if written.get(name) != folder:
+                text = f"there is no module {name} in {folder}"
+                fix = f"write {folder}/{name}.hpp, or correct design/modules.toml"
+                yield Finding(place, "module-count", text, fix)
+    for module in model.modules.values():
+        if module.datatype and module.name in names.get(module.logic, []):
+            yield Finding(
+                module.place,
+                "module-count",
+                f"{module.name} has a @datatype, but is a module of {module.logic} in the design",
+            )
     listed = [name for folder in names for name in names[folder]]
     total = facts.declared.total
     if total is not None and {len(listed), len(set(listed))} != {total}:
@@ -166,11 +148,10 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
             f"the design lists {len(listed)} modules, {different} different, but the paper has "
             f"{total}"
         )
-        findings.append(Finding(Place("design/modules.toml", 1), "module-count", text))
-    return findings
+        yield Finding(Place("design/modules.toml", 1), "module-count", text)
 
 
-def _function(module: Module, comment: Comment, functions: dict[str, str]) -> list[Finding]:
+def _function(module: Module, comment: Comment, functions: dict[str, str]) -> Iterator[Finding]:
     count = len([words for words in comment.all("function") if words])
     if not module.brief:
         wrong = f"{module.name} has no @brief"
@@ -180,8 +161,8 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> li
         wrong = f"{module.name} states the same function as {functions[words_of(module.function)]}"
     else:
         functions[words_of(module.function)] = module.name
-        return []
-    return [Finding(module.place, "module-function", wrong)]
+        return
+    yield Finding(module.place, "module-function", wrong)
 
 
 def says(text: str) -> bool:
@@ -194,18 +175,16 @@ def words_of(text: str) -> str:
     return " ".join(re.findall(r"\w+", text.casefold()))
 
 
-def _nested(facts: Facts) -> list[Finding]:
+def _nested(facts: Facts) -> Iterator[Finding]:
     """Finds public classes of a module without a brief."""
     nested = [
         fact
         for fact in facts.syntax.classes
         if fact.access == "public" and fact.name.split("::")[0] in facts.modules
     ]
-    return [
-        Finding(fact.place, "module-spec", f"{fact.name} is public, and has no @brief")
-        for fact in nested
-        if not facts.comment(fact).brief
-    ]
+    for fact in nested:
+        if not facts.comment(fact).brief:
+            yield Finding(fact.place, "module-spec", f"{fact.name} is public, and has no @brief")
 
 
 def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
@@ -285,7 +264,7 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> Iterat
         secrets[words_of(module.secret)] = module.name
 
 
-def _specification(method: Method) -> list[Finding]:
+def _specification(method: Method) -> Iterator[Finding]:
     missing: list[str] = []
     if len(method.brief.split()) < FEWEST_OF_BRIEF:
         missing.append("@brief")
@@ -308,7 +287,8 @@ def _specification(method: Method) -> list[Finding]:
             missing.append("unit or meaning of the result")
     if method.kind != "constructor" and not INTERRUPT.match(method.interrupt):
         missing.append("@isr{yes} or @isr{no}")
-    return [Finding(method.place, "module-spec", f"{method.id} has no {what}") for what in missing]
+    for what in missing:
+        yield Finding(method.place, "module-spec", f"{method.id} has no {what}")
 
 
 def _gives_result(method: Method) -> bool:
@@ -342,7 +322,7 @@ def _folders(model: Model, facts: Facts) -> Iterator[Finding]:
                 missing = ["@secret that differs from its public description"]
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
                 missing = [f"separate @secret: {secrets[secret]} has the same"]
-        yield from (
-            Finding(logic.place, "module-folder", f"the logic module {logic.id} has no {name}")
-            for name in missing
-        )
+        for name in missing:
+            yield Finding(
+                logic.place, "module-folder", f"the logic module {logic.id} has no {name}"
+            )

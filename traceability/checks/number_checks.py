@@ -66,14 +66,13 @@ def _linked(
             yield Finding(constants[0].place, "req-number", text)
 
 
-def _unneeded(model: Model, without: dict[str, Place]) -> list[Finding]:
+def _unneeded(model: Model, without: dict[str, Place]) -> Iterator[Finding]:
     needed = {
         f"{requirement.id} {number}"
         for requirement in model.requirements.values()
         for number in stated_numbers(requirement.text)
     }
-    return [
-        Finding(place, "req-number", f"no requirement states {number}", "remove the entry")
-        for number, place in without.items()
-        if number not in needed
-    ]
+    for number, place in without.items():
+        if number not in needed:
+            text = f"no requirement states {number}"
+            yield Finding(place, "req-number", text, "remove the entry")

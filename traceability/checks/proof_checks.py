@@ -24,21 +24,19 @@ class Line:
     place: Place
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     path = facts.root / COMPOSITION
     if not model.proofs.properties or not path.exists():
-        return []
+        return
     text = path.read_text(encoding="utf-8")
     lines = [
         Line(line, Place(str(COMPOSITION), number))
         for number, line in enumerate(text.splitlines(), 1)
     ]
-    return [
-        *_machines(model, text),
-        *_steps(model, facts, lines),
-        *_numbers(model, lines),
-        *_properties(model, text),
-    ]
+    yield from _machines(model, text)
+    yield from _steps(model, facts, lines)
+    yield from _numbers(model, lines)
+    yield from _properties(model, text)
 
 
 def _machines(model: Model, text: str) -> Iterator[Finding]:

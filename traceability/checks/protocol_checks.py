@@ -15,8 +15,9 @@ EXAMPLES = "docs/protocol_examples.txt"
 ENUMERATOR = re.compile(r"(\w+)\s*(?:=\s*(0[xX][\da-fA-F]+|\d+))?\s*(?:,|$)")
 
 
-def check(_model: Model, facts: Facts) -> list[Finding]:
-    return [*_numbers(facts), *_examples(facts)]
+def check(_model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _numbers(facts)
+    yield from _examples(facts)
 
 
 def _numbers(facts: Facts) -> Iterator[Finding]:

@@ -48,7 +48,7 @@ _LINKS = {
 }
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     parts = (
         _texts,
         _tags,
@@ -61,19 +61,19 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         _suspects,
         _reviews,
     )
-    return [finding for part in parts for finding in part(model)] + [
-        *_unknown(model, facts),
-        *_tagged(model, facts),
-        *_twice(facts),
-        *_macros(facts),
-        *_switched_off(model, facts),
-        *_attributes(model, facts),
-        *_sources(model, facts),
-        *_uncalled(model, facts),
-        *_equivalents(model, facts),
-        *_unbuilt(model, facts),
-        *_old_image(model, facts),
-    ]
+    for part in parts:
+        yield from part(model)
+    yield from _unknown(model, facts)
+    yield from _tagged(model, facts)
+    yield from _twice(facts)
+    yield from _macros(facts)
+    yield from _switched_off(model, facts)
+    yield from _attributes(model, facts)
+    yield from _sources(model, facts)
+    yield from _uncalled(model, facts)
+    yield from _equivalents(model, facts)
+    yield from _unbuilt(model, facts)
+    yield from _old_image(model, facts)
 
 
 def _texts(model: Model) -> Iterator[Finding]:
@@ -85,11 +85,9 @@ def _texts(model: Model) -> Iterator[Finding]:
             "@source": requirement.source,
             f"@priority ({', '.join(PRIORITIES)})": requirement.priority in PRIORITIES,
         }
-        yield from (
-            Finding(requirement.place, "req-text", f"{requirement.id} has no {part}")
-            for part, there in parts.items()
-            if not there
-        )
+        for part, there in parts.items():
+            if not there:
+                yield Finding(requirement.place, "req-text", f"{requirement.id} has no {part}")
 
 
 def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -171,7 +169,7 @@ def _without(model: Model) -> list[Finding]:
     return methods + tests
 
 
-def _uncalled(model: Model, facts: Facts) -> list[Finding]:
+def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds public methods that only tests can call and that design/justified.toml does not
     list."""
     called = {
@@ -190,29 +188,20 @@ def _uncalled(model: Model, facts: Facts) -> list[Finding]:
     }
     entries = [entry for entry in facts.declared.justified if entry.kind == "uncalled"]
     named = {name for entry in entries for name in entry.names}
-    findings = [
-        Finding(method.place, "req-caller", f"only tests call {name}")
-        for name, method in spare.items()
-        if name not in named
-    ]
-    return findings + [
-        Finding(entry.place, "req-justified", f"{name} has a caller")
-        for entry in entries
-        for name in entry.names
-        if name not in spare
-    ]
+    for name, method in spare.items():
+        if name not in named:
+            yield Finding(method.place, "req-caller", f"only tests call {name}")
+    for entry in entries:
+        for name in entry.names:
+            if name not in spare:
+                yield Finding(entry.place, "req-justified", f"{name} has a caller")
 
 
-def _unneeded(model: Model) -> list[Finding]:
-    return [
-        Finding(
-            item.place,
-            "req-justified",
-            f"no {item.kind} needs this justification: {', '.join(spare)}",
-        )
-        for item in model.justified
-        if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST))
-    ]
+def _unneeded(model: Model) -> Iterator[Finding]:
+    for item in model.justified:
+        if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST)):
+            text = f"no {item.kind} needs this justification: {', '.join(spare)}"
+            yield Finding(item.place, "req-justified", text)
 
 
 def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -252,18 +241,17 @@ def _spare(item: Justified) -> Sequence[str]:
     return [name for name in item.names if "/" not in name and name not in item.covers]
 
 
-def _stale(model: Model) -> list[Finding]:
-    return [
-        Finding(
-            _first_place(model, partial(_is_tested_on, model, binding)),
-            "req-stale",
-            f"there are no test results of the {binding}"
-            if made_from is None
-            else f"the test results of the {binding} are older than the sources",
-        )
-        for binding, made_from in model.results_hashes.items()
-        if model.stale_on(binding)
-    ]
+def _stale(model: Model) -> Iterator[Finding]:
+    for binding, made_from in model.results_hashes.items():
+        if model.stale_on(binding):
+            text = (
+                f"there are no test results of the {binding}"
+                if made_from is None
+                else f"the test results of the {binding} are older than the sources"
+            )
+            yield Finding(
+                _first_place(model, partial(_is_tested_on, model, binding)), "req-stale", text
+            )
 
 
 def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
@@ -301,20 +289,19 @@ def _requirements(model: Model) -> Iterator[Finding]:
 
 def unmet(
     model: Model, measured: Mapping[str, float | None], others: Sequence[Finding] = ()
-) -> list[Finding]:
+) -> Iterator[Finding]:
     """Evidence that is missing or beyond its bound.
 
     ``others`` are the findings of the other checks. Evidence that counts these findings, or that is
     not measured because results are stale, is not reported again.
     """
     checks = {finding.check for finding in others}
-    return [
-        Finding(evidence.place, "req-evidence", f"{requirement.id} is not met: {reason}")
-        for requirement in model.requirements.values()
-        for evidence in requirement.evidence
-        if not _is_reported(evidence, measured[evidence.figure], checks)
-        for reason in reasons(evidence, measured[evidence.figure])
-    ]
+    for requirement in model.requirements.values():
+        for evidence in requirement.evidence:
+            if not _is_reported(evidence, measured[evidence.figure], checks):
+                for reason in reasons(evidence, measured[evidence.figure]):
+                    text = f"{requirement.id} is not met: {reason}"
+                    yield Finding(evidence.place, "req-evidence", text)
 
 
 def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> bool:
@@ -326,24 +313,22 @@ def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> b
     return evidence.figure.startswith(CHECKS) and value > 0
 
 
-def _results(model: Model) -> list[Finding]:
+def _results(model: Model) -> Iterator[Finding]:
     words = {"failed": "failed", "skipped": "was skipped", None: "did not run"}
-    return [
-        Finding(
-            test.place,
-            "req-passed",
-            f"{test.id} {words[result.result]} on the {binding}"
-            + (f", but it verifies {', '.join(test.verifies)}" if test.verifies else ""),
-        )
-        for test in model.tests.values()
-        for binding, result in test.results.items()
-        if result.result != "passed"
-        and (test.verifies or result.result is None)
-        and not result.stale
-    ]
+    for test in model.tests.values():
+        for binding, result in test.results.items():
+            if (
+                result.result != "passed"
+                and (test.verifies or result.result is None)
+                and not result.stale
+            ):
+                text = f"{test.id} {words[result.result]} on the {binding}" + (
+                    f", but it verifies {', '.join(test.verifies)}" if test.verifies else ""
+                )
+                yield Finding(test.place, "req-passed", text)
 
 
-def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
+def _unbuilt(model: Model, facts: Facts) -> Iterator[Finding]:
     """Folders of tests that belong to no test program."""
     build = facts.root / TEST_BUILD
     text = build.read_text(encoding="utf-8") if build.exists() else ""
@@ -351,16 +336,14 @@ def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
     folders: dict[str, Place] = {}
     for test in model.tests.values():
         folders.setdefault(str(Path(test.place.file).parent), Place(test.place.file, 1))
-    return [
-        Finding(
-            place,
-            "req-passed",
-            f"{TEST_BUILD} has no program with the tests of {folder}",
-            "name the folder there",
-        )
-        for folder, place in folders.items()
-        if words and not _built(Path(folder), words)
-    ]
+    for folder, place in folders.items():
+        if words and not _built(Path(folder), words):
+            yield Finding(
+                place,
+                "req-passed",
+                f"{TEST_BUILD} has no program with the tests of {folder}",
+                "name the folder there",
+            )
 
 
 def _built(folder: Path, words: set[str]) -> bool:
@@ -369,7 +352,7 @@ def _built(folder: Path, words: set[str]) -> bool:
     return any(str(folder.relative_to("tests")) in words for folder in above if folder.parts[1:])
 
 
-def _unknown(model: Model, facts: Facts) -> list[Finding]:
+def _unknown(model: Model, facts: Facts) -> Iterator[Finding]:
     tagged: list[tuple[Place, str]] = []
     for machine in model.machines.values():
         for transition in machine.transitions:
@@ -377,11 +360,9 @@ def _unknown(model: Model, facts: Facts) -> list[Finding]:
     for scenario in model.closed_loop:
         names = [figure.requirement for figure in scenario.figures if figure.requirement]
         tagged += [(facts.declared.entries.line_in(scenario.place, name), name) for name in names]
-    return [
-        Finding(place, "req-unknown", f"there is no requirement {name}")
-        for place, name in tagged
-        if name not in model.requirements
-    ]
+    for place, name in tagged:
+        if name not in model.requirements:
+            yield Finding(place, "req-unknown", f"there is no requirement {name}")
 
 
 def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -425,60 +406,47 @@ def _tags(model: Model) -> Iterator[Finding]:
             )
 
 
-def _lines(model: Model) -> list[Finding]:
+def _lines(model: Model) -> Iterator[Finding]:
     """Each line of a method is executed by tests of its requirements, or justified."""
     if model.stale_on(HOST):
-        return []
-    return [
-        Finding(
-            gap.place,
-            "req-line",
-            f"no test of {', '.join(gap.requirements) or 'any requirement'} executes "
-            f"{_listed(gap.lines)} of {gap.method}",
-        )
-        for gap in model.line_gaps
-        if not gap.reason
-    ]
+        return
+    for gap in model.line_gaps:
+        if not gap.reason:
+            text = (
+                f"no test of {', '.join(gap.requirements) or 'any requirement'} executes "
+                f"{_listed(gap.lines)} of {gap.method}"
+            )
+            yield Finding(gap.place, "req-line", text)
 
 
 def _listed(lines: Sequence[int]) -> str:
     return f"line{'s' if len(lines) > 1 else ''} {', '.join(map(str, lines))}"
 
 
-def _suspects(model: Model) -> list[Finding]:
+def _suspects(model: Model) -> Iterator[Finding]:
     """One finding for each text, with all requirements that depend on it."""
     asking: dict[Suspicion, list[str]] = {}
     for requirement in model.requirements.values():
         for suspicion in requirement.suspicions:
             asking.setdefault(suspicion, []).append(requirement.id)
-    findings = [
-        Finding(
+    for suspicion, ids in asking.items():
+        text = (
+            f"{', '.join(ids)}: {NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} "
+            f"{suspicion.text}"
+        )
+        yield Finding(
             suspicion.place,
             f"suspect-{_LINKS[suspicion.kind]}",
-            f"{', '.join(ids)}: {NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} "
-            f"{suspicion.text}",
+            text,
             f"review it: ./wr review {ids[0]}; or accept the change without a review: ./wr review "
             f"--baseline {' '.join(ids)}",
         )
-        for suspicion, ids in asking.items()
-    ]
-    findings += [
-        Finding(
-            suspicion.place,
-            "suspect-design",
-            f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}",
-        )
-        for suspicion in model.suspicions
-    ]
-    return findings + [
-        Finding(
-            Place(str(BASELINE), 1),
-            "suspect-requirement",
-            f"{name} has a baseline or a review, but does not exist",
-            "remove its entry",
-        )
-        for name in model.reviews_of_nothing
-    ]
+    for suspicion in model.suspicions:
+        text = f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
+        yield Finding(suspicion.place, "suspect-design", text)
+    for name in model.reviews_of_nothing:
+        text = f"{name} has a baseline or a review, but does not exist"
+        yield Finding(Place(str(BASELINE), 1), "suspect-requirement", text, "remove its entry")
 
 
 def _reviews(model: Model) -> Iterator[Finding]:

@@ -15,7 +15,7 @@ ID = {"HZ": "hazard", "SG": "safety goal", "AU": "assumption of use"}
 PRIORITIES = ("low", "medium", "high")
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     parts = (
         _names,
         _hazards,
@@ -30,8 +30,9 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         _priorities,
     )
     if not model.safety.goals and not model.safety.hazards:
-        return []
-    return [finding for part in parts for finding in part(model, facts)]
+        return
+    for part in parts:
+        yield from part(model, facts)
 
 
 def _names(model: Model, facts: Facts) -> Iterator[Finding]:

@@ -63,20 +63,19 @@ def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
                 yield Finding(method.place, "secret-open", text, fix)
 
 
-def _declared_again(facts: Facts) -> list[Finding]:
+def _declared_again(facts: Facts) -> Iterator[Finding]:
     """Finds a name of another file that a source file declares; the linker defines some names."""
     scripts = files_below(facts.root, DESIGN, (".ld",))
     linked = " ".join(path.read_text(encoding="utf-8") for path in scripts)
-    return [
-        Finding(
-            place,
-            "secret-open",
-            f"{name} is declared here, but no header of its module declares it",
-            "include the header of the module, and call an operation of the module",
-        )
-        for name, place in facts.syntax.declared_again.items()
-        if not re.search(rf"\b{re.escape(name)}\b", linked)
-    ]
+    for name, place in facts.syntax.declared_again.items():
+        if not re.search(rf"\b{re.escape(name)}\b", linked):
+            text = f"{name} is declared here, but no header of its module declares it"
+            yield Finding(
+                place,
+                "secret-open",
+                text,
+                "include the header of the module, and call an operation of the module",
+            )
 
 
 @dataclass
@@ -101,14 +100,12 @@ def _hidden(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(hidden.place, "secret-hidden", text, fix)
             continue
         first = {(p.file, p.line): p for p in uses if not hidden.allows(p.file)}
-        yield from (
-            Finding(
+        for place in first.values():
+            yield Finding(
                 place,
                 "secret-hidden",
                 f"{hidden.name} is used here, but is a secret of {hidden.owner}",
             )
-            for place in first.values()
-        )
 
 
 def _declared(model: Model) -> Iterator[Hidden]:
@@ -154,24 +151,17 @@ def _standard(name: str, root: Path) -> list[Place] | None:
     return places or None
 
 
-def _copied(model: Model, facts: Facts) -> list[Finding]:
+def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds the value of a hidden constant in another file under a similar name."""
-    values = facts.syntax.values
-    return [
-        Finding(
-            other.place,
-            "secret-hidden",
-            f"{other.name} has the value of {hidden.name}, a secret of {hidden.owner}",
-            f"call an operation of {hidden.owner}, or choose a different name for the constant",
-        )
-        for hidden in _declared(model)
-        for value in values
-        if value.name == hidden.name and value.number > 1
-        for other in {(value.place.file, value.place.line): value for value in values}.values()
-        if other.number == value.number
-        and not hidden.allows(other.place.file)
-        and _is_similar(hidden.name, other.name)
-    ]
+    values = {(value.place.file, value.place.line): value for value in facts.syntax.values}
+    for hidden in _declared(model):
+        numbers = {each.number for each in facts.syntax.values if each.name == hidden.name}
+        for other in values.values():
+            outside = other.number > 1 and not hidden.allows(other.place.file)
+            if outside and other.number in numbers and _is_similar(hidden.name, other.name):
+                text = f"{other.name} has the value of {hidden.name}, a secret of {hidden.owner}"
+                fix = f"call an operation of {hidden.owner}, or give the constant a different name"
+                yield Finding(other.place, "secret-hidden", text, fix)
 
 
 def _is_similar(name: str, other: str) -> bool:

@@ -21,21 +21,16 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
         yield from _bound(model.stack)
 
 
-def _self_calls(facts: Facts) -> list[Finding]:
+def _self_calls(facts: Facts) -> Iterator[Finding]:
     """Finds recursion within a source file; used while the image is older than the sources."""
     calls: dict[str, dict[str, set[str]]] = {}
     for body in facts.syntax.bodies:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())
         own.update(call.target for call in body.calls if not call.virtual)
-    return [
-        Finding(
-            body.place,
-            "stack-recursion",
-            f"{body.id} calls itself, directly or through other functions of its file",
-        )
-        for body in facts.syntax.bodies
-        if body.id in _reached(body.id, calls[body.place.file])
-    ]
+    for body in facts.syntax.bodies:
+        if body.id in _reached(body.id, calls[body.place.file]):
+            text = f"{body.id} calls itself, directly or through other functions of its file"
+            yield Finding(body.place, "stack-recursion", text)
 
 
 def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
@@ -50,18 +45,15 @@ def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
     return reached
 
 
-def _calls(proof: StackProof) -> list[Finding]:
+def _calls(proof: StackProof) -> Iterator[Finding]:
     fix = f"call an object that a builder passes, or declare the call in {DECLARED}"
-    findings = [
-        Finding(place, "stack-call", f"the target of this call in {function} is unknown")
-        for function, place in proof.unresolved
-    ]
+    for function, place in proof.unresolved:
+        yield Finding(place, "stack-call", f"the target of this call in {function} is unknown")
     if proof.untold:
         count, first = len(proof.untold), min(proof.untold)
         text = f"the compiler reported no stack use of {count} functions, such as {first}"
         fix = "remove build/k64 and build again, without a cache of compilations"
-        findings.append(Finding(SCRIPT, "stack-call", text, fix))
-    return findings
+        yield Finding(SCRIPT, "stack-call", text, fix)
 
 
 def _cycles(proof: StackProof, facts: Facts) -> Iterator[Finding]:

@@ -42,19 +42,16 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
             yield from _shown(machine, model, facts)
 
 
-def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
+def _machines_missing(model: Model, facts: Facts) -> Iterator[Finding]:
     declared = {machine.application for machine in model.machines.values()}
-    return [
-        Finding(
-            application.place,
-            "fsm-declared",
-            f"the states of {application.id} have no state machine",
-        )
-        for application in model.patterns.values()
-        if application.pattern == "State"
-        and application.id in facts.declared.applications
-        and application.id not in declared
-    ]
+    for application in model.patterns.values():
+        if (
+            application.pattern == "State"
+            and application.id in facts.declared.applications
+            and application.id not in declared
+        ):
+            text = f"the states of {application.id} have no state machine"
+            yield Finding(application.place, "fsm-declared", text)
 
 
 def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
@@ -181,7 +178,7 @@ def words(step: Transition) -> str:
     return f"{step.source} > {step.target} on {step.event}{guard}"
 
 
-def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
+def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator[Finding]:
     if not code.composition or not code.holders:
         what = (
             "class of the robot that contains all states of the machine"
@@ -189,22 +186,22 @@ def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Findin
             else "Context"
         )
         text = f"the code has no {what}, so no check can compare the transitions of {machine.id}"
-        return [Finding(machine.place, "fsm-code", text, "compose the states in one class")]
-    findings = _initial(machine, code, facts)
+        yield Finding(machine.place, "fsm-code", text, "compose the states in one class")
+        return
+    yield from _initial(machine, code, facts)
     for state in machine.states:
         for operation in code.operations:
-            findings += _operation(machine, code, state, operation)
-    return findings
+            yield from _operation(machine, code, state, operation)
 
 
-def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
+def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator[Finding]:
     if code.initial == {machine.initial}:
-        return []
+        return
     given = ", ".join(sorted(code.initial)) or "no state"
     text = f"{code.composition} begins with {given}, but the machine with {machine.initial}"
     fix = "correct 'initial', or give the first state to the Context"
     place = facts.declared.entries.line_in(machine.place, "initial")
-    return [Finding(place, "fsm-code", text, fix)]
+    yield Finding(place, "fsm-code", text, fix)
 
 
 def _operation(
@@ -228,15 +225,10 @@ def _operation(
         elif len(rows) == 1:
             yield from (_guarded(here[0], change) for change in made if _differs(here[0], change))
     if not code.stays(state, operation):
-        yield from (
-            Finding(
-                row.place,
-                "fsm-code",
-                f"{state}::{operation} always changes the state, so {words(row)} cannot stay",
-            )
-            for row in rows
-            if is_stay(row)
-        )
+        for row in rows:
+            if is_stay(row):
+                text = f"{state}::{operation} always changes the state, so {words(row)} cannot stay"
+                yield Finding(row.place, "fsm-code", text)
 
 
 def _differs(row: Transition, change: Change) -> bool:
@@ -356,31 +348,25 @@ def _not_made(row: Transition, state: str, operation: str) -> Finding:
     return Finding(row.place, "fsm-code", text)
 
 
-def _seen(machine: StateMachine) -> list[Finding]:
-    findings = [
-        Finding(step.place, "fsm-seen", f"no passing test makes the transition {words(step)}")
-        for step in machine.transitions
-        if not step.tests
-    ]
+def _seen(machine: StateMachine) -> Iterator[Finding]:
+    for step in machine.transitions:
+        if not step.tests:
+            yield Finding(
+                step.place, "fsm-seen", f"no passing test makes the transition {words(step)}"
+            )
     for change, tests in machine.undeclared.items():
         source, operation, target = change.split(" ")
         text = f"{tests[0]} makes {source} change to {target} in {operation}, which is not declared"
-        findings.append(Finding(machine.place, "fsm-seen", text))
-    return findings
+        yield Finding(machine.place, "fsm-seen", text)
 
 
-def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
+def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Finding]:
     """The tests of the requirement of a transition make this transition."""
-    return [
-        Finding(
-            facts.declared.entries.line_in(step.place, name),
-            "fsm-seen",
-            f"no passing test of {name} makes the transition {words(step)}",
-        )
-        for step in machine.transitions
-        for name in step.requirements
-        if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests)
-    ]
+    for step in machine.transitions:
+        for name in step.requirements:
+            if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests):
+                text = f"no passing test of {name} makes the transition {words(step)}"
+                yield Finding(facts.declared.entries.line_in(step.place, name), "fsm-seen", text)
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:

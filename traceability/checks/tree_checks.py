@@ -31,15 +31,12 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
             yield from _executed(requirement, model)
 
 
-def _nodes(requirement: Requirement) -> list[Finding]:
+def _nodes(requirement: Requirement) -> Iterator[Finding]:
     assert requirement.tree is not None
-    return [
-        Finding(
-            node.place, "tree-node", f"there is no method {node.label} (tree of {requirement.id})"
-        )
-        for node in nodes_of(requirement.tree)
-        if node.resolved is None
-    ]
+    for node in nodes_of(requirement.tree):
+        if node.resolved is None:
+            text = f"there is no method {node.label} (tree of {requirement.id})"
+            yield Finding(node.place, "tree-node", text)
 
 
 def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[Finding]:
@@ -66,7 +63,7 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[F
 
 def _order(
     node: TreeNode, child: TreeNode, requirement: Requirement, facts: Facts
-) -> list[Finding]:
+) -> Iterator[Finding]:
     """The code makes the call as often as in the tree, and after the previous call."""
     tree = f"tree of {requirement.id}, {child.place.file}:{child.place.line}"
     texts = []
@@ -79,7 +76,8 @@ def _order(
         text = f"{node.label} calls {child.label} before {child.too_early} ({tree})"
         texts.append((text, "restore the order of the calls, or change the order in the tree"))
     place = _body_place(node, facts)
-    return [Finding(place, "tree-order", text, fix) for text, fix in texts]
+    for text, fix in texts:
+        yield Finding(place, "tree-order", text, fix)
 
 
 def _body_place(node: TreeNode, facts: Facts) -> Place:
@@ -89,21 +87,18 @@ def _body_place(node: TreeNode, facts: Facts) -> Place:
     return node.place
 
 
-def _executed(requirement: Requirement, model: Model) -> list[Finding]:
+def _executed(requirement: Requirement, model: Model) -> Iterator[Finding]:
     assert requirement.tree is not None
     passed = [name for name in requirement.verified_by if model.tests[name].gave("passed")]
     nodes = nodes_of(requirement.tree)
     if not passed or any(node.resolved is None or not node.reachable for node in nodes):
-        return []
+        return
     if requirement.runs:
-        return []
+        return
     # If no passed test has a recording, no node is measured, and the finding is at the root.
     failed = next((node for node in nodes if node.ran is False), requirement.tree)
-    return [
-        Finding(
-            failed.place,
-            "tree-dynamic",
-            f"no passing test of {requirement.id} made the call of {failed.label} at this place of "
-            "the tree",
-        )
-    ]
+    text = (
+        f"no passing test of {requirement.id} made the call of {failed.label} at this place of "
+        "the tree"
+    )
+    yield Finding(failed.place, "tree-dynamic", text)

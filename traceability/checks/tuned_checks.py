@@ -34,11 +34,12 @@ class Written:
     place: Place
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if not facts.declared.patterns:
-        return []
+        return
     constants = {constant.name: constant for constant in written(facts)}
-    return [*_unknown(model, constants), *_undeclared(model, facts, constants)]
+    yield from _unknown(model, constants)
+    yield from _undeclared(model, facts, constants)
 
 
 def written(facts: Facts) -> Iterator[Written]:
