@@ -1225,12 +1225,13 @@ class DriverFault:
 
 @dataclass(frozen=True)
 class Finding:
-    """A finding of a check. ``text`` describes the fault, ``fix`` the correction."""
+    """A finding of a check: ``text`` describes the fault. Without an own ``fix`` it has the fix of
+    its check."""
 
     place: Place
     check: str
     text: str
-    fix: str
+    fix: str = ""
 
 
 @dataclass(frozen=True)

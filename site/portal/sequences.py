@@ -25,12 +25,10 @@ from portal.recorded_calls import (
 )
 from traceability.reading.call_record import DECLARED, Recording, Window
 from traceability.reading.chains import frames_in
-from traceability.reading.toml_reader import Entries, Keys
+from traceability.reading.toml_reader import Entries
 from traceability.schema import Place
 
-OPTIONAL: Keys = {"participants": str}
 LOGIC = "logic modules"
-SEQUENCE: Keys = {"name": str, "title": str, "says": str, "recordings": list, "requirements": list}
 PC, LINE = "PC", "serial line"
 LONGEST = 12  # maximum number of messages in a repeated group
 CLASSES_ONLY = ("hide ", "set ")  # beginnings of lines that only class diagrams need
@@ -46,8 +44,12 @@ class DeclaredSequence:
     says: str
     recordings: Sequence[str]
     requirements: Sequence[str]
-    by_logic: bool  # the participants are logic modules
+    participants: str  # "logic modules", or "" for modules
     place: Place
+
+    @property
+    def by_logic(self) -> bool:
+        return self.participants == LOGIC
 
 
 @dataclass(frozen=True)
@@ -92,17 +94,9 @@ class Drawn:
 
 def declared_sequences(root: Path, entries: Entries | None = None) -> list[DeclaredSequence]:
     entries = entries or Entries(root)
-    return [
-        DeclaredSequence(
-            *(item["name"], item["title"], item["says"]),
-            *(item["recordings"], item["requirements"]),
-            by_logic=item.get("participants") == LOGIC,
-            place=place,
-        )
-        for item, place in entries.tables(
-            root / DECLARED, "sequence", SEQUENCE, OPTIONAL, own="name"
-        )
-    ]
+    return entries.records(
+        root / DECLARED, "sequence", DeclaredSequence, "name", may=["participants"]
+    )
 
 
 # ---- messages ----------------------------------------------------------------

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from traceability.checks import (
@@ -75,19 +76,20 @@ def run_checks(model: Model, facts: Facts) -> Report:
     clauses, broken = pattern_checks.decide(model, facts)
     all_findings += broken
     measured = measured_values(model, figures(model, clauses), all_findings, KNOWN)
-    findings = sort(all_findings + requirement_checks.unmet(model, measured, all_findings))
+    findings = sort([*all_findings, *requirement_checks.unmet(model, measured, all_findings)])
     return make_report(model, findings, clauses, measured)
 
 
 def run_link_checks(model: Model, facts: Facts, site: Path) -> list[Finding]:
     """Returns the dead links of the built site, and the expected pages that do not exist."""
     pages = paper_checks.check_pages(model, facts, site)
-    return sort(link_checks.check(model, site) + pages + link_checks.dead_clicks(site))
+    return sort([*link_checks.check(model, site), *pages, *link_checks.dead_clicks(site)])
 
 
 def sort(findings: list[Finding]) -> list[Finding]:
+    """Returns the findings in the order of their places, each with its fix."""
     return sorted(
-        findings,
+        (replace(each, fix=each.fix or KNOWN[each.check].fix.rstrip(".")) for each in findings),
         key=lambda finding: (finding.place.file, finding.place.line, finding.check, finding.text),
     )
 

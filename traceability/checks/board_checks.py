@@ -13,8 +13,10 @@ from traceability.schema import BoardBelief, Finding, Place
 BELIEFS = "design/board_beliefs.toml"
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    return [*_findings(model), *_beliefs(model, facts), *_without_belief(model, facts)]
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _findings(model)
+    yield from _beliefs(model, facts)
+    yield from _without_belief(model, facts)
 
 
 def _findings(model: Model) -> list[Finding]:
@@ -23,7 +25,6 @@ def _findings(model: Model) -> list[Finding]:
             finding.place,
             "board-finding",
             f"no test in tests/sim/emulator causes the finding {finding.id}",
-            "write such a test, or remove the finding",
         )
         for finding in model.board_findings.values()
         if not finding.tests
@@ -33,7 +34,6 @@ def _findings(model: Model) -> list[Finding]:
             Place("design/board_findings.toml", 1),
             "board-finding",
             f"the fault '{fault.fault}' caused the finding {fault.finding}, which is not declared",
-            "declare it",
         )
         for fault in model.driver_faults or []
         if fault.finding and fault.finding not in model.board_findings
@@ -45,25 +45,18 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
     registers = _text(facts, REGISTERS)
     for belief in model.beliefs:
         if not _declares(registers, belief):
-            yield _belief(
-                belief, f"there is no register {belief.register} in {REGISTERS}", "correct the name"
-            )
+            yield _belief(belief, f"there is no register {belief.register} in {REGISTERS}")
         if not _names(_text(facts, belief.model), belief):
-            yield _belief(
-                belief,
-                f"{belief.model} does not name {belief.name}",
-                "name the file of sim/emulator that has the register",
-            )
+            yield _belief(belief, f"{belief.model} does not name {belief.name}")
         source = model.belief_sources.get(belief.source)
         if source is None:
-            yield _belief(belief, f"there is no source {belief.source}", "declare it")
+            yield _belief(belief, f"there is no source {belief.source}")
         elif source.outside == belief.shared:
             yield _belief(
                 belief,
                 f"{belief.register} {belief.value} "
                 + ("has an outside source and is marked" if source.outside else "is not marked")
                 + " as shared by driver and model",
-                "write shared = true, if and only if its source is not outside",
             )
 
 
@@ -76,13 +69,11 @@ def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
         declared = re.search(r"\bRegister<.*> (\w+);", line)
         if declared and f"{block}::{declared[1]}" not in believed:
             text = f"no belief in {BELIEFS} is about {block}::{declared[1]}"
-            yield Finding(
-                Place(REGISTERS, number), "board-belief", text, "add a belief with its source"
-            )
+            yield Finding(Place(REGISTERS, number), "board-belief", text)
 
 
-def _belief(belief: BoardBelief, text: str, fix: str) -> Finding:
-    return Finding(belief.place, "board-belief", text, fix)
+def _belief(belief: BoardBelief, text: str) -> Finding:
+    return Finding(belief.place, "board-belief", text)
 
 
 def _text(facts: Facts, file: str) -> str:

@@ -14,9 +14,9 @@ from traceability.schema import Finding, Place
 STANDING = {"derives", "edits", "id"}  # words that the model replaces in a step
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if not facts.declared.patterns:
-        return []
+        return
     texts = facts.declared.changes
     wrong = [
         problem for name, item in texts.recipes.items() for problem in _recipe(name, item, facts)
@@ -32,10 +32,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         if pattern.name not in texts.recipes
     ]
     line_in = facts.declared.entries.line_in
-    return [
-        Finding(line_in(place, word), "pattern-change", text, "correct the name in the design")
-        for place, word, text in wrong
-    ]
+    for place, word, text in wrong:
+        yield Finding(line_in(place, word), "pattern-change", text)
 
 
 def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, str, str]]:

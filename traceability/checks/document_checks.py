@@ -15,18 +15,12 @@ READ = ("src", "extensions", "sim", "tests", "requirements", "design", "docs", "
 
 
 def check(_model: Model, facts: Facts) -> list[Finding]:
-    findings = [
-        Finding(place, "syntax-error", text, "correct the code")
-        for place, text in facts.syntax.errors
-    ]
-    findings += missing_paths(facts.root) + missing_commands(facts.root)
-    findings += missing_parts(facts.root)
+    findings = [Finding(place, "syntax-error", text) for place, text in facts.syntax.errors]
+    for find in (missing_paths, missing_commands, missing_parts):
+        findings += find(facts.root)
     for problem in facts.declared.entries.problems:
         findings.append(Finding(problem.place, "design-entry", problem.text, problem.fix))
-    findings += [
-        Finding(place, "doc-warning", text.rstrip(" ."), "correct the comment")
-        for place, text in facts.warnings
-    ]
+    findings += [Finding(place, "doc-warning", text.rstrip(" .")) for place, text in facts.warnings]
     return findings + _unknown_tags(facts)
 
 

@@ -33,24 +33,21 @@ HEAP = re.compile(
 KINDS = (INTERRUPT, THREAD, START)
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    heap = list(_heap(facts))
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _heap(facts)
     if not facts.declared.contexts:
-        return heap
-    return (
-        heap
-        + _contexts(model, facts)
-        + _pipes(model, facts)
-        + _priorities(model, facts)
-        + _ends(facts)
-        + _interrupts(model, facts)
-        + _claims(model, facts)
-        + _floats(model, facts)
-        + _loops(facts)
-        + _enabled(facts)
-        + _shared(model, facts)
-        + _unprotected(model, facts)
-    )
+        return
+    yield from _contexts(model, facts)
+    yield from _pipes(model, facts)
+    yield from _priorities(model, facts)
+    yield from _ends(facts)
+    yield from _interrupts(model, facts)
+    yield from _claims(model, facts)
+    yield from _floats(model, facts)
+    yield from _loops(facts)
+    yield from _enabled(facts)
+    yield from _shared(model, facts)
+    yield from _unprotected(model, facts)
 
 
 def _contexts(model: Model, facts: Facts) -> list[Finding]:
@@ -58,20 +55,18 @@ def _contexts(model: Model, facts: Facts) -> list[Finding]:
     lines = handler_lines(facts)
     for handler in sorted(set(lines) - set(declared)):
         text = f"the handler {handler} of line {lines[handler][0]} belongs to no context"
-        findings.append(_declared(DECLARED, text, "declare its context in design/execution.toml"))
+        findings.append(_declared(DECLARED, text))
     for handler, context in declared.items():
         if handler not in facts.bodies:
             text = f"{context.id} names the handler {handler}, which does not exist"
-            findings.append(_declared(context.place, text, "correct the name"))
+            findings.append(_declared(context.place, text))
         elif handler not in lines and context.kind in (INTERRUPT, THREAD):
             text = f"the vector table does not contain {handler}"
-            findings.append(
-                _declared(context.place, text, "enter it in the table, or remove it here")
-            )
+            findings.append(_declared(context.place, text))
     for context in model.contexts.values():
         if context.kind == THREAD and context.body not in facts.bodies:
             text = f"the thread {context.id} names the body {context.body}, which does not exist"
-            findings.append(_declared(context.place, text, "correct the name of the body"))
+            findings.append(_declared(context.place, text))
     return findings
 
 
@@ -84,36 +79,31 @@ def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], 
     for context in model.contexts.values():
         if context.kind not in KINDS:
             text = f"{context.id} has the kind {context.kind}, and not one of: {', '.join(KINDS)}"
-            findings.append(_declared(context.place, text, "correct the kind"))
+            findings.append(_declared(context.place, text))
         if (context.kind == THREAD) != bool(context.body):
             body = "a body" if context.body else "no body"
             text = f"{context.id} is of the kind {context.kind}, and has {body}"
             key = "body" if context.body else "kind"
             place = facts.declared.entries.line_in(context.place, key)
-            findings.append(
-                _declared(place, text, "give a body to each thread, and to no other context")
-            )
+            findings.append(_declared(place, text))
         if len(set(context.handlers)) != len(context.handlers):
             text = f"{context.id} names a handler twice"
             place = facts.declared.entries.line_in(context.place, "handlers")
-            findings.append(_declared(place, text, "remove one of the two names"))
+            findings.append(_declared(place, text))
         for handler in context.handlers:
             other = declared.setdefault(handler, context)
             if other is not context:
                 for first, two in (context, other), (other, context):
                     text = f"{first.id} and {two.id} have the same handler {handler}"
-                    findings.append(
-                        _declared(first.place, text, "remove it from one of the two contexts")
-                    )
+                    findings.append(_declared(first.place, text))
     return declared, findings
 
 
-def _pipes(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _pipes(model: Model, facts: Facts) -> Iterator[Finding]:
     for pipe in model.pipes:
         if pipe.id not in facts.declared.pipes:
             text = f"the pipe {pipe.id} has no name"
-            findings.append(_declared(pipe.place, text, "name it in design/execution.toml"))
+            yield _declared(pipe.place, text)
         writing = {context for contexts in pipe.writers.values() for context in contexts}
         reading = {context for contexts in pipe.readers.values() for context in contexts}
         for what, contexts in (("writes", writing), ("reads", reading)):
@@ -122,18 +112,15 @@ def _pipes(model: Model, facts: Facts) -> list[Finding]:
                     f"more than one context {what} the {pipe.name}: {', '.join(sorted(contexts))}"
                 )
                 fix = "add a pipe for each writer and reader"
-                findings.append(Finding(pipe.place, "exec-shared", text, fix))
+                yield Finding(pipe.place, "exec-shared", text, fix)
     names = {pipe.id for pipe in model.pipes}
     for name, pipe_text in facts.declared.pipes.items():
         if name not in names:
             text = f"the robot has no pipe {name}"
-            findings.append(
-                _declared(pipe_text.place, text, "correct the name, or remove the entry")
-            )
-    return findings
+            yield _declared(pipe_text.place, text)
 
 
-def _priorities(model: Model, facts: Facts) -> list[Finding]:
+def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
     """Each line of a context has the priority that the design gives to the context."""
     names = line_priorities(facts)
     right = {
@@ -148,12 +135,11 @@ def _priorities(model: Model, facts: Facts) -> list[Finding]:
             given = facts.syntax.constants[name]
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
-                fix = "correct the priority, or change the design"
                 # The finding is at the call, because the constant may be right for another context.
                 place = _enabled_at(name, facts) if name in right else _place_of(name, facts)
                 key = (name, context.id if name in right else "")
-                findings[key] = _declared(place, f"{text}{context.place.file}", fix)
-    return list(findings.values())
+                findings[key] = _declared(place, f"{text}{context.place.file}")
+    yield from findings.values()
 
 
 def _enabled_at(constant: str, facts: Facts) -> Place:
@@ -174,21 +160,19 @@ def _place_of(constant: str, facts: Facts) -> Place:
     return Place(file, next((n for n, line in enumerate(lines, 1) if name in line), 1))
 
 
-def _ends(facts: Facts) -> list[Finding]:
+def _ends(facts: Facts) -> Iterator[Finding]:
     called = {call.target for body in facts.syntax.bodies for call in body.calls}
     place = facts.declared.entries.place_of(facts.root / DECLARED.file, "ends")
-    return [
-        _declared(place, f"no code calls {name}, which must end the firmware", "correct the name")
-        for name in facts.declared.ends
-        if name not in called
-    ]
+    for name in facts.declared.ends:
+        if name not in called:
+            yield _declared(place, f"no code calls {name}, which must end the firmware")
 
 
-def _declared(place: Place, text: str, fix: str) -> Finding:
-    return Finding(place, "exec-declared", text, fix)
+def _declared(place: Place, text: str) -> Finding:
+    return Finding(place, "exec-declared", text)
 
 
-def _interrupts(model: Model, facts: Facts) -> list[Finding]:
+def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds methods that no interrupt may call, but that run in an interrupt."""
     forbidden = {
         method.id: method
@@ -196,7 +180,6 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods
         if method.interrupt == "no"
     }
-    findings: list[Finding] = []
     for context in model.contexts.values():
         if context.kind != INTERRUPT:
             continue
@@ -205,12 +188,10 @@ def _interrupts(model: Model, facts: Facts) -> list[Finding]:
         for name in sorted(set(reached) & set(forbidden)):
             way = " > ".join(way_to(name, reached))
             text = f"{name} is @isr{{no}}, and the interrupt '{context.name}' calls it: {way}"
-            fix = "let a thread call it, or make it safe and write @isr{yes}"
-            findings.append(Finding(forbidden[name].place, "exec-isr", text, fix))
-    return findings
+            yield Finding(forbidden[name].place, "exec-isr", text)
 
 
-def _claims(model: Model, facts: Facts) -> list[Finding]:
+def _claims(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds methods with @isr{yes} that call a method with @isr{no}."""
     claims = {
         method.id: method.interrupt
@@ -218,22 +199,16 @@ def _claims(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods
         if method.kind != "constructor"
     }
-    return [
-        Finding(
-            call.place,
-            "exec-isr",
-            f"{body.id} is @isr{{yes}}, and calls {target}, which is @isr{{no}}",
-            "let a thread make the call, or correct one of the two tags",
-        )
-        for body in facts.syntax.bodies
-        if claims.get(body.id) == "yes"
-        for call in body.calls
-        for target in facts.references.targets(call)
-        if claims.get(target) == "no"
-    ]
+    for body in facts.syntax.bodies:
+        if claims.get(body.id) == "yes":
+            for call in body.calls:
+                for target in facts.references.targets(call):
+                    if claims.get(target) == "no":
+                        text = f"{body.id} is @isr{{yes}}, and calls {target}, which is @isr{{no}}"
+                        yield Finding(call.place, "exec-isr", text)
 
 
-def _floats(model: Model, facts: Facts) -> list[Finding]:
+def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds floating-point numbers in interrupts, which do not save the registers for them."""
     findings: dict[Place, Finding] = {}
     for context in model.contexts.values():
@@ -245,37 +220,28 @@ def _floats(model: Model, facts: Facts) -> list[Finding]:
             if body.floats:
                 place = Place(body.place.file, body.floats)
                 text = f"{body.id} uses floating point, and the interrupt '{context.name}' runs it"
-                findings[place] = Finding(place, "exec-float", text, "compute with integers")
-    return list(findings.values())
+                findings[place] = Finding(place, "exec-float", text)
+    yield from findings.values()
 
 
-def _loops(facts: Facts) -> list[Finding]:
+def _loops(facts: Facts) -> Iterator[Finding]:
     """Finds a loop that does not count its rounds and is not in design/justified.toml."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
-    fix = "count the rounds in the head of the loop, or state in design/justified.toml why it ends"
-    findings = [
-        Finding(
-            Place(body.place.file, body.loops[0]),
-            "exec-loop",
-            f"the head of a loop in {name} counts its rounds",
-            fix,
-        )
-        for name, body in looping.items()
-        if name not in named
-    ]
-    return findings + [
-        Finding(entry.place, "exec-loop", f"{name} has no such loop", "remove the name")
-        for entry in entries
-        for name in entry.names
-        if name not in looping
-    ]
+    for name, body in looping.items():
+        if name not in named:
+            text = f"the head of a loop in {name} counts its rounds"
+            yield Finding(Place(body.place.file, body.loops[0]), "exec-loop", text)
+    for entry in entries:
+        for name in entry.names:
+            if name not in looping:
+                text = f"{name} has no such loop"
+                yield Finding(entry.place, "exec-loop", text, "remove the name")
 
 
 def _heap(facts: Facts) -> Iterator[Finding]:
     """Finds memory of the heap in the source: the image may be older."""
-    fix = "use an array or a std::optional of a fixed size"
     for path in files_below(facts.root, SOURCES, (".cpp", ".hpp")):
         file = str(path.relative_to(facts.root))
         bare = comment_blanked(path.read_text(encoding="utf-8"))
@@ -283,19 +249,16 @@ def _heap(facts: Facts) -> Iterator[Finding]:
             if match := HEAP.search(line):
                 words = match[0] if match[0].startswith("#") else match[0].split()[0]
                 text = f"'{words.partition('(')[0]}' uses the heap"
-                yield Finding(Place(file, number), "exec-heap", text, fix)
+                yield Finding(Place(file, number), "exec-heap", text)
 
 
-def _enabled(facts: Facts) -> list[Finding]:
+def _enabled(facts: Facts) -> Iterator[Finding]:
     """Finds an interrupt line that has a handler and that no call enables."""
-    return [
-        _declared(
+    for line, handler in silent_lines(facts).items():
+        yield _declared(
             facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
             f"the table of vectors has {handler} at line {line}, but no call enables this line",
-            "enable the line, or remove the handler from the table",
         )
-        for line, handler in silent_lines(facts).items()
-    ]
 
 
 def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
@@ -309,14 +272,13 @@ def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
     ]
 
 
-def _unprotected(model: Model, facts: Facts) -> list[Finding]:
+def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds members that are not atomic or not locked, unlike their declaration."""
     contexts = {context.id: context for context in model.contexts.values()}
-    findings: list[Finding] = []
     for member in model.shared:
         if "atomic" in member.protection and "atomic" not in member.type:
             text = f"{member.id} is declared as atomic, and is {member.type}"
-            findings.append(Finding(member.place, "exec-shared", text, "make it std::atomic"))
+            yield Finding(member.place, "exec-shared", text, "make it std::atomic")
         if member.protection != MASKED:
             continue
         using = [contexts[name] for name in (*member.writers, *member.readers) if name in contexts]
@@ -327,28 +289,23 @@ def _unprotected(model: Model, facts: Facts) -> list[Finding]:
             if member.id in body.touches and body.id in reached and not locked:
                 text = f"{body.id} uses {member.id} without the {LOCK} that shall protect it"
                 fix = f"make an {LOCK} first, or declare the actual protection"
-                findings.append(Finding(body.place, "exec-shared", text, fix))
-    return findings
+                yield Finding(body.place, "exec-shared", text, fix)
 
 
-def _shared(model: Model, facts: Facts) -> list[Finding]:
-    findings = [
-        Finding(
-            member.place,
-            "exec-shared",
-            f"{member.id} is changed by {' and '.join(member.writers)}"
-            + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
-            + ", and no protection is declared",
-            "put a Pipe between them, or declare the protection in design/execution.toml",
-        )
-        for member in model.shared
-        if not member.protection
-    ]
+def _shared(model: Model, facts: Facts) -> Iterator[Finding]:
+    for member in model.shared:
+        if not member.protection:
+            yield Finding(
+                member.place,
+                "exec-shared",
+                f"{member.id} is changed by {' and '.join(member.writers)}"
+                + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
+                + ", and no protection is declared",
+            )
     members = {member.id for member in model.shared}
     owners = {member.rpartition("::")[0] for member in members}
     for name, protection in facts.declared.protections.items():
         owner, _, last = name.rpartition("::")
         if name not in members and not (last == "*" and owner in owners):
             text = f"{name} is not shared by two contexts"
-            findings.append(_declared(protection.place, text, "remove it from the entry"))
-    return findings
+            yield _declared(protection.place, text)

@@ -4,6 +4,7 @@ preprocessor."""
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -19,26 +20,22 @@ NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header
 DIRECTIVE = re.compile(r"\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*(\w*)(.*)")
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    return (
-        _files(model, facts)
-        + _outside(facts)
-        + _loose(facts)
-        + _preprocessor(facts.root)
-        + _idle(facts)
-    )
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _files(model, facts)
+    yield from _outside(facts)
+    yield from _loose(facts)
+    yield from _preprocessor(facts.root)
+    yield from _idle(facts)
 
 
 def _finding(place: Place, text: str) -> Finding:
-    fix = "make it a private part of a module, or a module, or a @datatype"
-    return Finding(place, "module-file", text, fix)
+    return Finding(place, "module-file", text)
 
 
-def _files(model: Model, facts: Facts) -> list[Finding]:
+def _files(model: Model, facts: Facts) -> Iterator[Finding]:
     """Every file belongs to a module, to data types or to a composition, or is listed as shared."""
     described = {fact.place.file for fact in facts.syntax.classes if _is_described(fact, facts)}
     described |= {shared.file for shared in facts.declared.shared}
-    findings: list[Finding] = []
     for path in files_below(facts.root, DESIGN):
         file = str(path.relative_to(facts.root))
         header = str(Path(file).with_suffix(".hpp"))
@@ -48,12 +45,9 @@ def _files(model: Model, facts: Facts) -> list[Finding]:
         if file in described or header in described or _composes(model, folder):
             continue
         if path.suffix in (".cpp", ".hpp"):
-            findings.append(_finding(Place(file, 1), f"{file} belongs to no module"))
+            yield _finding(Place(file, 1), f"{file} belongs to no module")
         else:
-            findings.append(
-                _finding(Place(file, 1), f"{file} is not checked: rename it to .hpp or .cpp")
-            )
-    return findings
+            yield _finding(Place(file, 1), f"{file} is not checked: rename it to .hpp or .cpp")
 
 
 def _is_described(fact: ClassFact, facts: Facts) -> bool:
@@ -68,11 +62,10 @@ def _composes(model: Model, folder: str) -> bool:
     return logic is not None and bool(logic.function) and not logic.modules
 
 
-def _outside(facts: Facts) -> list[Finding]:
+def _outside(facts: Facts) -> Iterator[Finding]:
     """Finds functions and classes in the file of a module that other files can use without the
     module."""
     shared = {Path(item.file).stem for item in facts.declared.shared}
-    findings: list[Finding] = []
     for body in facts.syntax.bodies:
         stem = Path(body.place.file).stem
         module = facts.written_in.get(body.place.file)
@@ -80,41 +73,36 @@ def _outside(facts: Facts) -> list[Finding]:
             continue
         if not body.id.startswith("operator"):
             text = f"the function {body.id} is next to {module}, and other files can call it"
-            findings.append(_finding(body.place, text))
-    findings += [
-        _finding(fact.place, f"the class {fact.name} has no header")
-        for fact in facts.syntax.classes
-        if fact.place.file.endswith(".cpp")
-        and fact.kind in ("class", "struct")
-        and not fact.local
-        and "::" not in fact.name
-    ]
-    return findings
+            yield _finding(body.place, text)
+    for fact in facts.syntax.classes:
+        if (
+            fact.place.file.endswith(".cpp")
+            and fact.kind in ("class", "struct")
+            and not fact.local
+            and "::" not in fact.name
+        ):
+            yield _finding(fact.place, f"the class {fact.name} has no header")
 
 
-def _loose(facts: Facts) -> list[Finding]:
+def _loose(facts: Facts) -> Iterator[Finding]:
     """Finds a variable that belongs to no object, so that all objects of a class share it."""
-    findings: list[Finding] = []
     for variable in facts.syntax.objects:
         module = facts.written_in.get(variable.place.file)
         if module in facts.modules:
             text = f"{variable.name} can change, and is outside the objects of {module}"
             fix = "make it a member, or a constant"
-            findings.append(Finding(variable.place, "module-file", text, fix))
-    return findings
+            yield Finding(variable.place, "module-file", text, fix)
 
 
-def _idle(facts: Facts) -> list[Finding]:
-    return [
-        Finding(shared.place, "module-file", f"there is no {shared.file}", "remove the entry")
-        for shared in facts.declared.shared
-        if not (facts.root / shared.file).is_file()
-    ]
+def _idle(facts: Facts) -> Iterator[Finding]:
+    for shared in facts.declared.shared:
+        if not (facts.root / shared.file).is_file():
+            text = f"there is no {shared.file}"
+            yield Finding(shared.place, "module-file", text, "remove the entry")
 
 
-def _preprocessor(root: Path) -> list[Finding]:
+def _preprocessor(root: Path) -> Iterator[Finding]:
     """Finds macros and conditions, with which products would compile different texts."""
-    findings: list[Finding] = []
     for path in files_below(root, DESIGN, (".cpp", ".hpp")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             match = DIRECTIVE.match(line)
@@ -122,12 +110,8 @@ def _preprocessor(root: Path) -> list[Finding]:
                 continue
             if (match[1], match[2].strip()) == ("pragma", "once"):
                 continue
-            findings.append(
-                Finding(
-                    Place(str(path.relative_to(root)), number),
-                    "module-preprocessor",
-                    f"#{match[1]} is neither an include of a named file nor #pragma once",
-                    "use a constant, a template, or another module that the build chooses",
-                )
+            yield Finding(
+                Place(str(path.relative_to(root)), number),
+                "module-preprocessor",
+                f"#{match[1]} is neither an include of a named file nor #pragma once",
             )
-    return findings

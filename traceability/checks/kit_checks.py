@@ -9,12 +9,10 @@ from traceability.reading.change_kits import Kit
 from traceability.reading.source_facts import Facts
 from traceability.schema import HOST, VIRTUAL_K64, Finding, LikelyChange, MadeChange
 
-FIX = "complete the kit as changes/README.md explains"
 
-
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if not facts.declared.patterns:
-        return []
+        return
     kits = facts.declared.kits
     wrong = [
         (kit.place, f"there is no application {name}")
@@ -28,7 +26,8 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         else:
             problems = _change(model, facts, change, change.made, kits[name])
             wrong += [(change.made.place, text) for text in problems]
-    return [Finding(place, "change-kit", text, FIX) for place, text in wrong]
+    for place, text in wrong:
+        yield Finding(place, "change-kit", text)
 
 
 def _change(

@@ -8,6 +8,7 @@ import os
 import pickle
 import posixpath
 import re
+from collections.abc import Iterator
 from contextlib import nullcontext, suppress
 from dataclasses import dataclass
 from multiprocessing import get_context
@@ -140,7 +141,7 @@ def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
     return dead
 
 
-def check(model: Model, site: Path) -> list[Finding]:
+def check(model: Model, site: Path) -> Iterator[Finding]:
     """Returns one finding for each link in a source text, also if several pages contain the
     link."""
     places = _sources(model)
@@ -152,15 +153,9 @@ def check(model: Model, site: Path) -> list[Finding]:
         target = re.sub(r"^(\.\./)+", "", link)
         place = texts.place_of(target, page) or _place(path, line, root, places)
         pages.setdefault((place.file, place.line, target), []).append((page, reason))
-    return [
-        Finding(
-            Place(file, line),
-            "link-site",
-            f"dead link '{target}' in {links[0][0]}{_others(links)}: {links[0][1]}",
-            "correct the source of the page",
-        )
-        for (file, line, target), links in pages.items()
-    ]
+    for (file, line, target), links in pages.items():
+        text = f"dead link '{target}' in {links[0][0]}{_others(links)}: {links[0][1]}"
+        yield Finding(Place(file, line), "link-site", text)
 
 
 def _others(links: list[tuple[str, str]]) -> str:
@@ -168,18 +163,16 @@ def _others(links: list[tuple[str, str]]) -> str:
     return f" and {count} more" if count else ""
 
 
-def dead_clicks(site: Path) -> list[Finding]:
+def dead_clicks(site: Path) -> Iterator[Finding]:
     """Finds clicks of questions that lead to no page of the site."""
     path = site.resolve().parent.parent / QUESTIONS
     lines = path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
-    findings: list[Finding] = []
     for number, line in enumerate(lines, 1):
         for click in CLICK.findall(line) if line.startswith("clicks") else ():
             if not has_page(site, click):
                 text = f"a question leads to {click}, but the site has no such page"
                 fix = "name the page with the answer"
-                findings.append(Finding(Place(QUESTIONS, number), "link-site", text, fix))
-    return findings
+                yield Finding(Place(QUESTIONS, number), "link-site", text, fix)
 
 
 def has_page(site: Path, name: str) -> bool:
@@ -223,9 +216,8 @@ class Texts:
         return self.lines[file]
 
 
-def missing_paths(root: Path) -> list[Finding]:
+def missing_paths(root: Path) -> Iterator[Finding]:
     """Finds missing files and folders that a page or a text of the design names."""
-    findings: list[Finding] = []
     for path in files_below(root, ("README.md", "docs", "design"), (".md", ".rst", ".toml")):
         file = str(path.relative_to(root))
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
@@ -236,17 +228,15 @@ def missing_paths(root: Path) -> list[Finding]:
                 listed = path.name == "README.md" and named.endswith("/")
                 is_path = (root / top).is_dir() or name.suffix in SOURCES or listed
                 if is_path and top != "build" and not name.exists():
-                    text, fix = f"there is no {named}", "name a file that exists"
-                    findings.append(Finding(Place(file, number), "link-doc", text, fix))
-    return findings
+                    place = Place(file, number)
+                    yield Finding(place, "link-doc", f"there is no {named}")
 
 
-def missing_commands(root: Path) -> list[Finding]:
+def missing_commands(root: Path) -> Iterator[Finding]:
     """Finds missing commands of ./wr and missing options that a page or the README names."""
     code = "".join(
         path.read_text(encoding="utf-8") for path in files_below(root, PROGRAMS, (".py",))
     )
-    findings: list[Finding] = []
     for path in files_below(root, ("README.md", "docs") if code else (), (".md", ".rst")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             for command, options in COMMAND.findall(line):
@@ -255,16 +245,14 @@ def missing_commands(root: Path) -> list[Finding]:
                 for word in [word for word in words if f'"{word}"' not in code + HELP]:
                     place = Place(str(path.relative_to(root)), number)
                     text, fix = f"./wr has no {word}", "name a command that ./wr --help lists"
-                    findings.append(Finding(place, "link-doc", text, fix))
-    return findings
+                    yield Finding(place, "link-doc", text, fix)
 
 
-def missing_parts(root: Path) -> list[Finding]:
+def missing_parts(root: Path) -> Iterator[Finding]:
     """Finds missing products, programs and pins that a page names."""
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     targets, keys = _targets(root), _keys(root)
-    findings: list[Finding] = []
     for path in files_below(root, ("README.md", "docs"), (".md", ".rst")):
         for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             wrong = [f"product {name}" for name in PRODUCT.findall(line) if name not in products]
@@ -273,10 +261,7 @@ def missing_parts(root: Path) -> list[Finding]:
             wrong += [f"pin {name} in use" for name in PIN.findall(line) if name not in pins]
             for name in wrong:
                 place = Place(str(path.relative_to(root)), number)
-                findings.append(
-                    Finding(place, "link-doc", f"there is no {name}", "correct the name")
-                )
-    return findings
+                yield Finding(place, "link-doc", f"there is no {name}")
 
 
 def _pins(root: Path) -> set[str]:

@@ -51,13 +51,13 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         for method in module.methods:
             if method.access == "public":
                 findings += _specification(method)
-    findings += _folders(model, facts) + _written(model, facts) + _nested(facts)
-    findings += _products(model, facts)
-    findings += _unused(model, facts) + _behaviour(model, facts)
-    return [*findings, *_silent(facts, findings), *_units(model, facts)]
+    for find in (_folders, _written, _products, _unused, _behaviour, _units):
+        findings += find(model, facts)
+    findings += _nested(facts)
+    return [*findings, *_silent(facts, findings)]
 
 
-def _unused(model: Model, facts: Facts) -> list[Finding]:
+def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds modules that no composition reaches by names in the code and by base classes."""
     named: dict[str, set[str]] = {}  # module, or "" for a composition -> names in its code
     for name in facts.syntax.names:
@@ -69,109 +69,77 @@ def _unused(model: Model, facts: Facts) -> list[Finding]:
         reached = named.get(work.pop(), set()) - used
         used |= reached
         work += reached
-    return [
-        Finding(
-            module.place,
-            "module-used",
-            f"no composition uses {module.name}, so no product contains it",
-            "let a builder construct it, or remove it",
-        )
-        for module in model.modules.values()
-        if not module.datatype and module.name not in used and named.get("")
-    ]
+    for module in model.modules.values():
+        if not module.datatype and module.name not in used and named.get(""):
+            text = f"no composition uses {module.name}, so no product contains it"
+            yield Finding(module.place, "module-used", text)
 
 
-def _products(model: Model, facts: Facts) -> list[Finding]:
+def _products(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds modules of the list of products that do not exist."""
     file = str(PRODUCT_LIST)
     products = listed(facts.root) if (facts.root / PRODUCT_LIST).exists() else []
     place = Place(file, 1)
-    return [
-        Finding(
-            facts.declared.entries.line_in(place, f'"{name}"'),
-            "module-used",
-            f"{file} lists {name}, which is no module",
-            "correct the name",
-        )
-        for name in sorted({name for product in products for name in product.has})
-        if name not in model.modules
-    ]
+    for name in sorted({name for product in products for name in product.has}):
+        if name not in model.modules:
+            text = f"{file} lists {name}, which is no module"
+            yield Finding(
+                facts.declared.entries.line_in(place, f'"{name}"'),
+                "module-used",
+                text,
+                "correct the name",
+            )
 
 
-def _behaviour(model: Model, facts: Facts) -> list[Finding]:
+def _behaviour(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds a method of a data type with a condition or a loop."""
-    return [
-        Finding(
-            body.place,
-            "module-data",
-            f"{body.id} has a condition or a loop, and {body.owner} is a data type",
-            "move the behaviour into a module",
-        )
-        for body in facts.syntax.bodies
-        if (module := model.modules.get(body.owner)) and module.datatype
-        if body.branches
-    ]
+    for body in facts.syntax.bodies:
+        if ((module := model.modules.get(body.owner)) and module.datatype) and body.branches:
+            text = f"{body.id} has a condition or a loop, and {body.owner} is a data type"
+            yield Finding(body.place, "module-data", text)
 
 
-def _place_and_name(module: Module, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _place_and_name(module: Module, facts: Facts) -> Iterator[Finding]:
     folder = Path(module.header).parent
     if not (facts.root / folder / "module.dox").exists() or str(folder) in DESIGN:
-        findings.append(
-            Finding(
-                module.place,
-                "module-logic",
-                f"{module.name} lies in {folder}, which is not a described logic module",
-                f"describe the folder in {folder}/module.dox, or move the module",
-            )
+        yield Finding(
+            module.place,
+            "module-logic",
+            f"{module.name} lies in {folder}, which is not a described logic module",
         )
     if Path(module.header).stem != module.name:
-        findings.append(
-            Finding(
-                module.place,
-                "module-name",
-                f"the module {module.name} is in {Path(module.header).name}",
-                f"move it to {module.name}.hpp, or mark a value type with @datatype",
-            )
+        yield Finding(
+            module.place,
+            "module-name",
+            f"the module {module.name} is in {Path(module.header).name}",
         )
     names = facts.declared.names
     if names and not module.extension and module.name not in names.get(module.logic, []):
-        findings.append(
-            Finding(
-                module.place,
-                "module-count",
-                f"{module.name} is not a module of {module.logic} in design/modules.toml",
-                "remove it, mark a value type with @datatype, or change the design",
-            )
-        )
-    return findings
-
-
-def _written(model: Model, facts: Facts) -> list[Finding]:
-    """Finds missing modules of the design, and a number of modules that differs from the paper."""
-    names = facts.declared.names
-    findings = [
-        Finding(
-            facts.declared.name_places[folder],
-            "module-count",
-            f"there is no module {name} in {folder_of(folder)}",
-            f"write {folder_of(folder)}/{name}.hpp, or correct design/modules.toml",
-        )
-        for folder, listed in names.items()
-        for name in listed
-        if name not in facts.classes
-        or str(Path(facts.classes[name].place.file).parent) != folder_of(folder)
-    ]
-    findings += [
-        Finding(
+        yield Finding(
             module.place,
             "module-count",
-            f"{module.name} has a @datatype, but is a module of {module.logic} in the design",
-            "remove the mark, or correct the design",
+            f"{module.name} is not a module of {module.logic} in design/modules.toml",
         )
-        for module in model.modules.values()
-        if module.datatype and module.name in names.get(module.logic, [])
-    ]
+
+
+def _written(model: Model, facts: Facts) -> Iterator[Finding]:
+    """Finds missing modules of the design, and a number of modules that differs from the paper."""
+    names = facts.declared.names
+    written = {name: str(Path(fact.place.file).parent) for name, fact in facts.classes.items()}
+    for logic, place in facts.declared.name_places.items():
+        folder = folder_of(logic)
+        for name in names[logic]:
+            if written.get(name) != folder:
+                text = f"there is no module {name} in {folder}"
+                fix = f"write {folder}/{name}.hpp, or correct design/modules.toml"
+                yield Finding(place, "module-count", text, fix)
+    for module in model.modules.values():
+        if module.datatype and module.name in names.get(module.logic, []):
+            yield Finding(
+                module.place,
+                "module-count",
+                f"{module.name} has a @datatype, but is a module of {module.logic} in the design",
+            )
     listed = [name for folder in names for name in names[folder]]
     total = facts.declared.total
     if total is not None and {len(listed), len(set(listed))} != {total}:
@@ -180,12 +148,10 @@ def _written(model: Model, facts: Facts) -> list[Finding]:
             f"the design lists {len(listed)} modules, {different} different, but the paper has "
             f"{total}"
         )
-        fix = "correct the lists of design/modules.toml"
-        findings.append(Finding(Place("design/modules.toml", 1), "module-count", text, fix))
-    return findings
+        yield Finding(Place("design/modules.toml", 1), "module-count", text)
 
 
-def _function(module: Module, comment: Comment, functions: dict[str, str]) -> list[Finding]:
+def _function(module: Module, comment: Comment, functions: dict[str, str]) -> Iterator[Finding]:
     count = len([words for words in comment.all("function") if words])
     if not module.brief:
         wrong = f"{module.name} has no @brief"
@@ -195,9 +161,8 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> li
         wrong = f"{module.name} states the same function as {functions[words_of(module.function)]}"
     else:
         functions[words_of(module.function)] = module.name
-        return []
-    fix = "write above the class a purpose that no other module has"
-    return [Finding(module.place, "module-function", wrong, fix)]
+        return
+    yield Finding(module.place, "module-function", wrong)
 
 
 def says(text: str) -> bool:
@@ -210,23 +175,16 @@ def words_of(text: str) -> str:
     return " ".join(re.findall(r"\w+", text.casefold()))
 
 
-def _nested(facts: Facts) -> list[Finding]:
+def _nested(facts: Facts) -> Iterator[Finding]:
     """Finds public classes of a module without a brief."""
     nested = [
         fact
         for fact in facts.syntax.classes
         if fact.access == "public" and fact.name.split("::")[0] in facts.modules
     ]
-    return [
-        Finding(
-            fact.place,
-            "module-spec",
-            f"{fact.name} is public, and has no @brief",
-            "make it private, or write a brief above it",
-        )
-        for fact in nested
-        if not facts.comment(fact).brief
-    ]
+    for fact in nested:
+        if not facts.comment(fact).brief:
+            yield Finding(fact.place, "module-spec", f"{fact.name} is public, and has no @brief")
 
 
 def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
@@ -236,24 +194,21 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
         for finding in findings
         if finding.check == "module-spec"
     }
-    fix = "make it private, or write a brief next to it"
     for declaration in facts.syntax.silent:
         place = declaration.place
         if (place.file, place.line) in seen or place.file == REGISTERS:
             continue
         if place.end is None or not _has_words(place, facts):
-            yield Finding(
-                place, "module-spec", f"{declaration.name} is public, and has no @brief", fix
-            )
+            yield Finding(place, "module-spec", f"{declaration.name} is public, and has no @brief")
     for fact in facts.syntax.classes:
         described = facts.comment(fact).words("tparam")
         for name in fact.parameters if described else ():
             if name not in described:
                 text = f"{fact.name}, {name} is public, and has no @tparam"
-                yield Finding(fact.place, "module-spec", text, fix)
+                yield Finding(fact.place, "module-spec", text)
 
 
-def _units(model: Model, facts: Facts) -> list[Finding]:
+def _units(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds a unit in a text that differs from the unit of the type."""
     texts: list[tuple[Place, str, str, str]] = []  # place, name, type, text
     for module in model.modules.values():
@@ -269,14 +224,12 @@ def _units(model: Model, facts: Facts) -> list[Finding]:
             (field.place, f"{fact.name}::{field.name}", field.type, facts.comment(field).brief)
             for field in fact.fields
         ]
-    findings: list[Finding] = []
     for place, name, kind, text in texts:
         said = UNITS.findall(text)
         unit = UNITS.findall(unit_text(kind, model)) if said else []
         if unit and unit[0].split(" since ")[0] not in said:
             wrong = f"the text of {name} has the unit [{said[0]}], and its type has [{unit[0]}]"
-            findings.append(Finding(place, "module-spec", wrong, "write the unit of the type"))
-    return findings
+            yield Finding(place, "module-spec", wrong)
 
 
 def _has_words(place: Place, facts: Facts) -> bool:
@@ -289,42 +242,31 @@ def _has_words(place: Place, facts: Facts) -> bool:
     return above.strip().startswith("//") or "//" in line or line.startswith("extern ")
 
 
-def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> list[Finding]:
-    findings: list[Finding] = []
+def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> Iterator[Finding]:
     count = len([secret for secret in comment.all("secret") if says(secret)])
     if count != 1:
-        findings.append(
-            Finding(
-                module.place,
-                "module-secret",
-                f"{module.name} has {count or 'no'} {'secrets' if count else 'secret'}",
-                "state above the class the one likely change that it hides, with @secret",
-            )
+        yield Finding(
+            module.place,
+            "module-secret",
+            f"{module.name} has {count or 'no'} {'secrets' if count else 'secret'}",
         )
     elif words_of(module.secret) in (words_of(module.function), words_of(module.brief)):
-        findings.append(
-            Finding(
-                module.place,
-                "module-secret",
-                f"the secret of {module.name} is the same as its public texts",
-                "state the one likely change that it hides",
-            )
+        yield Finding(
+            module.place,
+            "module-secret",
+            f"the secret of {module.name} is the same as its public texts",
         )
     elif words_of(module.secret) in secrets:
-        findings.append(
-            Finding(
-                module.place,
-                "module-secret",
-                f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
-                "state the likely change that only this module hides",
-            )
+        yield Finding(
+            module.place,
+            "module-secret",
+            f"{module.name} states the same secret as {secrets[words_of(module.secret)]}",
         )
     else:
         secrets[words_of(module.secret)] = module.name
-    return findings
 
 
-def _specification(method: Method) -> list[Finding]:
+def _specification(method: Method) -> Iterator[Finding]:
     missing: list[str] = []
     if len(method.brief.split()) < FEWEST_OF_BRIEF:
         missing.append("@brief")
@@ -347,15 +289,8 @@ def _specification(method: Method) -> list[Finding]:
             missing.append("unit or meaning of the result")
     if method.kind != "constructor" and not INTERRUPT.match(method.interrupt):
         missing.append("@isr{yes} or @isr{no}")
-    return [
-        Finding(
-            method.place,
-            "module-spec",
-            f"{method.id} has no {what}",
-            "write it above the declaration",
-        )
-        for what in missing
-    ]
+    for what in missing:
+        yield Finding(method.place, "module-spec", f"{method.id} has no {what}")
 
 
 def _gives_result(method: Method) -> bool:
@@ -374,8 +309,7 @@ def folder_of(logic: str) -> str:
     return logic if is_extension(logic) else f"{SRC}/{logic}"
 
 
-def _folders(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _folders(model: Model, facts: Facts) -> Iterator[Finding]:
     secrets: dict[str, str] = {}
     for logic in model.logic_modules.values():
         if logic.id not in facts.folders and not logic.place.file.endswith(".dox"):
@@ -390,13 +324,7 @@ def _folders(model: Model, facts: Facts) -> list[Finding]:
                 missing = ["@secret that differs from its public description"]
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
                 missing = [f"separate @secret: {secrets[secret]} has the same"]
-        findings += [
-            Finding(
-                logic.place,
-                "module-folder",
-                f"the logic module {logic.id} has no {name}",
-                f"write it in {folder_of(logic.id)}/module.dox",
+        for name in missing:
+            yield Finding(
+                logic.place, "module-folder", f"the logic module {logic.id} has no {name}"
             )
-            for name in missing
-        ]
-    return findings

@@ -61,19 +61,15 @@ class Words:
         return names.union(*(self.members(base) for base in fact.bases))
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     words = _words(model, facts)
     named = [*_comments(facts), *_pages(facts.root), *_design(facts.root)]
-    return [
-        Finding(
-            place,
-            CHECKS.get(Path(place.file).stem, "doc-name"),
-            f"the text names {name}, which the code does not have",
-            "write the present name",
-        )
-        for place, name in named
-        if not words.knows(name)
-    ]
+    for place, name in named:
+        if not words.knows(name):
+            text = f"the text names {name}, which the code does not have"
+            yield Finding(
+                place, CHECKS.get(Path(place.file).stem, "doc-name"), text, "write the present name"
+            )
 
 
 def _words(model: Model, facts: Facts) -> Words:

@@ -18,21 +18,20 @@ from traceability.schema import Finding, Place, Requirement, RequirementNumbers
 LINKS = "design/requirement_numbers.toml"
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     links = {entry.requirement: entry for entry in facts.declared.numbers}
     without = {
         number: facts.declared.entries.line_in(entry.place, number)
         for entry in facts.declared.numbers_without
         for number in entry.numbers
     }
-    findings: list[Finding] = []
     for requirement in model.requirements.values() if links or without else []:
         stated = stated_numbers(requirement.text)
-        findings += _unlinked(requirement, stated, links.get(requirement.id), without)
+        yield from _unlinked(requirement, stated, links.get(requirement.id), without)
     for entry in links.values():
         stated_in = model.requirements.get(entry.requirement)
-        findings += _linked(entry, stated_numbers(stated_in.text if stated_in else ""), facts)
-    return findings + _unneeded(model, without)
+        yield from _linked(entry, stated_numbers(stated_in.text if stated_in else ""), facts)
+    yield from _unneeded(model, without)
 
 
 def _unlinked(
@@ -45,8 +44,7 @@ def _unlinked(
     for number in stated.keys() - (links.constants.keys() if links else set()):
         if f"{requirement.id} {number}" not in without:
             text = f"{requirement.id} states {number}, but no constant is linked with it"
-            fix = f"name the constant in {LINKS}, or state there why no constant exists"
-            yield Finding(requirement.place, "req-number", text, fix)
+            yield Finding(requirement.place, "req-number", text)
 
 
 def _linked(
@@ -58,25 +56,23 @@ def _linked(
         constants = constants_named(name, facts.syntax.values)
         if number not in stated:
             text = f"{entry.requirement} does not state {number}"
-            yield Finding(place, "req-number", text, "correct the number, or remove the link")
+            yield Finding(place, "req-number", text)
         elif not constants:
             text = f"{name} is no constant, but is linked with {number} of {entry.requirement}"
-            yield Finding(place, "req-number", text, "correct the name of the constant")
+            yield Finding(place, "req-number", text)
         elif not any(is_same(stated[number], quantity_of(constant)) for constant in constants):
             value = f"{constants[0].number} {constants[0].unit}".strip()
             text = f"{name} is {value}, and {entry.requirement} states {number}"
-            fix = "correct the constant or the requirement"
-            yield Finding(constants[0].place, "req-number", text, fix)
+            yield Finding(constants[0].place, "req-number", text)
 
 
-def _unneeded(model: Model, without: dict[str, Place]) -> list[Finding]:
+def _unneeded(model: Model, without: dict[str, Place]) -> Iterator[Finding]:
     needed = {
         f"{requirement.id} {number}"
         for requirement in model.requirements.values()
         for number in stated_numbers(requirement.text)
     }
-    return [
-        Finding(place, "req-number", f"no requirement states {number}", "remove the entry")
-        for number, place in without.items()
-        if number not in needed
-    ]
+    for number, place in without.items():
+        if number not in needed:
+            text = f"no requirement states {number}"
+            yield Finding(place, "req-number", text, "remove the entry")

@@ -21,12 +21,14 @@ COUNT, CONSTANT = "figure-of-design", "constant"
 PAGES = ("view", "docs")  # only in the built site
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    findings = _complete(model, facts)
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _complete(model, facts)
     for entry in model.paper:
-        findings += _stale(entry, model, facts) + _alias(entry, model, facts)
-        findings += _figure(entry, facts)
-    return [*findings, *_statements(model, facts), *_unstated(model)]
+        yield from _stale(entry, model, facts)
+        yield from _alias(entry, model, facts)
+        yield from _figure(entry, facts)
+    yield from _statements(model, facts)
+    yield from _unstated(model)
 
 
 def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -44,7 +46,7 @@ def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
             texts.append(("it has neither an answer nor a deviation", "says"))
         for text, word in texts:
             line = facts.declared.entries.line_in(statement.place, word)
-            yield Finding(line, "paper-statement", text, "correct the entry")
+            yield Finding(line, "paper-statement", text)
 
 
 def _unstated(model: Model) -> Iterator[Finding]:
@@ -57,77 +59,57 @@ def _unstated(model: Model) -> Iterator[Finding]:
             pair = (source.name, f"requirement:{requirement.id}")
             if source.kind == "paper" and pair not in answered:
                 text = f"no statement of {source.name} of the paper names {requirement.id}"
-                fix = "add it to design/statements.toml, or correct the source"
-                yield Finding(requirement.place, "paper-statement", text, fix)
+                yield Finding(requirement.place, "paper-statement", text)
 
 
-def _complete(model: Model, facts: Facts) -> list[Finding]:
+def _complete(model: Model, facts: Facts) -> Iterator[Finding]:
     """Each element has one entry, and each entry has an element."""
     concordance = facts.declared.concordance
     entries: dict[tuple[str, str], PaperElement] = {}
-    findings: list[Finding] = []
     for entry in model.paper:
         key = (entry.kind, entry.name)
         if key in entries:
             text = f"the {entry.kind} {entry.name} has a second entry"
-            findings.append(
-                Finding(entry.place, "paper-complete", text, "remove one of the two entries")
-            )
+            yield Finding(entry.place, "paper-complete", text, "remove one of the two entries")
         elif key not in concordance.named:
             text = f"design/paper.toml lists no {entry.kind} {entry.name}"
-            fix = "correct the kind or the name, or remove the entry"
-            findings.append(Finding(entry.place, "paper-complete", text, fix))
+            yield Finding(entry.place, "paper-complete", text)
         entries[key] = entry
-    findings += [
-        Finding(
-            place,
-            "paper-complete",
-            f"the {key[0]} {key[1]} of the paper has no entry in the concordance",
-            "write its counterpart in design/concordance.toml",
-        )
-        for key, place in concordance.lines.items()
-        if key not in entries
-    ]
-    findings += [
-        Finding(
-            entry.place,
-            "paper-complete",
-            f"the entry of the {entry.kind} {entry.name} names neither a part nor a deviation",
-            "name the part that replaces it, or write a deviation with the reason",
-        )
-        for entry in model.paper
-        if not entry.here and not entry.deviation
-    ]
-    return findings + _arrows(model)
+    for key, place in concordance.lines.items():
+        if key not in entries:
+            yield Finding(
+                place,
+                "paper-complete",
+                f"the {key[0]} {key[1]} of the paper has no entry in the concordance",
+            )
+    for entry in model.paper:
+        if not entry.here and not entry.deviation:
+            yield Finding(
+                entry.place,
+                "paper-complete",
+                f"the entry of the {entry.kind} {entry.name} names neither a part nor a deviation",
+                "name the part that replaces it, or write a deviation with the reason",
+            )
+    yield from _arrows(model)
 
 
-def _arrows(model: Model) -> list[Finding]:
+def _arrows(model: Model) -> Iterator[Finding]:
     """Entries of the concordance name each arrow of the high-level diagram."""
     said = {target.partition(":")[2] for entry in model.paper for target in entry.here}
     fix = "correct the arrow, or name it in the entry of Figure 5 and write the reason as deviation"
-    return [
-        Finding(
-            connection.place,
-            "paper-complete",
-            f"no entry of the concordance names the arrow {connection.arrow}",
-            fix,
-        )
-        for connection in model.connections
-        if model.paper and connection.arrow not in said
-    ]
+    for connection in model.connections:
+        if model.paper and connection.arrow not in said:
+            text = f"no entry of the concordance names the arrow {connection.arrow}"
+            yield Finding(connection.place, "paper-complete", text, fix)
 
 
-def _stale(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
-    return [
-        Finding(
-            facts.declared.entries.line_in(entry.place, target),
-            "paper-stale",
-            f"the paper's {entry.kind} {entry.name} is linked to {target}, which does not exist",
-            "name the part that replaced it",
-        )
-        for target in entry.here
-        if not exists(target, model, facts)
-    ]
+def _stale(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]:
+    for target in entry.here:
+        if not exists(target, model, facts):
+            text = (
+                f"the paper's {entry.kind} {entry.name} is linked to {target}, which does not exist"
+            )
+            yield Finding(facts.declared.entries.line_in(entry.place, target), "paper-stale", text)
 
 
 def exists(target: str, model: Model, facts: Facts) -> bool:
@@ -157,34 +139,31 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
     return kind == "view" or name in names_of.get(kind, {})
 
 
-def _alias(entry: PaperElement, model: Model, facts: Facts) -> list[Finding]:
+def _alias(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]:
     """Each name that differs from the paper has a reason, and no equal name has one."""
     if entry.kind not in EXACT or not entry.here:
-        return []
+        return
     same = entry.name in {_name_here(target, model) for target in entry.here}
     if same and entry.alias:
         text = (
             f"{entry.name} has the paper's name here, but the entry gives a reason for another name"
         )
-        return [Finding(entry.place, "paper-alias", text, "remove the alias")]
-    if not same and not entry.alias:
+        yield Finding(entry.place, "paper-alias", text, "remove the alias")
+    elif not same and not entry.alias:
         text = (
             f"the paper's {entry.name} is named {' and '.join(entry.here)} here, but has no alias"
         )
-        return [
-            Finding(entry.place, "paper-alias", text, "write the reason, or use the paper's name")
-        ]
-    if entry.alias and entry.kind == "module" and entry.name in facts.classes:
+        yield Finding(entry.place, "paper-alias", text)
+    elif entry.alias and entry.kind == "module" and entry.name in facts.classes:
         text = f"the code has a class {entry.name}, but the entry has another name for it"
-        return [Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")]
-    return []
+        yield Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")
 
 
-def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
+def _figure(entry: PaperElement, facts: Facts) -> Iterator[Finding]:
     """Compares counts of the design with the model, and values of constants with the code."""
     said = re.search(r"\d+", entry.name if entry.kind == COUNT else entry.note)
     if said is None or entry.kind not in (COUNT, CONSTANT):
-        return []
+        return
     if entry.kind == COUNT:
         counts = {"module": facts.modules, "application": facts.declared.applications}
         true = {str(len(things)) for word, things in counts.items() if word in entry.name}
@@ -194,19 +173,17 @@ def _figure(entry: PaperElement, facts: Facts) -> list[Finding]:
         ]
         true = {figure for method in methods for figure in _returned(method, facts)}
     if not true or said[0] in true:
-        return []
+        return
     text = f"the number {said[0]} of {entry.name} is {' or '.join(sorted(true, key=int))} here"
     place = facts.declared.entries.line_in(entry.place, "name" if entry.kind == COUNT else "note")
-    return [Finding(place, "paper-stale", text, "correct the number, or the design")]
+    yield Finding(place, "paper-stale", text, "correct the number, or the design")
 
 
-def _returned(method: str, facts: Facts) -> list[str]:
+def _returned(method: str, facts: Facts) -> Iterator[str]:
     """Returns the number that a method returns."""
-    numbers: list[str] = []
     for body in facts.bodies.get(method, []):
         lines = facts.lines_of(body.place.file)[body.place.line - 1 : body.end]
-        numbers += re.findall(r"\breturn (\d+);", "\n".join(lines))
-    return numbers
+        yield from re.findall(r"\breturn (\d+);", "\n".join(lines))
 
 
 def _name_here(target: str, model: Model) -> str:
@@ -216,7 +193,7 @@ def _name_here(target: str, model: Model) -> str:
     return application.title if application else name
 
 
-def check_pages(model: Model, facts: Facts, site: Path) -> list[Finding]:
+def check_pages(model: Model, facts: Facts, site: Path) -> Iterator[Finding]:
     """Finds generated pages and anchors that entries name and that the built site lacks."""
     named = [
         (entry.place, target, "paper-stale", f"the paper's {entry.kind} {entry.name}")
@@ -227,16 +204,10 @@ def check_pages(model: Model, facts: Facts, site: Path) -> list[Finding]:
         for statement in model.statements
         for target in statement.here
     ]
-    return [
-        Finding(
-            facts.declared.entries.line_in(place, target),
-            check,
-            f"{what} is linked to {target}, which is no page",
-            "name the page that shows it",
-        )
-        for place, target, check, what in named
-        if target.startswith("view:") and not has_page(site, _page_of(target))
-    ]
+    for place, target, check, what in named:
+        if target.startswith("view:") and not has_page(site, _page_of(target)):
+            text = f"{what} is linked to {target}, which is no page"
+            yield Finding(facts.declared.entries.line_in(place, target), check, text)
 
 
 def _page_of(target: str) -> str:

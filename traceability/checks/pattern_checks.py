@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from traceability.checks.pattern_clauses import CLAUSES, Shape
 from traceability.model.design_model import Model
 from traceability.reading.declared import ClauseText, KnownApplication
@@ -27,14 +29,14 @@ EXTENDED = ("Concrete Component", "Decorator", "Concrete Decorator")
 ALTERNATIVES = ("State", "Strategy", "Abstract Class")
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    findings = _roles(model, facts) + _declared_once(model, facts) + _heirs(model, facts)
-    findings += _required(facts) + _undeclared(model, facts) + _counts(facts)
-    findings += _lost(model, facts) + _undecided(facts)
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    for find in (_roles, _declared_once, _heirs, _undeclared, _lost):
+        yield from find(model, facts)
+    for find_declared in (_required, _counts, _undecided):
+        yield from find_declared(facts)
     for application in model.patterns.values():
-        findings += _known(application, facts)
-        findings += _missing_roles(application, model, facts)
-    return findings
+        yield from _known(application, facts)
+        yield from _missing_roles(application, model, facts)
 
 
 def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Finding]]:
@@ -44,7 +46,7 @@ def decide(model: Model, facts: Facts) -> tuple[dict[str, list[Clause]], list[Fi
     return clauses, [finding for _, findings in parts.values() for finding in findings]
 
 
-def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
+def _known(application: PatternApplication, facts: Facts) -> Iterator[Finding]:
     declared = facts.declared.applications.get(application.id)
     problems: list[tuple[str, str]] = []
     if declared is None:
@@ -67,26 +69,22 @@ def _known(application: PatternApplication, facts: Facts) -> list[Finding]:
         for name, text in texts.items()
         if not text
     ]
-    return [Finding(application.place, "pattern-known", text, fix) for text, fix in problems]
+    for text, fix in problems:
+        yield Finding(application.place, "pattern-known", text, fix)
 
 
-def _declared_once(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _declared_once(model: Model, facts: Facts) -> Iterator[Finding]:
     first: dict[str, str] = {}
     for module in model.modules.values():
         for tag in facts.comment_of(module.name).of("patternapp"):
             name = tag.argument
             if name in first:
                 words = f"{name} is already declared above {first[name]}"
-                findings.append(
-                    Finding(tag.place, "pattern-known", words, "remove one of the two tags")
-                )
+                yield Finding(tag.place, "pattern-known", words, "remove one of the two tags")
             first.setdefault(name, module.name)
-    return findings
 
 
-def _roles(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _roles(model: Model, facts: Facts) -> Iterator[Finding]:
     for module in model.modules.values():
         seen: set[tuple[str, str]] = set()
         for binding in module.roles:
@@ -97,26 +95,19 @@ def _roles(model: Model, facts: Facts) -> list[Finding]:
             seen.add((binding.application, binding.role))
             if problem:
                 text, fix = problem
-                findings.append(Finding(binding.place, "pattern-role-unknown", text, fix))
-    return findings
+                yield Finding(binding.place, "pattern-role-unknown", text, fix)
 
 
-def _lost(model: Model, facts: Facts) -> list[Finding]:
+def _lost(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds marks that are not above a module; no document shows such marks."""
     above = {(b.place.file, b.place.line) for m in model.modules.values() for b in m.roles}
     above |= {(pattern.place.file, pattern.place.line) for pattern in model.patterns.values()}
     checks = {"role": "pattern-role-unknown", "patternapp": "pattern-known"}
-    return [
-        Finding(
-            tag.place,
-            checks[tag.name],
-            f"this @{tag.name} is not above a module",
-            "write it above the class",
-        )
-        for comment in facts.comments.below(DESIGN)
-        for tag in comment.tags
-        if tag.name in checks and (tag.place.file, tag.place.line) not in above
-    ]
+    for comment in facts.comments.below(DESIGN):
+        for tag in comment.tags:
+            if tag.name in checks and (tag.place.file, tag.place.line) not in above:
+                text = f"this @{tag.name} is not above a module"
+                yield Finding(tag.place, checks[tag.name], text, "write it above the class")
 
 
 def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str, str] | None:
@@ -142,39 +133,33 @@ def _role_problem(binding: RoleBinding, model: Model, facts: Facts) -> tuple[str
     return None
 
 
-def _undeclared(model: Model, facts: Facts) -> list[Finding]:
-    return [
-        Finding(
-            item.place,
-            "pattern-known",
-            f"no module declares the application {item.id}",
-            "write its @patternapp above its abstraction",
-        )
-        for item in facts.declared.applications.values()
-        if item.id not in model.patterns
-    ]
+def _undeclared(model: Model, facts: Facts) -> Iterator[Finding]:
+    for item in facts.declared.applications.values():
+        if item.id not in model.patterns:
+            text = f"no module declares the application {item.id}"
+            yield Finding(
+                item.place, "pattern-known", text, "write its @patternapp above its abstraction"
+            )
 
 
-def _undecided(facts: Facts) -> list[Finding]:
+def _undecided(facts: Facts) -> Iterator[Finding]:
     """Each clause of the design has a function that decides it, and each function has a clause."""
     clauses = facts.declared.clauses
     if not clauses:
-        return []
-    absent = [
-        Finding(
-            Place("design/clauses.toml", 1),
-            "pattern-known",
-            f"no clause {name} is declared, so no application uses it",
-            "declare the clause",
-        )
-        for name in CLAUSES
-        if name not in clauses
-    ]
-    return absent + [
-        Finding(facts.declared.entries.line_in(clause.place, word), "pattern-known", text, fix)
-        for clause in clauses.values()
-        for text, word, fix in _clause_problems(clause, facts)
-    ]
+        return
+    for name in CLAUSES:
+        if name not in clauses:
+            yield Finding(
+                Place("design/clauses.toml", 1),
+                "pattern-known",
+                f"no clause {name} is declared, so no application uses it",
+                "declare the clause",
+            )
+    for clause in clauses.values():
+        for text, word, fix in _clause_problems(clause, facts):
+            yield Finding(
+                facts.declared.entries.line_in(clause.place, word), "pattern-known", text, fix
+            )
 
 
 def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
@@ -197,9 +182,8 @@ def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, s
     ]
 
 
-def _counts(facts: Facts) -> list[Finding]:
+def _counts(facts: Facts) -> Iterator[Finding]:
     """The number of applications of each pattern equals the number in the paper."""
-    findings: list[Finding] = []
     for pattern in facts.declared.patterns:
         applications = [
             i for i in facts.declared.applications.values() if i.pattern == pattern.name
@@ -209,14 +193,11 @@ def _counts(facts: Facts) -> list[Finding]:
                 f"the design has {len(applications)} applications of {pattern.name}, not "
                 f"{pattern.applications}"
             )
-            fix = f"correct the entries of {APPLICATIONS}"
-            findings.append(Finding(pattern.place, "pattern-count", text, fix))
-    return findings
+            yield Finding(pattern.place, "pattern-count", text)
 
 
-def _required(facts: Facts) -> list[Finding]:
+def _required(facts: Facts) -> Iterator[Finding]:
     """Each application of the design binds every role of its pattern to modules that exist."""
-    findings: list[Finding] = []
     patterns = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
     for item in facts.declared.applications.values():
         roles = patterns.get(item.pattern, [])
@@ -230,17 +211,10 @@ def _required(facts: Facts) -> list[Finding]:
             for module in modules
             if module not in facts.classes
         ]
-        fix = f"bind each role of the pattern in {APPLICATIONS}"
-        findings += [
-            Finding(
-                facts.declared.entries.line_in(item.place, word),
-                "pattern-role-required",
-                text,
-                fix,
+        for text, word in problems:
+            yield Finding(
+                facts.declared.entries.line_in(item.place, word), "pattern-role-required", text
             )
-            for text, word in problems
-        ]
-    return findings
 
 
 def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:
@@ -263,23 +237,19 @@ def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]
     return unbound + twice + unknown
 
 
-def _missing_roles(application: PatternApplication, model: Model, facts: Facts) -> list[Finding]:
+def _missing_roles(
+    application: PatternApplication, model: Model, facts: Facts
+) -> Iterator[Finding]:
     declared = facts.declared.applications.get(application.id)
     bound = {(item.role, item.module) for item in application.roles}
-    return [
-        Finding(
-            model.modules[module].place,
-            "pattern-role-missing",
-            f"{module} has no mark that it is {role} in {application.id}",
-            f"write @role{{{application.id}, {role}}} above it",
-        )
-        for role, modules in (declared.roles if declared else {}).items()
-        for module in modules
-        if module in model.modules and (role, module) not in bound
-    ]
+    for role, modules in (declared.roles if declared else {}).items():
+        for module in modules:
+            if module in model.modules and (role, module) not in bound:
+                text = f"{module} has no mark that it is {role} in {application.id}"
+                yield Finding(model.modules[module].place, "pattern-role-missing", text)
 
 
-def _heirs(model: Model, facts: Facts) -> list[Finding]:
+def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds subclasses without a role; a nested Command is the body of a thread and needs none."""
     findings: dict[str, Finding] = {}
     for application in model.patterns.values():
@@ -298,10 +268,9 @@ def _heirs(model: Model, facts: Facts) -> list[Finding]:
                         "pattern-heir-unbound",
                         f"{heir} derives from {binding.module}, which is {binding.role} in "
                         f"{application.id}, and plays no role of a subclass",
-                        "bind it to such a role, or derive it from another class",
                     ),
                 )
-    return list(findings.values())
+    yield from findings.values()
 
 
 def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:

@@ -24,21 +24,19 @@ class Line:
     place: Place
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     path = facts.root / COMPOSITION
     if not model.proofs.properties or not path.exists():
-        return []
+        return
     text = path.read_text(encoding="utf-8")
     lines = [
         Line(line, Place(str(COMPOSITION), number))
         for number, line in enumerate(text.splitlines(), 1)
     ]
-    return [
-        *_machines(model, text),
-        *_steps(model, facts, lines),
-        *_numbers(model, lines),
-        *_properties(model, text),
-    ]
+    yield from _machines(model, text)
+    yield from _steps(model, facts, lines)
+    yield from _numbers(model, lines)
+    yield from _properties(model, text)
 
 
 def _machines(model: Model, text: str) -> Iterator[Finding]:
@@ -74,7 +72,7 @@ def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
         for name in [listed.strip() for listed in named[1].split(",")] if match and named else []:
             if name not in methods:
                 said = f"the step {match[1] if match else ''} models {name}, which does not exist"
-                yield Finding(above.place, "proof-composition", said, "write its present name")
+                yield Finding(above.place, "proof-composition", said)
 
 
 def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
@@ -86,13 +84,13 @@ def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
         constants = [model.constants.get(name) for name in match.groups()[2:] if name]
         if None in constants:
             said = f"{match[1]} names a constant that does not exist"
-            yield Finding(line.place, "proof-composition", said, "write its present name")
+            yield Finding(line.place, "proof-composition", said)
             continue
         first, *rest = [constant.number for constant in constants if constant]
         value = first // rest[0] if rest else first
         if value != int(match[2]):
             said = f"{match[1]} is {match[2]}, and the code has {value}"
-            yield Finding(line.place, "proof-composition", said, "write the value from the code")
+            yield Finding(line.place, "proof-composition", said)
 
 
 def _properties(model: Model, text: str) -> Iterator[Finding]:
@@ -101,7 +99,7 @@ def _properties(model: Model, text: str) -> Iterator[Finding]:
     for proof in model.proofs.properties.values():
         if proof.requirement not in model.requirements:
             said = f"{proof.name} formalises {proof.requirement}, which does not exist"
-            yield Finding(proof.place, "proof-property", said, "correct the id")
+            yield Finding(proof.place, "proof-property", said)
         for word in dict.fromkeys(WORD.findall(proof.formula)):
             if word not in names:
                 said = f"the formula of {proof.name} has {word}, which observe() does not set"
@@ -111,5 +109,4 @@ def _properties(model: Model, text: str) -> Iterator[Finding]:
         verdict = results[proof.name].verdict if proof.name in results else "not tried"
         if verdict != "proven":
             said = f"the property {proof.name} of {proof.requirement} is {verdict}"
-            fix = "correct the design, or the formula; the page Proofs shows the counterexample"
-            yield Finding(proof.place, "proof-proven", said, fix)
+            yield Finding(proof.place, "proof-proven", said)

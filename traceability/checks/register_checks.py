@@ -23,12 +23,12 @@ START_UP = "/start_up/"  # the drivers are in this range of folders only
 MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # reads or writes memory
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    findings = _undeclared(facts) + _used(model, facts) + _past_the_table(facts) + _twice(facts)
-    findings += _borrowed(facts) + _given(facts) + _linked(facts) + _outside(facts)
-    return findings + [
-        finding for block in facts.declared.blocks for finding in _idle(block, facts)
-    ]
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _used(model, facts)
+    for find in (_undeclared, _past_the_table, _twice, _borrowed, _given, _linked, _outside):
+        yield from find(facts)
+    for block in facts.declared.blocks:
+        yield from _idle(block, facts)
 
 
 def _finding(place: Place, text: str, fix: str) -> Finding:
@@ -48,20 +48,18 @@ def _files(module: str, facts: Facts) -> set[str]:
     return {header, header.removesuffix(".hpp") + ".cpp"}
 
 
-def _undeclared(facts: Facts) -> list[Finding]:
+def _undeclared(facts: Facts) -> Iterator[Finding]:
     owners = _owners(facts)
-    return [
-        _finding(
-            fact.place,
-            f"the block {fact.block} has no owner in {OWNERS}",
-            "declare the module that owns it",
-        )
-        for fact in facts.syntax.blocks
-        if fact.declares and fact.place.file == REGISTERS and fact.block not in owners
-    ]
+    for fact in facts.syntax.blocks:
+        if fact.declares and fact.place.file == REGISTERS and fact.block not in owners:
+            yield _finding(
+                fact.place,
+                f"the block {fact.block} has no owner in {OWNERS}",
+                "declare the module that owns it",
+            )
 
 
-def _used(model: Model, facts: Facts) -> list[Finding]:
+def _used(model: Model, facts: Facts) -> Iterator[Finding]:
     owners = _owners(facts)
     findings: dict[tuple[str, int, str], Finding] = {}
     for fact in facts.syntax.blocks:
@@ -79,34 +77,30 @@ def _used(model: Model, facts: Facts) -> list[Finding]:
                 f"{'s' if len(block.owners) == 1 else ''}",
                 "call an operation of the owner",
             )
-    return list(findings.values())
+    yield from findings.values()
 
 
-def _past_the_table(facts: Facts) -> list[Finding]:
+def _past_the_table(facts: Facts) -> Iterator[Finding]:
     """Finds a register that is not in the table, or an address that is converted from a number."""
     fix = f"add the register to {REGISTERS}, and use it there"
-    own = [
-        _finding(name.place, "a register is defined outside the table of registers", fix)
-        for name in facts.syntax.names
-        if name.target == "Register"
-        and name.how == "type"
-        and name.place.file not in (REGISTERS, REGISTER)
-    ]
-    own += [
-        _finding(place, "an instruction of the processor is used outside the drivers", fix)
-        for place in facts.syntax.instructions
-        if not is_board(place.file) or _reaches(place, facts)
-    ]
-    own += [
-        _finding(place, "volatile memory is accessed outside the table of registers", fix)
-        for place in facts.syntax.volatile
-        if place.file != REGISTER
-    ]
-    return own + [
-        _finding(place, "a number is converted to an address", fix)
-        for place in facts.syntax.casts
-        if place.file != REGISTER
-    ]
+    for name in facts.syntax.names:
+        if (
+            name.target == "Register"
+            and name.how == "type"
+            and name.place.file not in (REGISTERS, REGISTER)
+        ):
+            yield _finding(name.place, "a register is defined outside the table of registers", fix)
+    for place in facts.syntax.instructions:
+        if not is_board(place.file) or _reaches(place, facts):
+            yield _finding(
+                place, "an instruction of the processor is used outside the drivers", fix
+            )
+    for place in facts.syntax.volatile:
+        if place.file != REGISTER:
+            yield _finding(place, "volatile memory is accessed outside the table of registers", fix)
+    for place in facts.syntax.casts:
+        if place.file != REGISTER:
+            yield _finding(place, "a number is converted to an address", fix)
 
 
 def _reaches(place: Place, facts: Facts) -> bool:
@@ -116,24 +110,22 @@ def _reaches(place: Place, facts: Facts) -> bool:
     return START_UP not in place.file and MEMORY.search(words) is not None
 
 
-def _twice(facts: Facts) -> list[Finding]:
+def _twice(facts: Facts) -> Iterator[Finding]:
     """Finds an address in two blocks. The owners of each block could access the registers of the
     other block.
     """
-    findings: list[Finding] = []
     first: dict[int, str] = {}
     for number, block, address in _table(facts):
         if address is None:
             text = "the address of the register is not a number"
             fix = "write the address from the manual"
-            findings.append(_finding(Place(REGISTERS, number), text, fix))
+            yield _finding(Place(REGISTERS, number), text, fix)
             continue
         owner = first.setdefault(address, block)
         if owner != block:
             text = f"the address {address:#x} of {block} is in {owner} already"
             fix = "keep it only in the block that the manual names"
-            findings.append(_finding(Place(REGISTERS, number), text, fix))
-    return findings
+            yield _finding(Place(REGISTERS, number), text, fix)
 
 
 def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
@@ -151,17 +143,16 @@ def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
             yield number, block, None
 
 
-def _outside(facts: Facts) -> list[Finding]:
+def _outside(facts: Facts) -> Iterator[Finding]:
     """Finds an offset that leads from one block of registers to another block."""
     blocks: dict[str, list[int]] = {}
     for _, block, address in _table(facts):
         if address is not None:
             blocks.setdefault(block, []).append(address)
-    findings: list[Finding] = []
     for fact in facts.syntax.offsets:
         if fact.offset >= PERIPHERALS:
             text = f"an offset contains the address {fact.offset:#x}"
-            findings.append(_finding(fact.place, text, "call an operation of the owner"))
+            yield _finding(fact.place, text, "call an operation of the owner")
             continue
         own = {block for block, registers in blocks.items() if fact.base in registers}
         reached = fact.base + fact.offset
@@ -170,8 +161,7 @@ def _outside(facts: Facts) -> list[Finding]:
         } - own
         if others and not any(_lies_in(reached, blocks[block]) for block in own):
             text = f"an offset from {', '.join(sorted(own))} leads to {', '.join(sorted(others))}"
-            findings.append(_finding(fact.place, text, "call an operation of the owner"))
-    return findings
+            yield _finding(fact.place, text, "call an operation of the owner")
 
 
 def _lies_in(address: int, registers: list[int]) -> bool:
@@ -185,7 +175,7 @@ def _page(address: int) -> int:
     return address >> 12 if address < CORE else address
 
 
-def _borrowed(facts: Facts) -> list[Finding]:
+def _borrowed(facts: Facts) -> Iterator[Finding]:
     """Finds a block of the table that contains the address of another block."""
     own: dict[int, str] = {}
     path = facts.root / REGISTERS
@@ -193,20 +183,20 @@ def _borrowed(facts: Facts) -> list[Finding]:
     for number, line in enumerate(lines, 1):
         opened = re.match(r"namespace (\w+)", line)
         own[number] = opened[1] if opened else own.get(number - 1, "")
-    return [
-        _finding(
-            fact.place,
-            f"the block {own[fact.place.line]} names a register of {fact.block}",
-            "let the owner of that block access it",
-        )
-        for fact in facts.syntax.blocks
-        if fact.place.file == REGISTERS
-        and fact.file == REGISTERS
-        and fact.block != own[fact.place.line]
-    ]
+    for fact in facts.syntax.blocks:
+        if (
+            fact.place.file == REGISTERS
+            and fact.file == REGISTERS
+            and fact.block != own[fact.place.line]
+        ):
+            yield _finding(
+                fact.place,
+                f"the block {own[fact.place.line]} names a register of {fact.block}",
+                "let the owner of that block access it",
+            )
 
 
-def _given(facts: Facts) -> list[Finding]:
+def _given(facts: Facts) -> Iterator[Finding]:
     """Finds a register that a module passes to other modules."""
     flows = facts.syntax.flows
     table = {flow.into for flow in flows if f"object {flow.into} {CLASS}" in flow.sources}
@@ -230,7 +220,7 @@ def _given(facts: Facts) -> list[Finding]:
                 text = f"{fact.name}::{field.name} is a register that other modules can use"
                 fix = "make it private"
                 findings[field.place.file, field.place.line] = _finding(field.place, text, fix)
-    return list(findings.values())
+    yield from findings.values()
 
 
 def _module_of(file: str) -> str:
@@ -245,27 +235,30 @@ def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
     return not any(m.id == body.id and m.access == "private" for m in methods)
 
 
-def _linked(facts: Facts) -> list[Finding]:
+def _linked(facts: Facts) -> Iterator[Finding]:
     """Finds a symbol that the linker places at the address of a register."""
     text = "the linker defines a symbol at an address of registers"
-    return [
-        _finding(Place(str(path.relative_to(facts.root)), number), text, f"use {REGISTERS}")
-        for path in files_below(facts.root, DESIGN, (".ld",))
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
-        if any(int(word, 16) >= PERIPHERALS for word in re.findall(r"\b0[xX][\da-fA-F]+", line))
-    ]
+    for path in files_below(facts.root, DESIGN, (".ld",)):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if any(
+                int(word, 16) >= PERIPHERALS for word in re.findall(r"\b0[xX][\da-fA-F]+", line)
+            ):
+                yield _finding(
+                    Place(str(path.relative_to(facts.root)), number), text, f"use {REGISTERS}"
+                )
 
 
-def _idle(block: Block, facts: Facts) -> list[Finding]:
+def _idle(block: Block, facts: Facts) -> Iterator[Finding]:
     declared = {
         fact.block for fact in facts.syntax.blocks if fact.declares and fact.file == REGISTERS
     }
     if block.name not in declared:
         text = f"{REGISTERS} has no block {block.name}"
-        return [_finding(block.place, text, "remove the entry, or correct the name")]
+        yield _finding(block.place, text, "remove the entry, or correct the name")
+        return
     users = {fact.place.file for fact in facts.syntax.blocks if fact.block == block.name}
-    return [
-        _finding(block.place, f"{owner} does not use the block {block.name}", "correct the owners")
-        for owner in block.owners
-        if not users & _files(owner, facts)
-    ]
+    for owner in block.owners:
+        if not users & _files(owner, facts):
+            yield _finding(
+                block.place, f"{owner} does not use the block {block.name}", "correct the owners"
+            )

@@ -146,7 +146,7 @@ _FIXED = [
         "The comment above every design module has @brief and one @function, and no two modules "
         "have the same @function.",
         _TEXT_BLIND,
-        "write the paragraph above the class.",
+        "write above the class a purpose that no other module has.",
     ),
     Check(
         "module-secret",
@@ -154,7 +154,7 @@ _FIXED = [
         "The comment above every design module has exactly one @secret, which differs from its "
         "function, and no two modules have the same @secret.",
         "whether the code hides the subject of the secret.",
-        "state above the class the one likely change that the module hides.",
+        "state above the class, with @secret, the one likely change that only this module hides.",
     ),
     Check(
         "module-spec",
@@ -167,7 +167,7 @@ _FIXED = [
         "types, functions, members, constants, friends, and all values of an enumeration when one "
         "value has a brief.",
         _TEXT_BLIND,
-        "complete the comment above the declaration.",
+        "make the declaration private, or complete the comment above it.",
     ),
     Check(
         "module-name",
@@ -183,7 +183,7 @@ _FIXED = [
         "listed module exists and is not a data type, and their number equals the number in the "
         "paper. Modules of extensions are not counted.",
         "whether the list is correct.",
-        "remove the module, mark a value type with @datatype, or change the design.",
+        "remove the module, mark a value type with @datatype, or change design/modules.toml.",
     ),
     Check(
         "module-used",
@@ -217,7 +217,7 @@ _FIXED = [
         "SystemConstants, or design/tuned.toml declares that it depends on it. The page of the "
         "change lists the computed and the declared constants.",
         "a value that depends on another constant, when its name and comment do not show this.",
-        "compute the value from the constant, or add it to design/tuned.toml.",
+        "compute the value from the constant, or declare it in design/tuned.toml.",
     ),
     Check(
         "pattern-change",
@@ -329,7 +329,7 @@ _FIXED = [
         "Every finding in design/board_findings.toml is named in a test of tests/sim/emulator, and "
         "that file declares every finding that a seeded fault of a driver caused.",
         "whether the test causes the finding; its result shows this.",
-        "write a test that causes the finding, or correct the id.",
+        "write a test that causes the finding, or declare the finding.",
     ),
     Check(
         "board-belief",
@@ -338,7 +338,8 @@ _FIXED = [
         "file of sim/emulator that contains it, and a declared source; it is marked as shared if, "
         "and only if, this source is inside the project. Every register of that file has a belief.",
         "a value of a register that is not listed, and whether the source confirms the belief.",
-        "correct the entry, or find an outside source.",
+        "correct or add the entry, with its source and the mark shared = true if the source is "
+        "inside the project.",
     ),
     Check(
         "uses-cycle",
@@ -347,7 +348,8 @@ _FIXED = [
         "declared "
         "in design/uses.toml.",
         "cycles between classes of one folder.",
-        "remove one of the uses, or declare the cycle with the pattern that causes it.",
+        "remove one of the uses, or declare the cycle in design/uses.toml with the pattern that "
+        "causes it.",
     ),
     Check(
         "uses-unused",
@@ -407,7 +409,7 @@ _FIXED = [
         "A loop is a `for` with a condition; a function with another kind of loop is named in "
         "design/justified.toml with the reason why the loop ends, or why it is endless.",
         "whether the condition of a `for` becomes false.",
-        "count the rounds in the head of the loop, or justify it.",
+        "count the rounds in the head of the loop, or state in design/justified.toml why it ends.",
     ),
     Check(
         "exec-heap",
@@ -426,7 +428,7 @@ _FIXED = [
         "writes a pipe, and one context reads it.",
         "changes through parameters that are references and in the standard library; whether the "
         "protection is sufficient; two threads of one kind.",
-        "put a Pipe between the contexts, or state the protection.",
+        "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
         "stack-call",
@@ -434,7 +436,7 @@ _FIXED = [
         "Each call through a pointer that the compiler lists is a call of a virtual method whose "
         "objects the builders passed, or is declared in design/stack.toml.",
         "images with extensions; an image that was not built from the present sources.",
-        "call an object that a builder passes, or declare the call.",
+        "call an object that a builder passes, or declare the call in design/stack.toml.",
     ),
     Check(
         "stack-recursion",
@@ -470,7 +472,8 @@ _FIXED = [
         "the bench, and the longest time to the end of the main thread in the published random "
         "drives. The time of each path in its recording is at most the bound of the path.",
         "interrupts that come more often than in design/times.toml.",
-        "correct the bound that is too small.",
+        "correct the bound that is too small: the bound of a loop, or a number in "
+        "design/times.toml.",
     ),
     Check(
         "fsm-declared",
@@ -553,7 +556,7 @@ _FIXED = [
         "composition, or is listed as shared in design/modules.toml; no function or class next to "
         "a module can be used without it; all variables belong to objects.",
         "how long a file is.",
-        "make the code a private part of a module, or a separate module.",
+        "make the code a private part of a module, a separate module, or a @datatype.",
     ),
     Check(
         "module-preprocessor",
@@ -587,7 +590,7 @@ _FIXED = [
         "Each requirement has a tree",
         "Every requirement has a tree of invocations in design/trees.",
         "whether the tree is the intended one.",
-        "write the tree of the requirement.",
+        "write the tree of the requirement in design/trees.",
     ),
     Check(
         "tree-node",
@@ -669,14 +672,14 @@ _FIXED = [
         "Each requirement is satisfied",
         "Every requirement is named in the @satisfies of a method.",
         "whether the method fulfils the requirement; the tests show this.",
-        "tag the method that does the work.",
+        "tag the method that does the work with @satisfies.",
     ),
     Check(
         "req-verified",
         "Each requirement is verified",
         "Every requirement is named in the @verifies of a test.",
         "whether the test is strict enough.",
-        "write a test for the requirement, or tag the existing one.",
+        "write a test for the requirement, or tag the existing test with @verifies.",
     ),
     Check(
         "req-method",
@@ -685,7 +688,8 @@ _FIXED = [
         "tree, or overrides such a method, or such a method overrides it. A constructor serves "
         "the requirements of its module.  Other methods are justified in design/justified.toml.",
         "whether the method is needed for the requirement.",
-        "tag the method, use it in a tree, remove it, or justify it.",
+        "tag the method with @satisfies, use it in a tree, remove it, or justify it in "
+        "design/justified.toml.",
     ),
     Check(
         "req-caller",
@@ -694,7 +698,7 @@ _FIXED = [
         "overrides. A builder calls each step and uses each part. Other methods are justified in "
         "design/justified.toml.",
         "whether the caller runs: a call in dead code is accepted.",
-        "call the method, remove it, or justify it.",
+        "call the method, remove it, or justify it in design/justified.toml.",
     ),
     Check(
         "req-test",
@@ -703,7 +707,7 @@ _FIXED = [
         "tools recognise its macro. No test is disabled, and no test of a requirement skips "
         "itself.",
         "whether the test tests the requirement; mutants show this.",
-        "tag the test, remove it, or justify it; use a macro that the tools recognise.",
+        "tag the test with @verifies, remove it, or justify it in design/justified.toml.",
     ),
     Check(
         "req-justified",
@@ -721,7 +725,7 @@ _FIXED = [
         "Each @evidence of a requirement names a metric that was measured in this run and meets "
         "its bound. A bound has the form at most, at least or exactly.",
         "whether the metric shows the property that the requirement demands.",
-        "correct the measured code, or run the command that measures it.",
+        "run ./wr test to measure it; if the value is beyond its bound, correct the code.",
     ),
     Check(
         "req-passed",
@@ -762,7 +766,7 @@ _FIXED = [
         "design/justified.toml.",
         "the drivers of the K64, whose lines the page of the virtual K64 lists; whether the test "
         "checks the effect of the line.",
-        "test the line for its requirement, remove it, or justify it.",
+        "test the line for its requirement, remove it, or justify it in design/justified.toml.",
     ),
     Check(
         "hazard-name",
@@ -881,7 +885,7 @@ _FIXED = [
         "has one entry in design/concordance.toml. The entry names its counterpart, or the reason "
         "why it has none. Entries name each arrow of the high-level diagram.",
         "an element that is missing in the list, which was written by hand from the paper.",
-        "write the entry, or correct its kind or name.",
+        "write the entry in design/concordance.toml, or correct its kind or name.",
     ),
     Check(
         "paper-statement",
@@ -890,7 +894,7 @@ _FIXED = [
         "Each requirement whose source is a place of the paper answers a statement of the paper.",
         "whether the list contains every statement of the paper, and whether an answer is good: a "
         "person compares them with the paper.",
-        "correct the entry, or add the statement.",
+        "correct the entry, or add the statement to design/statements.toml.",
     ),
     Check(
         "paper-stale",
@@ -923,7 +927,7 @@ _FIXED = [
         "Each value of an enumeration in design/frames.toml has the number of the enumerator of "
         "the same name in the firmware.",
         "fields, their types and their limits; the tests compare them.",
-        "correct the number.",
+        "correct the number; never give a new meaning to a number on the line.",
     ),
     Check(
         "doc-example",
@@ -932,7 +936,7 @@ _FIXED = [
         "bytes on the line.",
         "whether the body has the described content; tests of the firmware and of the client "
         "decode it.",
-        "run tests/python/client/examples.py.",
+        "run tests/python/client/examples.py, which writes the examples.",
     ),
     Check(
         "link-doc",

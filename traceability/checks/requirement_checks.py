@@ -48,7 +48,7 @@ _LINKS = {
 }
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     parts = (
         _texts,
         _tags,
@@ -61,24 +61,23 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         _suspects,
         _reviews,
     )
-    return [finding for part in parts for finding in part(model)] + [
-        *_unknown(model, facts),
-        *_tagged(model, facts),
-        *_twice(facts),
-        *_macros(facts),
-        *_switched_off(model, facts),
-        *_attributes(model, facts),
-        *_sources(model, facts),
-        *_uncalled(model, facts),
-        *_equivalents(model, facts),
-        *_unbuilt(model, facts),
-        *_old_image(model, facts),
-    ]
+    for part in parts:
+        yield from part(model)
+    yield from _unknown(model, facts)
+    yield from _tagged(model, facts)
+    yield from _twice(facts)
+    yield from _macros(facts)
+    yield from _switched_off(model, facts)
+    yield from _attributes(model, facts)
+    yield from _sources(model, facts)
+    yield from _uncalled(model, facts)
+    yield from _equivalents(model, facts)
+    yield from _unbuilt(model, facts)
+    yield from _old_image(model, facts)
 
 
-def _texts(model: Model) -> list[Finding]:
+def _texts(model: Model) -> Iterator[Finding]:
     """A requirement is one sentence with a shall, and has a rationale."""
-    findings: list[Finding] = []
     for requirement in model.requirements.values():
         parts = {
             "sentence with 'shall'": " shall " in requirement.text,
@@ -86,17 +85,9 @@ def _texts(model: Model) -> list[Finding]:
             "@source": requirement.source,
             f"@priority ({', '.join(PRIORITIES)})": requirement.priority in PRIORITIES,
         }
-        findings += [
-            Finding(
-                requirement.place,
-                "req-text",
-                f"{requirement.id} has no {part}",
-                "write it below the @requirement",
-            )
-            for part, there in parts.items()
-            if not there
-        ]
-    return findings
+        for part, there in parts.items():
+            if not there:
+                yield Finding(requirement.place, "req-text", f"{requirement.id} has no {part}")
 
 
 def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -115,9 +106,7 @@ def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
         wrong += [f"a @product {name}, which does not exist" for name in sorted(unknown)]
         for words in wrong:
             text = f"{requirement.id} has {words}"
-            yield Finding(
-                requirement.place, "req-attribute", text, "write it below the @requirement"
-            )
+            yield Finding(requirement.place, "req-attribute", text)
 
 
 def _has_way(requirement: Requirement) -> bool:
@@ -168,29 +157,19 @@ def _without(model: Model) -> list[Finding]:
     """Finds methods and tests that serve no requirement and are not justified."""
     justified = {name for item in model.justified for name in item.covers}
     methods = [
-        Finding(
-            method.place,
-            "req-method",
-            f"{method.id} serves no requirement",
-            "tag it with @satisfies, use it in a tree, or justify it in design/justified.toml",
-        )
+        Finding(method.place, "req-method", f"{method.id} serves no requirement")
         for _, method in methods_without(model)
         if method.id not in justified
     ]
     tests = [
-        Finding(
-            test.place,
-            "req-test",
-            f"{test.id} verifies no requirement",
-            "tag it with @verifies, or justify it in design/justified.toml",
-        )
+        Finding(test.place, "req-test", f"{test.id} verifies no requirement")
         for test in tests_without(model)
         if test.id not in justified
     ]
     return methods + tests
 
 
-def _uncalled(model: Model, facts: Facts) -> list[Finding]:
+def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds public methods that only tests can call and that design/justified.toml does not
     list."""
     called = {
@@ -209,31 +188,20 @@ def _uncalled(model: Model, facts: Facts) -> list[Finding]:
     }
     entries = [entry for entry in facts.declared.justified if entry.kind == "uncalled"]
     named = {name for entry in entries for name in entry.names}
-    fix = "call it, remove it, or justify it in design/justified.toml"
-    findings = [
-        Finding(method.place, "req-caller", f"only tests call {name}", fix)
-        for name, method in spare.items()
-        if name not in named
-    ]
-    return findings + [
-        Finding(entry.place, "req-justified", f"{name} has a caller", "remove the name")
-        for entry in entries
-        for name in entry.names
-        if name not in spare
-    ]
+    for name, method in spare.items():
+        if name not in named:
+            yield Finding(method.place, "req-caller", f"only tests call {name}")
+    for entry in entries:
+        for name in entry.names:
+            if name not in spare:
+                yield Finding(entry.place, "req-justified", f"{name} has a caller")
 
 
-def _unneeded(model: Model) -> list[Finding]:
-    return [
-        Finding(
-            item.place,
-            "req-justified",
-            f"no {item.kind} needs this justification: {', '.join(spare)}",
-            "remove the names, or correct them",
-        )
-        for item in model.justified
-        if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST))
-    ]
+def _unneeded(model: Model) -> Iterator[Finding]:
+    for item in model.justified:
+        if (spare := _spare(item)) and not (item.kind == "line" and model.stale_on(HOST)):
+            text = f"no {item.kind} needs this justification: {', '.join(spare)}"
+            yield Finding(item.place, "req-justified", text)
 
 
 def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -251,19 +219,14 @@ def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
         held = bodies.get((entry.file, entry.method), [])
         if not any(entry.line in _lines_of(facts.root, body) for body in held):
             text = f"{entry.method} in {entry.file} does not contain the line: {entry.line}"
-            yield Finding(
-                entry.place,
-                "req-justified",
-                text,
-                "quote a line of the method, or remove the entry",
-            )
+            yield Finding(entry.place, "req-justified", text)
         for change in entry.changes if whole else []:
             if (entry.file, entry.method, change) not in missed:
                 text = (
                     f"a test finds this change of {entry.method}, or no mutant makes the change: "
                     f"{change}"
                 )
-                yield Finding(entry.place, "req-justified", text, "correct or remove the change")
+                yield Finding(entry.place, "req-justified", text)
 
 
 def _lines_of(root: Path, body: BodyFact) -> list[str]:
@@ -278,19 +241,17 @@ def _spare(item: Justified) -> Sequence[str]:
     return [name for name in item.names if "/" not in name and name not in item.covers]
 
 
-def _stale(model: Model) -> list[Finding]:
-    return [
-        Finding(
-            _first_place(model, partial(_is_tested_on, model, binding)),
-            "req-stale",
-            f"there are no test results of the {binding}"
-            if made_from is None
-            else f"the test results of the {binding} are older than the sources",
-            "run ./wr test",
-        )
-        for binding, made_from in model.results_hashes.items()
-        if model.stale_on(binding)
-    ]
+def _stale(model: Model) -> Iterator[Finding]:
+    for binding, made_from in model.results_hashes.items():
+        if model.stale_on(binding):
+            text = (
+                f"there are no test results of the {binding}"
+                if made_from is None
+                else f"the test results of the {binding} are older than the sources"
+            )
+            yield Finding(
+                _first_place(model, partial(_is_tested_on, model, binding)), "req-stale", text
+            )
 
 
 def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
@@ -316,51 +277,31 @@ def _old_image(model: Model, facts: Facts) -> list[Finding]:
     return [Finding(place, "req-stale", text, "run ./wr firmware")]
 
 
-def _requirements(model: Model) -> list[Finding]:
-    findings: list[Finding] = []
+def _requirements(model: Model) -> Iterator[Finding]:
     for requirement in model.requirements.values():
         if requirement.by_calls and not requirement.satisfied_by:
-            findings.append(
-                Finding(
-                    requirement.place,
-                    "req-satisfied",
-                    f"no method satisfies {requirement.id}",
-                    f"tag the method that does the work with @satisfies {requirement.id}",
-                )
+            yield Finding(
+                requirement.place, "req-satisfied", f"no method satisfies {requirement.id}"
             )
         if not requirement.evidence and not requirement.verified_by:
-            findings.append(
-                Finding(
-                    requirement.place,
-                    "req-verified",
-                    f"no test verifies {requirement.id}",
-                    f"tag a test with @verifies {requirement.id}",
-                )
-            )
-    return findings
+            yield Finding(requirement.place, "req-verified", f"no test verifies {requirement.id}")
 
 
 def unmet(
     model: Model, measured: Mapping[str, float | None], others: Sequence[Finding] = ()
-) -> list[Finding]:
+) -> Iterator[Finding]:
     """Finds evidence that is missing or beyond its bound.
 
     ``others`` are the findings of the other checks. Evidence that counts these findings, or that is
     not measured because results are stale, is not reported again.
     """
     checks = {finding.check for finding in others}
-    return [
-        Finding(
-            evidence.place,
-            "req-evidence",
-            f"{requirement.id} is not met: {reason}",
-            "run ./wr test to measure it; if the value is beyond its bound, correct the code",
-        )
-        for requirement in model.requirements.values()
-        for evidence in requirement.evidence
-        if not _is_reported(evidence, measured[evidence.figure], checks)
-        for reason in reasons(evidence, measured[evidence.figure])
-    ]
+    for requirement in model.requirements.values():
+        for evidence in requirement.evidence:
+            if not _is_reported(evidence, measured[evidence.figure], checks):
+                for reason in reasons(evidence, measured[evidence.figure]):
+                    text = f"{requirement.id} is not met: {reason}"
+                    yield Finding(evidence.place, "req-evidence", text)
 
 
 def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> bool:
@@ -372,25 +313,22 @@ def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> b
     return evidence.figure.startswith(CHECKS) and value > 0
 
 
-def _results(model: Model) -> list[Finding]:
+def _results(model: Model) -> Iterator[Finding]:
     words = {"failed": "failed", "skipped": "was skipped", None: "did not run"}
-    return [
-        Finding(
-            test.place,
-            "req-passed",
-            f"{test.id} {words[result.result]} on the {binding}"
-            + (f", but it verifies {', '.join(test.verifies)}" if test.verifies else ""),
-            "correct the code or the test, then run ./wr test",
-        )
-        for test in model.tests.values()
-        for binding, result in test.results.items()
-        if result.result != "passed"
-        and (test.verifies or result.result is None)
-        and not result.stale
-    ]
+    for test in model.tests.values():
+        for binding, result in test.results.items():
+            if (
+                result.result != "passed"
+                and (test.verifies or result.result is None)
+                and not result.stale
+            ):
+                text = f"{test.id} {words[result.result]} on the {binding}" + (
+                    f", but it verifies {', '.join(test.verifies)}" if test.verifies else ""
+                )
+                yield Finding(test.place, "req-passed", text)
 
 
-def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
+def _unbuilt(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds folders of tests that belong to no test program."""
     build = facts.root / TEST_BUILD
     text = build.read_text(encoding="utf-8") if build.exists() else ""
@@ -398,16 +336,14 @@ def _unbuilt(model: Model, facts: Facts) -> list[Finding]:
     folders: dict[str, Place] = {}
     for test in model.tests.values():
         folders.setdefault(str(Path(test.place.file).parent), Place(test.place.file, 1))
-    return [
-        Finding(
-            place,
-            "req-passed",
-            f"{TEST_BUILD} has no program with the tests of {folder}",
-            "name the folder there",
-        )
-        for folder, place in folders.items()
-        if words and not _built(Path(folder), words)
-    ]
+    for folder, place in folders.items():
+        if words and not _built(Path(folder), words):
+            yield Finding(
+                place,
+                "req-passed",
+                f"{TEST_BUILD} has no program with the tests of {folder}",
+                "name the folder there",
+            )
 
 
 def _built(folder: Path, words: set[str]) -> bool:
@@ -416,7 +352,7 @@ def _built(folder: Path, words: set[str]) -> bool:
     return any(str(folder.relative_to("tests")) in words for folder in above if folder.parts[1:])
 
 
-def _unknown(model: Model, facts: Facts) -> list[Finding]:
+def _unknown(model: Model, facts: Facts) -> Iterator[Finding]:
     tagged: list[tuple[Place, str]] = []
     for machine in model.machines.values():
         for transition in machine.transitions:
@@ -424,11 +360,9 @@ def _unknown(model: Model, facts: Facts) -> list[Finding]:
     for scenario in model.closed_loop:
         names = [figure.requirement for figure in scenario.figures if figure.requirement]
         tagged += [(facts.declared.entries.line_in(scenario.place, name), name) for name in names]
-    return [
-        Finding(place, "req-unknown", f"there is no requirement {name}", "correct the id")
-        for place, name in tagged
-        if name not in model.requirements
-    ]
+    for place, name in tagged:
+        if name not in model.requirements:
+            yield Finding(place, "req-unknown", f"there is no requirement {name}")
 
 
 def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -438,7 +372,7 @@ def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
             if tag.name in _VERBS.values():
                 if tag.argument not in model.requirements:
                     text = f"there is no requirement {tag.argument}"
-                    yield Finding(tag.place, "req-unknown", text, "correct the id")
+                    yield Finding(tag.place, "req-unknown", text)
                 if tag.text:
                     text = f"this @{tag.name} names more than one requirement"
                     yield Finding(
@@ -457,83 +391,62 @@ def _twice(facts: Facts) -> Iterator[Finding]:
             seen.add(tag.argument)
 
 
-def _tags(model: Model) -> list[Finding]:
+def _tags(model: Model) -> Iterator[Finding]:
     """A test with the id of a requirement in its name verifies this requirement."""
-    findings: list[Finding] = []
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
         if match is None:
             continue
         name = f"{match[1]}-{match[2]}"
         if name not in test.verifies:
-            findings.append(
-                Finding(
-                    test.place,
-                    "req-name",
-                    f"{test.id} is named after {name} but does not verify it",
-                    f"write @verifies {name} above it, or rename it",
-                )
+            yield Finding(
+                test.place,
+                "req-name",
+                f"{test.id} is named after {name} but does not verify it",
             )
-    return findings
 
 
-def _lines(model: Model) -> list[Finding]:
+def _lines(model: Model) -> Iterator[Finding]:
     """Each line of a method is executed by tests of its requirements, or justified."""
     if model.stale_on(HOST):
-        return []
-    return [
-        Finding(
-            gap.place,
-            "req-line",
-            f"no test of {', '.join(gap.requirements) or 'any requirement'} executes "
-            f"{_listed(gap.lines)} of {gap.method}",
-            "test it for its requirement, remove it, or justify it in design/justified.toml",
-        )
-        for gap in model.line_gaps
-        if not gap.reason
-    ]
+        return
+    for gap in model.line_gaps:
+        if not gap.reason:
+            text = (
+                f"no test of {', '.join(gap.requirements) or 'any requirement'} executes "
+                f"{_listed(gap.lines)} of {gap.method}"
+            )
+            yield Finding(gap.place, "req-line", text)
 
 
 def _listed(lines: Sequence[int]) -> str:
     return f"line{'s' if len(lines) > 1 else ''} {', '.join(map(str, lines))}"
 
 
-def _suspects(model: Model) -> list[Finding]:
+def _suspects(model: Model) -> Iterator[Finding]:
     """Returns one finding for each changed text, with all requirements that depend on the text."""
     asking: dict[Suspicion, list[str]] = {}
     for requirement in model.requirements.values():
         for suspicion in requirement.suspicions:
             asking.setdefault(suspicion, []).append(requirement.id)
-    findings = [
-        Finding(
+    for suspicion, ids in asking.items():
+        text = (
+            f"{', '.join(ids)}: {NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} "
+            f"{suspicion.text}"
+        )
+        yield Finding(
             suspicion.place,
             f"suspect-{_LINKS[suspicion.kind]}",
-            f"{', '.join(ids)}: {NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} "
-            f"{suspicion.text}",
+            text,
             f"review it: ./wr review {ids[0]}; or accept the change without a review: ./wr review "
             f"--baseline {' '.join(ids)}",
         )
-        for suspicion, ids in asking.items()
-    ]
-    fix = "compare it with the code; then accept the change: ./wr review --baseline design"
-    findings += [
-        Finding(
-            suspicion.place,
-            "suspect-design",
-            f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}",
-            fix,
-        )
-        for suspicion in model.suspicions
-    ]
-    return findings + [
-        Finding(
-            Place(str(BASELINE), 1),
-            "suspect-requirement",
-            f"{name} has a baseline or a review, but does not exist",
-            "remove its entry",
-        )
-        for name in model.reviews_of_nothing
-    ]
+    for suspicion in model.suspicions:
+        text = f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
+        yield Finding(suspicion.place, "suspect-design", text)
+    for name in model.reviews_of_nothing:
+        text = f"{name} has a baseline or a review, but does not exist"
+        yield Finding(Place(str(BASELINE), 1), "suspect-requirement", text, "remove its entry")
 
 
 def _reviews(model: Model) -> Iterator[Finding]:
@@ -542,12 +455,7 @@ def _reviews(model: Model) -> Iterator[Finding]:
         for review in requirement.reviews:
             for objection in review.objections:
                 text = f"the record for {requirement.id} is no review: {objection}"
-                yield Finding(
-                    review.place,
-                    "req-review",
-                    text,
-                    "remove the record, and review the requirement again",
-                )
+                yield Finding(review.place, "req-review", text)
 
 
 def _macros(facts: Facts) -> Iterator[Finding]:

@@ -15,7 +15,7 @@ ID = {"HZ": "hazard", "SG": "safety goal", "AU": "assumption of use"}
 PRIORITIES = ("low", "medium", "high")
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     parts = (
         _names,
         _hazards,
@@ -30,8 +30,9 @@ def check(model: Model, facts: Facts) -> list[Finding]:
         _priorities,
     )
     if not model.safety.goals and not model.safety.hazards:
-        return []
-    return [finding for part in parts for finding in part(model, facts)]
+        return
+    for part in parts:
+        yield from part(model, facts)
 
 
 def _names(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -65,9 +66,7 @@ def _at(facts: Facts, item: Assumption | Hazard | SafetyGoal) -> Place:
 
 def _unknown(facts: Facts, item: Hazard | SafetyGoal, name: str) -> Finding:
     place = facts.declared.entries.line_in(item.place, name)
-    return Finding(
-        place, "hazard-name", f"{item.id} names {name}, which is not declared", "correct the name"
-    )
+    return Finding(place, "hazard-name", f"{item.id} names {name}, which is not declared")
 
 
 def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -76,7 +75,7 @@ def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
         if not hazard.goals and not hazard.assumptions:
             text = f"{hazard.id} has no safety goal and no assumption of use"
             fix = "name the goal that averts it, or the assumption that covers it"
-            yield Finding(_at(facts, hazard), "hazard-covered", text, fix)
+            yield Finding(_at(facts, hazard), "hazard-covered", text)
         if not hazard.level:
             risk = f"{hazard.severity}, {hazard.exposure}, {hazard.avoidance}"
             text = f"the risk graph has no level for {risk} of {hazard.id}"
@@ -102,16 +101,14 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
     for goal in model.safety.goals.values():
         if goal.computed is None:
             text = f"the formula of {goal.id} has no value: {goal.formula}"
-            yield Finding(_at(facts, goal), "hazard-time", text, "write a formula of numbers")
+            yield Finding(_at(facts, goal), "hazard-time", text)
         elif goal.time > goal.computed + 1e-9 or goal.time < 0.9 * goal.computed:
             text = f"{goal.id} has {goal.time:g} s, but its formula gives {goal.computed:.3g} s"
-            fix = "round the value of the formula down, or correct the formula"
-            yield Finding(_at(facts, goal), "hazard-time", text, fix)
+            yield Finding(_at(facts, goal), "hazard-time", text)
         if goal.reaction > goal.time:
             needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
             text = f"the firmware needs {needed} for {goal.id}, but the goal allows {allowed}"
-            fix = "make the firmware react sooner, or derive another time"
-            yield Finding(_at(facts, goal), "hazard-time", text, fix)
+            yield Finding(_at(facts, goal), "hazard-time", text)
 
 
 def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -167,20 +164,18 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
             goal = model.safety.goals.get(name)
             if goal is None:
                 text = f"the scenario {scenario.name} names the goal {name}, which does not exist"
-                yield Finding(where, check, text, "correct the id")
+                yield Finding(where, check, text)
             elif scenario.name not in goal.scenarios:
                 text = f"the scenario {scenario.name} names {name}, but this goal does not list it"
                 fix = f"add it to the scenarios of {name} in design/safety_case.toml"
                 yield Finding(where, check, text, fix)
         if not scenario.tests:
             text = f"no test plays the scenario {scenario.name}"
-            yield Finding(where, check, text, "play it in a test of tests/")
+            yield Finding(where, check, text)
         elif (state := scenario_state(model, scenario)) in ("failed", "unverified"):
             word = "failed" if state == "failed" else "did not pass"
             text = f"the scenario {scenario.name} {word} in {', '.join(scenario.tests)}"
-            yield Finding(
-                where, check, text, "correct the firmware or the scenario, then run ./wr test"
-            )
+            yield Finding(where, check, text)
 
 
 def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -191,7 +186,7 @@ def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
             place = facts.declared.entries.line_in(goal.place, name)
             if scenario is None:
                 text = f"{goal.id} lists the scenario {name}, which is not in {SCENARIOS}"
-                yield Finding(place, "hazard-scenario", text, "correct the name")
+                yield Finding(place, "hazard-scenario", text)
             elif goal.id not in scenario.goals:
                 text = (
                     f"{goal.id} lists the scenario {name}, but the scenario does not name the goal"
@@ -205,8 +200,7 @@ def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
     for assumption in model.safety.assumptions.values():
         if not assumption.hazards:
             text = f"{assumption.id} covers no hazard"
-            fix = "name it in the assumptions of a hazard, or remove it"
-            yield Finding(_at(facts, assumption), "hazard-assumption", text, fix)
+            yield Finding(_at(facts, assumption), "hazard-assumption", text)
 
 
 def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
@@ -222,4 +216,4 @@ def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
         present = requirement.priority
         if present in PRIORITIES and PRIORITIES.index(present) < PRIORITIES.index(least):
             text = f"{requirement.id} has the priority {present}, but its goals demand {least}"
-            yield Finding(requirement.place, "hazard-priority", text, f"write @priority {least}")
+            yield Finding(requirement.place, "hazard-priority", text)

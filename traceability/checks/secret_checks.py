@@ -15,19 +15,16 @@ from traceability.sources import DESIGN, files_below
 INCLUDE = re.compile(r"\s*#\s*include\s*<([a-z_./]+)>")
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    return (
-        _open(model, facts)
-        + _given_out(model, facts)
-        + _declared_again(facts)
-        + _hidden(model, facts)
-        + _copied(model, facts)
-    )
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _open(model, facts)
+    yield from _given_out(model, facts)
+    yield from _declared_again(facts)
+    yield from _hidden(model, facts)
+    yield from _copied(model, facts)
 
 
-def _open(model: Model, facts: Facts) -> list[Finding]:
+def _open(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds public data and friends: both allow access that is not in the interface."""
-    findings: list[Finding] = []
     for module in model.modules.values():
         if module.datatype:
             continue
@@ -35,22 +32,20 @@ def _open(model: Model, facts: Facts) -> list[Finding]:
             if field.access == "public" and not field.constant:
                 text = f"{module.name}::{field.name} is public data"
                 fix = "make it private, and add an operation"
-                findings.append(Finding(field.place, "secret-open", text, fix))
+                yield Finding(field.place, "secret-open", text)
     for friend in facts.syntax.friends:
         module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
         if module_ != other:
             text = f"{module_} shows its friend {other} its hidden members"
             fix = "remove the friend: let it use the interface"
-            findings.append(Finding(friend.place, "secret-open", text, fix))
-    return findings
+            yield Finding(friend.place, "secret-open", text, fix)
 
 
-def _given_out(model: Model, facts: Facts) -> list[Finding]:
+def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds an operation that returns a reference through which a caller can change the module."""
     results: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         results.setdefault(flow.into, []).extend(flow.sources)
-    findings: list[Finding] = []
     for module in model.modules.values():
         fact = facts.classes[module.name]
         own = {
@@ -65,24 +60,22 @@ def _given_out(model: Model, facts: Facts) -> list[Finding]:
             for member in filter(None, map(own.get, results.get(f"result {method.id}", []))):
                 text = f"{method.id} lets its caller change the private {member}"
                 fix = "return a value, or a reference to const"
-                findings.append(Finding(method.place, "secret-open", text, fix))
-    return findings
+                yield Finding(method.place, "secret-open", text, fix)
 
 
-def _declared_again(facts: Facts) -> list[Finding]:
+def _declared_again(facts: Facts) -> Iterator[Finding]:
     """Finds a name of another file that a source file declares; the linker defines some names."""
     scripts = files_below(facts.root, DESIGN, (".ld",))
     linked = " ".join(path.read_text(encoding="utf-8") for path in scripts)
-    return [
-        Finding(
-            place,
-            "secret-open",
-            f"{name} is declared here, but no header of its module declares it",
-            "include the header of the module, and call an operation of the module",
-        )
-        for name, place in facts.syntax.declared_again.items()
-        if not re.search(rf"\b{re.escape(name)}\b", linked)
-    ]
+    for name, place in facts.syntax.declared_again.items():
+        if not re.search(rf"\b{re.escape(name)}\b", linked):
+            text = f"{name} is declared here, but no header of its module declares it"
+            yield Finding(
+                place,
+                "secret-open",
+                text,
+                "include the header of the module, and call an operation of the module",
+            )
 
 
 @dataclass
@@ -98,26 +91,21 @@ class Hidden:
         return file.startswith(self.files)
 
 
-def _hidden(model: Model, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _hidden(model: Model, facts: Facts) -> Iterator[Finding]:
     for hidden in _declared(model):
         uses = _uses(hidden.name, facts)
         if uses is None or not any(hidden.allows(place.file) for place in uses):
             text = f"{hidden.owner} hides {hidden.name}, but does not use it"
             fix = "name a header, a constant, a function or a type of the module"
-            findings.append(Finding(hidden.place, "secret-hidden", text, fix))
+            yield Finding(hidden.place, "secret-hidden", text, fix)
             continue
         first = {(p.file, p.line): p for p in uses if not hidden.allows(p.file)}
-        findings += [
-            Finding(
+        for place in first.values():
+            yield Finding(
                 place,
                 "secret-hidden",
                 f"{hidden.name} is used here, but is a secret of {hidden.owner}",
-                f"call an operation of {hidden.owner}, or change the secret",
             )
-            for place in first.values()
-        ]
-    return findings
 
 
 def _declared(model: Model) -> Iterator[Hidden]:
@@ -163,24 +151,17 @@ def _standard(name: str, root: Path) -> list[Place] | None:
     return places or None
 
 
-def _copied(model: Model, facts: Facts) -> list[Finding]:
+def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds the value of a hidden constant in another file under a similar name."""
-    values = facts.syntax.values
-    return [
-        Finding(
-            other.place,
-            "secret-hidden",
-            f"{other.name} has the value of {hidden.name}, a secret of {hidden.owner}",
-            f"call an operation of {hidden.owner}, or choose a different name for the constant",
-        )
-        for hidden in _declared(model)
-        for value in values
-        if value.name == hidden.name and value.number > 1
-        for other in {(value.place.file, value.place.line): value for value in values}.values()
-        if other.number == value.number
-        and not hidden.allows(other.place.file)
-        and _is_similar(hidden.name, other.name)
-    ]
+    values = {(value.place.file, value.place.line): value for value in facts.syntax.values}
+    for hidden in _declared(model):
+        numbers = {each.number for each in facts.syntax.values if each.name == hidden.name}
+        for other in values.values():
+            outside = other.number > 1 and not hidden.allows(other.place.file)
+            if outside and other.number in numbers and _is_similar(hidden.name, other.name):
+                text = f"{other.name} has the value of {hidden.name}, a secret of {hidden.owner}"
+                fix = f"call an operation of {hidden.owner}, or give the constant a different name"
+                yield Finding(other.place, "secret-hidden", text, fix)
 
 
 def _is_similar(name: str, other: str) -> bool:

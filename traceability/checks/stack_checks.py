@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from traceability.model.design_model import Model
 from traceability.model.stack import DECLARED
 from traceability.reading.source_facts import Facts
@@ -10,28 +12,25 @@ from traceability.schema import Finding, Place, StackProof
 SCRIPT = Place("src/k64/start_up/k64.ld", 1)
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if model.stack is None:
-        return _self_calls(facts)
-    return _calls(model.stack) + _cycles(model.stack, facts) + _bound(model.stack)
+        yield from _self_calls(facts)
+    else:
+        yield from _calls(model.stack)
+        yield from _cycles(model.stack, facts)
+        yield from _bound(model.stack)
 
 
-def _self_calls(facts: Facts) -> list[Finding]:
+def _self_calls(facts: Facts) -> Iterator[Finding]:
     """Finds recursion within a source file; used while the image is older than the sources."""
     calls: dict[str, dict[str, set[str]]] = {}
     for body in facts.syntax.bodies:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())
         own.update(call.target for call in body.calls if not call.virtual)
-    return [
-        Finding(
-            body.place,
-            "stack-recursion",
-            f"{body.id} calls itself, directly or through other functions of its file",
-            "write a loop with a bound",
-        )
-        for body in facts.syntax.bodies
-        if body.id in _reached(body.id, calls[body.place.file])
-    ]
+    for body in facts.syntax.bodies:
+        if body.id in _reached(body.id, calls[body.place.file]):
+            text = f"{body.id} calls itself, directly or through other functions of its file"
+            yield Finding(body.place, "stack-recursion", text)
 
 
 def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
@@ -46,37 +45,30 @@ def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
     return reached
 
 
-def _calls(proof: StackProof) -> list[Finding]:
+def _calls(proof: StackProof) -> Iterator[Finding]:
     fix = f"call an object that a builder passes, or declare the call in {DECLARED}"
-    findings = [
-        Finding(place, "stack-call", f"the target of this call in {function} is unknown", fix)
-        for function, place in proof.unresolved
-    ]
+    for function, place in proof.unresolved:
+        yield Finding(place, "stack-call", f"the target of this call in {function} is unknown")
     if proof.untold:
         count, first = len(proof.untold), min(proof.untold)
         text = f"the compiler reported no stack use of {count} functions, such as {first}"
         fix = "remove build/k64 and build again, without a cache of compilations"
-        findings.append(Finding(SCRIPT, "stack-call", text, fix))
-    return findings
+        yield Finding(SCRIPT, "stack-call", text, fix)
 
 
-def _cycles(proof: StackProof, facts: Facts) -> list[Finding]:
-    fix = "write a loop with a bound"
-    findings = []
+def _cycles(proof: StackProof, facts: Facts) -> Iterator[Finding]:
     for cycle in proof.cycles:
         bodies = [body for name in cycle for body in facts.bodies.get(name, [])]
         place = bodies[0].place if bodies else SCRIPT
         text = f"recursion: {' > '.join([*cycle, cycle[0]])}"
-        findings.append(Finding(place, "stack-recursion", text, fix))
-    return findings
+        yield Finding(place, "stack-recursion", text)
 
 
-def _bound(proof: StackProof) -> list[Finding]:
-    findings = []
+def _bound(proof: StackProof) -> Iterator[Finding]:
     for function in proof.dynamic:
         text = f"the frame of {function} has no bound"
         fix = "choose a fixed size for each array"
-        findings.append(Finding(SCRIPT, "stack-bound", text, fix))
+        yield Finding(SCRIPT, "stack-bound", text, fix)
     if proof.proven and proof.total > proof.limit:
         calls = [call for level in proof.levels for call in level.chain]
         largest = max(calls, key=lambda call: call.bytes)
@@ -85,9 +77,8 @@ def _bound(proof: StackProof) -> list[Finding]:
             f"chains {largest.name} has the largest frame, {largest.bytes} bytes"
         )
         fix = "make this frame smaller, or raise stackSize in this file"
-        findings.append(Finding(SCRIPT, "stack-bound", text, fix))
+        yield Finding(SCRIPT, "stack-bound", text)
     if proof.seen is not None and proof.seen > proof.total:
         text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"
         fix = "find the call that the proof misses"
-        findings.append(Finding(SCRIPT, "stack-bound", text, fix))
-    return findings
+        yield Finding(SCRIPT, "stack-bound", text, fix)

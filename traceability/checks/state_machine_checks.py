@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from traceability.model.design_model import Model
 from traceability.model.state_machines import (
@@ -25,35 +26,32 @@ _ALIKE = (
 )
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    findings = _machines_missing(model, facts)
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    yield from _machines_missing(model, facts)
     for machine in model.machines.values():
         problems = _declared(machine, model, facts)
-        findings += problems
-        if not problems:
-            code = read_machine(machine, facts)
-            findings += _code(machine, code, facts)
-            findings += _conditions(machine, code) + _actions(machine, code, facts)
-            findings += (
-                [] if model.results_stale else _seen(machine) + _shown(machine, model, facts)
-            )
-    return findings
+        yield from problems
+        if problems:
+            continue
+        code = read_machine(machine, facts)
+        yield from _code(machine, code, facts)
+        yield from _conditions(machine, code)
+        yield from _actions(machine, code, facts)
+        if not model.results_stale:
+            yield from _seen(machine)
+            yield from _shown(machine, model, facts)
 
 
-def _machines_missing(model: Model, facts: Facts) -> list[Finding]:
+def _machines_missing(model: Model, facts: Facts) -> Iterator[Finding]:
     declared = {machine.application for machine in model.machines.values()}
-    return [
-        Finding(
-            application.place,
-            "fsm-declared",
-            f"the states of {application.id} have no state machine",
-            "declare its states and transitions in design/fsm",
-        )
-        for application in model.patterns.values()
-        if application.pattern == "State"
-        and application.id in facts.declared.applications
-        and application.id not in declared
-    ]
+    for application in model.patterns.values():
+        if (
+            application.pattern == "State"
+            and application.id in facts.declared.applications
+            and application.id not in declared
+        ):
+            text = f"the states of {application.id} have no state machine"
+            yield Finding(application.place, "fsm-declared", text)
 
 
 def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
@@ -180,7 +178,7 @@ def words(step: Transition) -> str:
     return f"{step.source} > {step.target} on {step.event}{guard}"
 
 
-def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
+def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator[Finding]:
     if not code.composition or not code.holders:
         what = (
             "class of the robot that contains all states of the machine"
@@ -188,27 +186,27 @@ def _code(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Findin
             else "Context"
         )
         text = f"the code has no {what}, so no check can compare the transitions of {machine.id}"
-        return [Finding(machine.place, "fsm-code", text, "compose the states in one class")]
-    findings = _initial(machine, code, facts)
+        yield Finding(machine.place, "fsm-code", text, "compose the states in one class")
+        return
+    yield from _initial(machine, code, facts)
     for state in machine.states:
         for operation in code.operations:
-            findings += _operation(machine, code, state, operation)
-    return findings
+            yield from _operation(machine, code, state, operation)
 
 
-def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
+def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator[Finding]:
     if code.initial == {machine.initial}:
-        return []
+        return
     given = ", ".join(sorted(code.initial)) or "no state"
     text = f"{code.composition} begins with {given}, but the machine with {machine.initial}"
     fix = "correct 'initial', or give the first state to the Context"
     place = facts.declared.entries.line_in(machine.place, "initial")
-    return [Finding(place, "fsm-code", text, fix)]
+    yield Finding(place, "fsm-code", text, fix)
 
 
 def _operation(
     machine: StateMachine, code: MachineCode, state: str, operation: str
-) -> list[Finding]:
+) -> Iterator[Finding]:
     """Compares the changes in one operation of a state with the rows. For each target, the number
     of changes and rows must be equal."""
     rows = [
@@ -217,28 +215,20 @@ def _operation(
         if step.source == state and machine.events[step.event] == operation
     ]
     changes = code.of(state, operation)
-    findings: list[Finding] = []
     for target in {change.target for change in changes} | {row.target for row in rows}:
         here = [row for row in rows if row.target == target and not is_stay(row)]
         made = [change for change in changes if change.target == target]
         if len(made) > len(here):
-            findings += [_undeclared(machine, change) for change in made[len(here) :]]
+            yield from (_undeclared(machine, change) for change in made[len(here) :])
         elif len(here) > len(made):
-            findings += [_not_made(row, state, operation) for row in here[len(made) :]]
+            yield from (_not_made(row, state, operation) for row in here[len(made) :])
         elif len(rows) == 1:
-            findings += [_guarded(here[0], change) for change in made if _differs(here[0], change)]
+            yield from (_guarded(here[0], change) for change in made if _differs(here[0], change))
     if not code.stays(state, operation):
-        findings += [
-            Finding(
-                row.place,
-                "fsm-code",
-                f"{state}::{operation} always changes the state, so {words(row)} cannot stay",
-                "remove the transition, or correct the code",
-            )
-            for row in rows
-            if is_stay(row)
-        ]
-    return findings
+        for row in rows:
+            if is_stay(row):
+                text = f"{state}::{operation} always changes the state, so {words(row)} cannot stay"
+                yield Finding(row.place, "fsm-code", text)
 
 
 def _differs(row: Transition, change: Change) -> bool:
@@ -278,31 +268,28 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
     return evaluated
 
 
-def _conditions(machine: StateMachine, code: MachineCode) -> list[Finding]:
+def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
     """Compares the conditions of the code before a change with the declared guards."""
-    findings: list[Finding] = []
     for row in [row for row in machine.transitions if not is_stay(row)]:
         if row.guard and row.guard not in machine.guards and not row.guard.startswith("in "):
             text = f"[guards] has no condition of the code for '{row.guard}'"
-            findings.append(Finding(row.place, "fsm-code", text, "write it, or correct the guard"))
+            yield Finding(row.place, "fsm-code", text, "write it, or correct the guard")
         for change in matching(machine, row, code):
             for question in sorted(_asked(machine, row) - set(change.asked)):
                 text = f"{words(row)} needs '{question}', but the code does not check it"
                 fix = "correct the guard, or the code"
-                findings.append(Finding(change.place, "fsm-code", text, fix))
+                yield Finding(change.place, "fsm-code", text)
     for change in code.changes:
         evaluated = _known_before(machine, code, change)
         for question in sorted(set(change.asked) - evaluated):
             change_text = f"the change from {change.source} to {change.target}"
             text = f"{change_text} checks '{question}', but no guard contains this condition"
             fix = f"declare it in [guards] of {machine.place.file}, or remove it"
-            findings.append(Finding(change.place, "fsm-code", text, fix))
-    return findings
+            yield Finding(change.place, "fsm-code", text, fix)
 
 
-def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Finding]:
+def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator[Finding]:
     """Compares the calls in the operation of a state with the actions of its transitions."""
-    findings: list[Finding] = []
     for state, operations in code.runs.items():
         for operation, method in operations.items():
             rows = _rows(machine, state, operation)
@@ -315,15 +302,12 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> list[Fin
                 for name in machine.actions.get(row.action, ["an entry in [actions]"]):
                     if name not in before:
                         text = f"the action '{row.action}' of {words(row)} lacks {name}"
-                        fix = "correct the action, [actions], or the code"
-                        findings.append(Finding(row.place, "fsm-code", text, fix))
+                        yield Finding(row.place, "fsm-code", text)
             declared = {name for row in rows for name in machine.actions.get(row.action, ())}
             every = {name for names in machine.actions.values() for name in names}
             for name in sorted((every & called) - declared) if rows else []:
                 text = f"{method} calls {name}, but no transition has this action"
-                fix = "declare the action, or remove the call"
-                findings.append(Finding(bodies[0].place, "fsm-code", text, fix))
-    return findings
+                yield Finding(bodies[0].place, "fsm-code", text)
 
 
 def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
@@ -345,7 +329,7 @@ def _guarded(row: Transition, change: Change) -> Finding:
     made = "on some paths only" if change.sometimes else "on every path"
     declared = "a guard" if row.guard else "no guard"
     text = f"{words(row)} has {declared}, but {change.source}::{change.operation} makes it {made}"
-    return Finding(change.place, "fsm-code", text, "declare the guard, or correct the code")
+    return Finding(change.place, "fsm-code", text)
 
 
 def _undeclared(machine: StateMachine, change: Change) -> Finding:
@@ -356,51 +340,33 @@ def _undeclared(machine: StateMachine, change: Change) -> Finding:
     text = (
         f"{where} changes {change.source} to {change.target}, which {machine.id} does not declare"
     )
-    return Finding(
-        change.place,
-        "fsm-code",
-        text,
-        f"declare the transition in {machine.place.file}, or remove it",
-    )
+    return Finding(change.place, "fsm-code", text)
 
 
 def _not_made(row: Transition, state: str, operation: str) -> Finding:
     text = f"{words(row)} is declared, but {state}::{operation} does not make this transition"
-    return Finding(row.place, "fsm-code", text, "correct the code, or remove the transition")
+    return Finding(row.place, "fsm-code", text)
 
 
-def _seen(machine: StateMachine) -> list[Finding]:
-    findings = [
-        Finding(
-            step.place,
-            "fsm-seen",
-            f"no passing test makes the transition {words(step)}",
-            "test it through its Context, or remove it",
-        )
-        for step in machine.transitions
-        if not step.tests
-    ]
+def _seen(machine: StateMachine) -> Iterator[Finding]:
+    for step in machine.transitions:
+        if not step.tests:
+            yield Finding(
+                step.place, "fsm-seen", f"no passing test makes the transition {words(step)}"
+            )
     for change, tests in machine.undeclared.items():
         source, operation, target = change.split(" ")
         text = f"{tests[0]} makes {source} change to {target} in {operation}, which is not declared"
-        fix = "declare the transition, or correct the code"
-        findings.append(Finding(machine.place, "fsm-seen", text, fix))
-    return findings
+        yield Finding(machine.place, "fsm-seen", text)
 
 
-def _shown(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
+def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Finding]:
     """The tests of the requirement of a transition make this transition."""
-    return [
-        Finding(
-            facts.declared.entries.line_in(step.place, name),
-            "fsm-seen",
-            f"no passing test of {name} makes the transition {words(step)}",
-            f"correct the requirement, or let a test of {name} make it",
-        )
-        for step in machine.transitions
-        for name in step.requirements
-        if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests)
-    ]
+    for step in machine.transitions:
+        for name in step.requirements:
+            if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests):
+                text = f"no passing test of {name} makes the transition {words(step)}"
+                yield Finding(facts.declared.entries.line_in(step.place, name), "fsm-seen", text)
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:

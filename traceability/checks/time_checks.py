@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from traceability.model.design_model import Model
 from traceability.model.response_times import DECLARED_IN
 from traceability.reading.fault_record import LOADS
@@ -11,9 +13,9 @@ from traceability.schema import Finding, Place, TimeProof
 DECLARATION = Place(str(DECLARED_IN), 1)
 
 
-def check(model: Model, _facts: Facts) -> list[Finding]:
+def check(model: Model, _facts: Facts) -> Iterator[Finding]:
     if model.times is None:
-        return []
+        return
     loads = model.campaigns.get(LOADS)
     outcomes = loads.result["outcomes"] if loads else {}
     cycle_ms, noise_ms = model.times.cycle_ms, model.times.noise_ms
@@ -23,34 +25,27 @@ def check(model: Model, _facts: Facts) -> list[Finding]:
         ("a control cycle of a random drive with noise", outcomes.get("noise_ms"), noise_ms),
         *((f"the path '{path.title}'", path.seen_ms, path.ms) for path in model.times.paths),
     ]
-    return [
-        *_loops(model.times),
-        *(
+    yield from _loops(model.times)
+    yield from (
+        (
             finding
             for what, seen_ms, bound_ms in seen
             for finding in _seen(model.times, what, seen_ms, bound_ms)
-        ),
-    ]
+        )
+    )
 
 
-def _loops(proof: TimeProof) -> list[Finding]:
+def _loops(proof: TimeProof) -> Iterator[Finding]:
     bound = "write the bound above the loop or the copy (// bound: NUMBER)"
     call = "call an object that a builder passes, or declare the call in design/stack.toml"
-    return [
-        *(
-            Finding(place, "time-bound", f"a loop or a copy in {name} has no bound", bound)
-            for name, place in proof.unbound
-        ),
-        *(
-            Finding(place, "time-bound", f"the target of a call in {name} is unknown", call)
-            for name, place in proof.unresolved
-        ),
-    ]
+    for name, place in proof.unbound:
+        yield Finding(place, "time-bound", f"a loop or a copy in {name} has no bound", bound)
+    for name, place in proof.unresolved:
+        yield Finding(place, "time-bound", f"the target of a call in {name} is unknown", call)
 
 
-def _seen(proof: TimeProof, what: str, seen_ms: float | None, bound_ms: float) -> list[Finding]:
+def _seen(proof: TimeProof, what: str, seen_ms: float | None, bound_ms: float) -> Iterator[Finding]:
     if not proof.proven or seen_ms is None or seen_ms <= bound_ms:
-        return []
+        return
     text = f"{what} took {seen_ms:.3f} ms, more than the bound of {bound_ms:.3f} ms"
-    fix = f"a bound is too small: correct the bound of a loop, or a number in {DECLARED_IN}"
-    return [Finding(DECLARATION, "time-seen", text, fix)]
+    yield Finding(DECLARATION, "time-seen", text)

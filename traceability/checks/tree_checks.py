@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from traceability.model.design_model import Model
 from traceability.model.trees import accepted
 from traceability.reading.source_facts import Facts
@@ -11,79 +13,57 @@ from traceability.schema import Finding, Place, Requirement, TreeNode
 OFTEN = {"": "once", "?": "under a condition", "*": "several times"}
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
-    findings = [
-        Finding(place, "tree-node", text, fix) for place, text, fix in facts.declared.tree_errors
-    ]
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
+    for place, text, fix in facts.declared.tree_errors:
+        yield Finding(place, "tree-node", text, fix)
     for name, (place, _) in facts.declared.trees.items():
         if name not in model.requirements:
-            findings.append(
-                Finding(place, "tree-node", f"there is no requirement {name}", "correct the id")
-            )
+            yield Finding(place, "tree-node", f"there is no requirement {name}", "correct the id")
     for requirement in model.requirements.values():
         if requirement.tree is None:
-            if not requirement.by_calls:
-                continue
-            findings.append(
-                Finding(
-                    requirement.place,
-                    "tree-missing",
-                    f"{requirement.id} has no tree of invocations",
-                    "write it in design/trees",
-                )
-            )
+            if requirement.by_calls:
+                text = f"{requirement.id} has no tree of invocations"
+                yield Finding(requirement.place, "tree-missing", text)
             continue
-        findings += _nodes(requirement)
-        findings += _edges(requirement.tree, requirement, facts)
+        yield from _nodes(requirement)
+        yield from _edges(requirement.tree, requirement, facts)
         if not model.results_stale:
-            findings += _executed(requirement, model)
-    return findings
+            yield from _executed(requirement, model)
 
 
-def _nodes(requirement: Requirement) -> list[Finding]:
+def _nodes(requirement: Requirement) -> Iterator[Finding]:
     assert requirement.tree is not None
-    return [
-        Finding(
-            node.place,
-            "tree-node",
-            f"there is no method {node.label} (tree of {requirement.id})",
-            "name a method that the class has or inherits",
-        )
-        for node in nodes_of(requirement.tree)
-        if node.resolved is None
-    ]
+    for node in nodes_of(requirement.tree):
+        if node.resolved is None:
+            text = f"there is no method {node.label} (tree of {requirement.id})"
+            yield Finding(node.place, "tree-node", text)
 
 
-def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> list[Finding]:
-    findings: list[Finding] = []
+def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[Finding]:
     for child in node.children:
         if child.reachable is False and child.otherwise:
             kind, mark = (
                 ("a post", "with 'post '") if child.kind == "call" else ("a call", "as one")
             )
             text = f"{node.label} reaches {child.label} by {kind} (tree of {requirement.id})"
-            findings.append(Finding(child.place, "tree-static", text, f"write it {mark}"))
+            yield Finding(child.place, "tree-static", text, f"write it {mark}")
         elif child.reachable is False and node.resolved and child.resolved:
             verb = "posts" if child.kind == "post" else "calls"
             tree = f"{child.place.file}:{child.place.line}"
-            findings.append(
-                Finding(
-                    _body_place(node, facts),
-                    "tree-static",
-                    f"{node.label} never {verb} {child.label}, but the tree of "
-                    f"{requirement.id} contains the call ({tree})",
-                    "restore the call, or change the tree",
-                )
+            yield Finding(
+                _body_place(node, facts),
+                "tree-static",
+                f"{node.label} never {verb} {child.label}, but the tree of "
+                f"{requirement.id} contains the call ({tree})",
             )
         elif child.reachable:
-            findings += _order(node, child, requirement, facts)
-        findings += _edges(child, requirement, facts)
-    return findings
+            yield from _order(node, child, requirement, facts)
+        yield from _edges(child, requirement, facts)
 
 
 def _order(
     node: TreeNode, child: TreeNode, requirement: Requirement, facts: Facts
-) -> list[Finding]:
+) -> Iterator[Finding]:
     """The code makes the call as often as in the tree, and after the previous call."""
     tree = f"tree of {requirement.id}, {child.place.file}:{child.place.line}"
     texts = []
@@ -96,7 +76,8 @@ def _order(
         text = f"{node.label} calls {child.label} before {child.too_early} ({tree})"
         texts.append((text, "restore the order of the calls, or change the order in the tree"))
     place = _body_place(node, facts)
-    return [Finding(place, "tree-order", text, fix) for text, fix in texts]
+    for text, fix in texts:
+        yield Finding(place, "tree-order", text, fix)
 
 
 def _body_place(node: TreeNode, facts: Facts) -> Place:
@@ -106,22 +87,18 @@ def _body_place(node: TreeNode, facts: Facts) -> Place:
     return node.place
 
 
-def _executed(requirement: Requirement, model: Model) -> list[Finding]:
+def _executed(requirement: Requirement, model: Model) -> Iterator[Finding]:
     assert requirement.tree is not None
     passed = [name for name in requirement.verified_by if model.tests[name].gave("passed")]
     nodes = nodes_of(requirement.tree)
     if not passed or any(node.resolved is None or not node.reachable for node in nodes):
-        return []
+        return
     if requirement.runs:
-        return []
+        return
     # If no passed test has a recording, no node is measured, and the finding is at the root.
     failed = next((node for node in nodes if node.ran is False), requirement.tree)
-    return [
-        Finding(
-            failed.place,
-            "tree-dynamic",
-            f"no passing test of {requirement.id} made the call of {failed.label} at this place of "
-            "the tree",
-            "correct the tree, or test the requirement so that the calls are made",
-        )
-    ]
+    text = (
+        f"no passing test of {requirement.id} made the call of {failed.label} at this place of "
+        "the tree"
+    )
+    yield Finding(failed.place, "tree-dynamic", text)

@@ -34,11 +34,12 @@ class Written:
     place: Place
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     if not facts.declared.patterns:
-        return []
+        return
     constants = {constant.name: constant for constant in written(facts)}
-    return [*_unknown(model, constants), *_undeclared(model, facts, constants)]
+    yield from _unknown(model, constants)
+    yield from _undeclared(model, facts, constants)
 
 
 def written(facts: Facts) -> Iterator[Written]:
@@ -81,5 +82,4 @@ def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> It
                 computed.add((constant.name, to))
             if sign.search(constant.text) and (constant.name, to) not in computed | declared:
                 text = f"{constant.name} seems to depend on {to} only"
-                fix = f"compute it from {to}, or declare it in {DECLARATIONS}"
-                yield Finding(constant.place, "change-tuned", text, fix)
+                yield Finding(constant.place, "change-tuned", text)

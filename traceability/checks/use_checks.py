@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from traceability.model.design_model import Model
@@ -18,24 +18,21 @@ PROGRAMS = ("tests/k64/program/", "tests/usual_design/k64/")
 OF_FIRMWARE = tuple(f"{name}/" for name in DESIGN)
 
 
-def check(model: Model, facts: Facts) -> list[Finding]:
+def check(model: Model, facts: Facts) -> Iterator[Finding]:
     allowed = [use for use in model.uses if _is_allowed(model, use)]
-    return (
-        _forbidden(model)
-        + _extensions(model)
-        + _numbers_of_extensions(facts)
-        + _apart(facts)
-        + _unused(model)
-        + _idle_cycles(model, facts)
-        + _cycles(allowed, facts)
-        + _board(facts.root)
-    )
+    yield from _forbidden(model)
+    yield from _extensions(model)
+    yield from _numbers_of_extensions(facts)
+    yield from _apart(facts)
+    yield from _unused(model)
+    yield from _idle_cycles(model, facts)
+    yield from _cycles(allowed, facts)
+    yield from _board(facts.root)
 
 
-def _board(root: Path) -> list[Finding]:
+def _board(root: Path) -> Iterator[Finding]:
     """Simulators and tests include no driver, and the virtual K64 includes no file of the
     firmware."""
-    findings: list[Finding] = []
     for path in files_below(root, ("sim", "tests"), (".cpp", ".hpp", ".h")):
         file = str(path.relative_to(root))
         for include in includes_of(root, file):
@@ -50,8 +47,7 @@ def _board(root: Path) -> list[Finding]:
                 )
             else:
                 continue
-            findings.append(Finding(include.place, "uses-board", text, fix))
-    return findings
+            yield Finding(include.place, "uses-board", text, fix)
 
 
 def _covers(allowed: AllowedUse, use: Use) -> bool:
@@ -62,41 +58,33 @@ def _is_allowed(model: Model, use: Use) -> bool:
     return any(_covers(allowed, use) for allowed in model.allowed_uses)
 
 
-def _forbidden(model: Model) -> list[Finding]:
-    return [
-        Finding(
-            place,
-            "uses-allowed",
-            f"{use.source} uses {use.target}, but design/uses.toml does not allow this use",
-            "remove the include or the call, or allow the use with a reason",
-        )
-        for use in model.uses
-        if not _is_allowed(model, use)
-        for place in use.places
-    ]
+def _forbidden(model: Model) -> Iterator[Finding]:
+    for use in model.uses:
+        if not _is_allowed(model, use):
+            for place in use.places:
+                text = (
+                    f"{use.source} uses {use.target}, but design/uses.toml does not allow this use"
+                )
+                yield Finding(place, "uses-allowed", text)
 
 
-def _extensions(model: Model) -> list[Finding]:
+def _extensions(model: Model) -> Iterator[Finding]:
     """The robot never names an extension; an extension may name the extensions that it needs."""
     # An extension may use another extension if the design has the reason. The robot never uses an
     # extension.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
-    return [
-        Finding(
-            place,
-            "uses-extension",
-            f"{use.source} uses the extension {use.target}",
-            "remove the include or the call: only a composition of the extension binds it",
-        )
-        for use in model.uses
-        if is_extension(use.target)
-        and _extension(use.source) != _extension(use.target)
-        and (use.source, use.target) not in builds_on
-        for place in use.places
-    ]
+    for use in model.uses:
+        if (
+            is_extension(use.target)
+            and _extension(use.source) != _extension(use.target)
+            and (use.source, use.target) not in builds_on
+        ):
+            for place in use.places:
+                text = f"{use.source} uses the extension {use.target}"
+                yield Finding(place, "uses-extension", text)
 
 
-def _numbers_of_extensions(facts: Facts) -> list[Finding]:
+def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
     """Finds the number of an extension's enumeration value that src also contains."""
     numbers = facts.syntax.enum_numbers
     added = {
@@ -110,16 +98,11 @@ def _numbers_of_extensions(facts: Facts) -> list[Finding]:
         if constant.name == f"{kind.name}::{value.name}"
     }
     uses = [*named.items(), *(((fact.kind, fact.number), fact.place) for fact in numbers)]
-    return [
-        Finding(
-            place,
-            "uses-extension",
-            f"{key[0]} has the number {key[1]} here, which the extension in {added[key].file} adds",
-            "keep the number only in the extension",
-        )
-        for key, place in uses
-        if key in added and not is_extension(place.file)
-    ]
+    for key, place in uses:
+        if key in added and not is_extension(place.file):
+            extension = added[key].file
+            text = f"{key[0]} has the number {key[1]} here, which the extension in {extension} adds"
+            yield Finding(place, "uses-extension", text, "keep the number only in the extension")
 
 
 def _extension(logic: str) -> list[str]:
@@ -127,44 +110,34 @@ def _extension(logic: str) -> list[str]:
     return logic.split("/")[:2] if is_extension(logic) else []
 
 
-def _unused(model: Model) -> list[Finding]:
-    return [
-        Finding(
-            allowed.place,
-            "uses-unused",
-            f"{allowed.source} does not use {allowed.target}",
-            "remove the entry",
-        )
-        for allowed in model.allowed_uses
-        if not any(_covers(allowed, use) for use in model.uses)
-    ] + _allowed_twice(model)
+def _unused(model: Model) -> Iterator[Finding]:
+    for allowed in model.allowed_uses:
+        if not any(_covers(allowed, use) for use in model.uses):
+            text = f"{allowed.source} does not use {allowed.target}"
+            yield Finding(allowed.place, "uses-unused", text)
+    yield from _allowed_twice(model)
 
 
-def _allowed_twice(model: Model) -> list[Finding]:
+def _allowed_twice(model: Model) -> Iterator[Finding]:
     everybody = {use.target for use in model.allowed_uses if use.source == "*"}
-    return [
-        Finding(
-            allowed.place,
-            "uses-unused",
-            f"every module may use {allowed.target}, so the entry of {allowed.source} has no "
-            "effect",
-            "remove one of the two entries",
-        )
-        for allowed in model.allowed_uses
-        if allowed.source != "*" and allowed.target in everybody
-    ]
+    for allowed in model.allowed_uses:
+        if allowed.source != "*" and allowed.target in everybody:
+            text = (
+                f"every module may use {allowed.target}, so the entry of {allowed.source} has no "
+                "effect"
+            )
+            yield Finding(allowed.place, "uses-unused", text, "remove one of the two entries")
 
 
-def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
+def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
     """Finds cycles of allowed uses. A use that is not allowed is already a finding."""
     declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
-    findings: list[Finding] = []
     for use in uses:
         top, other = use.source.split("/")[0], use.target.split("/")[0]
         if top != other:
             graph = _graph(uses, depth=1)
             if top in _reached(graph, other):
-                findings.append(_finding(use, f"{top} and {other} use each other"))
+                yield _finding(use, f"{top} and {other} use each other")
             continue
         graph = _graph(uses, depth=9)
         loop = _reached(graph, use.target)
@@ -172,11 +145,10 @@ def _cycles(uses: list[Use], facts: Facts) -> list[Finding]:
             members = {m for m in loop if use.source in _reached(graph, m)}
             if not any(members <= cycle for cycle in declared):
                 names = ", ".join(sorted(members))
-                findings.append(_finding(use, f"undeclared cycle of {names}"))
-    return findings
+                yield _finding(use, f"undeclared cycle of {names}")
 
 
-def _apart(facts: Facts) -> list[Finding]:
+def _apart(facts: Facts) -> Iterator[Finding]:
     """Finds pairs of separated modules in which a module names the other module."""
     pairs = {
         (user, other): rule
@@ -200,50 +172,37 @@ def _apart(facts: Facts) -> list[Finding]:
             place,
             "uses-apart",
             f"{user} names {target}, but design/uses.toml separates the two modules",
-            "pass the value through a pipe",
         )
         for user, target, place in named
         if (user, target) in pairs
     }
-    unknown = [
-        Finding(rule.place, "uses-apart", f"there is no module {name}", "correct the name")
-        for rule in facts.declared.apart
-        for name in (*rule.modules, *rule.others)
-        if name not in facts.classes
-    ]
-    return [*findings.values(), *unknown]
+    for rule in facts.declared.apart:
+        for name in (*rule.modules, *rule.others):
+            if name not in facts.classes:
+                text = f"there is no module {name}"
+                yield Finding(rule.place, "uses-apart", text, "correct the name")
+    yield from findings.values()
 
 
-def _idle_cycles(model: Model, facts: Facts) -> list[Finding]:
+def _idle_cycles(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds a declared cycle that the uses do not form."""
     graph = _graph(model.uses, depth=9)
-    return [
-        Finding(
-            cycle.place,
-            "uses-unused",
-            f"{module} is in no cycle with {cycle.modules[0]}",
-            "remove it from the cycle",
-        )
-        for cycle in facts.declared.cycles
-        for module in cycle.modules
-        if module not in _reached(graph, cycle.modules[0])
-        or cycle.modules[0] not in _reached(graph, module)
-    ] + [
-        Finding(
-            cycle.place,
-            "uses-unused",
-            f"{module} is not within {cycle.within}",
-            "correct the folder",
-        )
-        for cycle in facts.declared.cycles
-        for module in cycle.modules
-        if module.split("/")[0] != cycle.within
-    ]
+    for cycle in facts.declared.cycles:
+        for module in cycle.modules:
+            if module not in _reached(graph, cycle.modules[0]) or cycle.modules[0] not in _reached(
+                graph, module
+            ):
+                text = f"{module} is in no cycle with {cycle.modules[0]}"
+                yield Finding(cycle.place, "uses-unused", text)
+    for cycle in facts.declared.cycles:
+        for module in cycle.modules:
+            if module.split("/")[0] != cycle.within:
+                text = f"{module} is not within {cycle.within}"
+                yield Finding(cycle.place, "uses-unused", text, "correct the folder")
 
 
 def _finding(use: Use, text: str) -> Finding:
-    fix = "remove one of the uses, or declare the cycle in design/uses.toml"
-    return Finding(use.places[0], "uses-cycle", text, fix)
+    return Finding(use.places[0], "uses-cycle", text)
 
 
 def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:

@@ -24,7 +24,7 @@ def changes_of(
     for application in model.patterns.values():
         recipe = texts.recipes.get(application.pattern)
         if recipe:
-            particular = texts.particulars.get(application.id, Particular())
+            particular = texts.particulars.get(application.id, Particular(application.id))
             change = _change(model, application, recipe, particular)
             changes[application.id] = replace(change, made=made.get(application.id))
     return changes

@@ -11,7 +11,7 @@ from typing import Any
 from traceability.reading.products import DEFAULT, recorded_image_of
 from traceability.reading.results import RESULTS, read_json
 from traceability.reading.task_record import CALLS, is_fresh
-from traceability.reading.toml_reader import Entries, Keys
+from traceability.reading.toml_reader import Entries
 from traceability.schema import Place
 
 DECLARED = Path("design/recordings.toml")
@@ -21,8 +21,6 @@ IMAGE, ELF = (recorded_image_of(DEFAULT, suffix) for suffix in (".bin", ".elf"))
 FIRST_LINE = 16  # number of the exception of interrupt line 0
 BYTE_RECEIVED = "byte_received"
 KEPT_EVENTS = (BYTE_RECEIVED, "byte_sent", "pwm_changed")
-RECORDING: Keys = {"name": str, "scenario": str, "from": int, "to": int}
-OPTIONAL: Keys = {"without": list}
 
 
 @dataclass(frozen=True)
@@ -98,17 +96,9 @@ class Recording:
 
 
 def declared_recordings(root: Path, entries: Entries | None = None) -> list[Window]:
+    keys = {"begin": "from", "end": "to"}
     entries = entries or Entries(root)
-    return [
-        Window(
-            *(item["name"], item["scenario"], item["from"], item["to"]),
-            item.get("without", []),
-            place,
-        )
-        for item, place in entries.tables(
-            root / DECLARED, "recording", RECORDING, OPTIONAL, own="name"
-        )
-    ]
+    return entries.records(root / DECLARED, "recording", Window, "name", may=["without"], keys=keys)
 
 
 def read_recordings(root: Path) -> dict[str, Recording] | None:

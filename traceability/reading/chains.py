@@ -7,13 +7,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from traceability.reading.call_record import DECLARED, BoardEvent, Recording
-from traceability.reading.toml_reader import Entries, Keys
+from traceability.reading.toml_reader import Entries
 from traceability.schema import Place
 from weeding_robot_client.frames import FrameError, decode
 from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, value_name
 
-CHAIN: Keys = {"name": str, "title": str, "says": str, "recording": str, "steps": list}
-OPTIONAL: Keys = {"last": bool}
 WITHIN = "> "  # the call of the last step without a mark contains a step with the mark
 HEAD = 4  # bytes before the payload: of the byte stuffing, version, type, sequence number
 CHANNELS = 8  # channels of an FTM
@@ -53,10 +51,7 @@ class FrameBytes:
 
 def declared_chains(root: Path, entries: Entries | None = None) -> list[Chain]:
     entries = entries or Entries(root)
-    return [
-        Chain(**{"last": False, **item}, place=place)
-        for item, place in entries.tables(root / DECLARED, "chain", CHAIN, OPTIONAL, own="name")
-    ]
+    return entries.records(root / DECLARED, "chain", Chain, "name", may=["last"])
 
 
 def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:

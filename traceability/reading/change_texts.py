@@ -15,6 +15,7 @@ FILE = Path("design/changes.toml")
 class Recipe:
     """The steps that change an application of a pattern. The roles are the roles of the pattern."""
 
+    pattern: str
     alters: list[str]  # roles whose modules each hide a variant
     adds: str = ""  # role of a new class
     derives: str = ""  # role from which a new class derives
@@ -26,6 +27,7 @@ class Recipe:
 class Particular:
     """The data of a single application."""
 
+    id: str
     derives: list[str] = field(default_factory=list)
     examples: list[str] = field(default_factory=list)
     steps: list[str] = field(default_factory=list)
@@ -40,21 +42,10 @@ class ChangeTexts:
 
 def read_change_texts(root: Path, entries: Entries) -> ChangeTexts:
     path = root / FILE
-    recipes = entries.tables(
-        path,
-        "recipe",
-        {"pattern": str, "alters": list},
-        {"adds": str, "derives": str, "steps": list},
-        own="pattern",
-    )
-    particulars = entries.tables(
-        path,
-        "application",
-        {"id": str},
-        {"derives": list, "examples": list, "steps": list},
-        own="id",
+    recipes = entries.records(path, "recipe", Recipe, "pattern", may=["adds", "derives", "steps"])
+    particulars = entries.records(
+        path, "application", Particular, "id", may=["derives", "examples", "steps"]
     )
     return ChangeTexts(
-        {item.pop("pattern"): Recipe(place=place, **item) for item, place in recipes},
-        {item.pop("id"): Particular(place=place, **item) for item, place in particulars},
+        {each.pattern: each for each in recipes}, {each.id: each for each in particulars}
     )

@@ -41,13 +41,10 @@ def read_concordance(root: Path, entries: Entries) -> Concordance:
         replace(entry, where=concordance.named.get((entry.kind, entry.name), []))
         for entry in _entries(root, entries)
     ]
-    needs = {"place": str, "says": str, "here": list}
-    concordance.statements = [
-        PaperStatement(item["place"], item["says"], item["here"], item.get("deviation", ""), place)
-        for item, place in entries.tables(
-            root / STATEMENTS, "statement", needs, {"deviation": str}, own="says"
-        )
-    ]
+    may, keys = ["deviation"], {"where": "place"}
+    concordance.statements = entries.records(
+        root / STATEMENTS, "statement", PaperStatement, "says", may=may, keys=keys
+    )
     return concordance
 
 
@@ -83,14 +80,8 @@ def _entries(root: Path, entries: Entries) -> list[PaperElement]:
         for kind, names in entries.value(path, "same", {}).items()
         for name in names
     ]
-    words_of = dict.fromkeys(("alias", "deviation", "note"), str)
-    needs = {"kind": str, "name": str, "here": list}
-    for item, place in entries.tables(path, "entry", needs, words_of):
-        words = {key: item.get(key, "") for key in words_of}
-        elements.append(
-            PaperElement(item["kind"], item["name"], item["here"], place=place, **words)
-        )
-    return elements
+    written = entries.records(path, "entry", PaperElement, may=["alias", "deviation", "note"])
+    return elements + written
 
 
 def _line(lines: list[str], name: str, start: int) -> int:

@@ -91,6 +91,7 @@ class Block:
 class PipeText:
     """The name and text of a pipe of the robot."""
 
+    object: str  # Class::member
     name: str
     says: str
     place: Place
@@ -161,41 +162,31 @@ def read_declared(root: Path) -> Declared:
     design = root / "design"
     _machines(root, entries, declared)
     _architecture(design / "architecture.toml", entries, declared)
-    _uses(design / "uses.toml", entries, declared)
+    uses = design / "uses.toml"
+    declared.allowed = _allowed(uses, entries)
+    declared.cycles = entries.records(uses, "cycle", Cycle)
+    declared.apart = entries.records(uses, "apart", Apart)
     for path in sorted((design / "trees").glob("*.tree")):
         _trees(root, path, declared)
     _patterns(design, entries, declared)
-    declared.blocks = [
-        Block(item["name"], item["owners"], place)
-        for item, place in entries.tables(
-            design / "register_owners.toml", "block", {"name": str, "owners": list}, own="name"
-        )
-    ]
+    declared.blocks = entries.records(design / "register_owners.toml", "block", Block, "name")
     _execution(design / "execution.toml", entries, declared)
-    for item, place in entries.tables(
-        design / "board_findings.toml", "finding", {"id": str, "says": str}, own="id"
-    ):
-        declared.board_findings[item["id"]] = BoardFinding(item["id"], item["says"], place)
-    _beliefs(design / "board_beliefs.toml", entries, declared)
+    findings = entries.records(design / "board_findings.toml", "finding", BoardFinding, "id")
+    declared.board_findings = {each.id: each for each in findings}
+    beliefs = design / "board_beliefs.toml"
+    sources = entries.records(beliefs, "source", BeliefSource, "id")
+    declared.belief_sources = {each.id: each for each in sources}
+    declared.beliefs = entries.records(beliefs, "belief", BoardBelief, may=["shared"])
     declared.justified = [
-        Justified(kind, item["names"], item["why"], place)
+        entry
         for kind in ("method", "test", "line", "uncalled", "loop")
-        for item, place in entries.tables(
-            design / "justified.toml", kind, {"names": list, "why": str}
-        )
+        for entry in entries.records(design / "justified.toml", kind, Justified, kind=kind)
     ]
-    needs = {"file": str, "method": str, "line": str, "changes": list, "why": str}
-    declared.equivalents = [
-        Equivalent(place=place, **item)
-        for item, place in entries.tables(design / "mutants.toml", "equivalent", needs)
-    ]
-    declared.tuned = [
-        Tuned(item["to"], item["why"], item["constants"], place)
-        for item, place in entries.tables(
-            design / "tuned.toml", "tuned", {"to": str, "why": str, "constants": list}, own="to"
-        )
-    ]
-    _numbers(design / "requirement_numbers.toml", entries, declared)
+    declared.equivalents = entries.records(design / "mutants.toml", "equivalent", Equivalent)
+    declared.tuned = entries.records(design / "tuned.toml", "tuned", Tuned, "to")
+    numbers, by_id = design / "requirement_numbers.toml", {"requirement": "id"}
+    declared.numbers = entries.records(numbers, "requirement", RequirementNumbers, "id", keys=by_id)
+    declared.numbers_without = entries.records(numbers, "without", NumbersWithout)
     declared.concordance = read_concordance(root, entries)
     declared.changes = read_change_texts(root, entries)
     declared.kits = read_kits(root, entries)
@@ -211,77 +202,13 @@ def read_declared(root: Path) -> Declared:
     return declared
 
 
-def _numbers(path: Path, entries: Entries, declared: Declared) -> None:
-    declared.numbers = [
-        RequirementNumbers(item["id"], item["constants"], place)
-        for item, place in entries.tables(
-            path, "requirement", {"id": str, "constants": dict}, own="id"
-        )
-    ]
-    declared.numbers_without = [
-        NumbersWithout(item["numbers"], item["why"], place)
-        for item, place in entries.tables(path, "without", {"numbers": list, "why": str})
-    ]
-
-
-def _beliefs(path: Path, entries: Entries, declared: Declared) -> None:
-    declared.belief_sources = {
-        item["id"]: BeliefSource(item["id"], item["says"], item["outside"], place)
-        for item, place in entries.tables(
-            path, "source", {"id": str, "says": str, "outside": bool}, own="id"
-        )
-    }
-    needs = {"register": str, "value": str, "says": str, "source": str, "model": str}
-    declared.beliefs = [
-        BoardBelief(
-            item["register"],
-            item["value"],
-            item["says"],
-            item["source"],
-            item["model"],
-            item.get("shared", False),
-            place,
-        )
-        for item, place in entries.tables(path, "belief", needs, {"shared": bool})
-    ]
-
-
 def _architecture(path: Path, entries: Entries, declared: Declared) -> None:
-    needs = {"id": str, "kind": str, "name": str, "text": str, "modules": list}
-    declared.architecture = [
-        ArchitectureElement(
-            item["id"], item["kind"], item["name"], item["text"], item["modules"], place
-        )
-        for item, place in entries.tables(path, "element", needs, own="id")
-    ]
-    declared.groups = [
-        ArchitectureGroup(item["name"], item["module"], item["modules"], place)
-        for item, place in entries.tables(
-            path, "group", {"name": str, "module": str, "modules": list}, own="name"
-        )
-    ]
-    declared.connections = [
-        Connection(item["kind"], item["from"], item["to"], item.get("connector", ""), place)
-        for item, place in entries.tables(
-            path, "connection", {"kind": str, "from": str, "to": str}, {"connector": str}
-        )
-    ]
-
-
-def _uses(path: Path, entries: Entries, declared: Declared) -> None:
-    declared.allowed = _allowed(path, entries)
-    declared.cycles = [
-        Cycle(item["within"], item["modules"], item["pattern"], place)
-        for item, place in entries.tables(
-            path, "cycle", {"within": str, "modules": list, "pattern": str}
-        )
-    ]
-    declared.apart = [
-        Apart(item["modules"], item["others"], item["why"], place)
-        for item, place in entries.tables(
-            path, "apart", {"modules": list, "others": list, "why": str}
-        )
-    ]
+    declared.architecture = entries.records(path, "element", ArchitectureElement, "id")
+    declared.groups = entries.records(path, "group", ArchitectureGroup, "name")
+    ends = {"source": "from", "target": "to"}
+    declared.connections = entries.records(
+        path, "connection", Connection, may=["connector"], keys=ends
+    )
 
 
 def _allowed(path: Path, entries: Entries) -> list[AllowedUse]:
@@ -302,27 +229,14 @@ def _allowed(path: Path, entries: Entries) -> list[AllowedUse]:
 
 
 def _patterns(design: Path, entries: Entries, declared: Declared) -> None:
-    for item, place in entries.tables(
-        design / "applications.toml",
-        "application",
-        {"id": str, "pattern": str, "roles": dict},
-        {"replaces": list},
-        own="id",
-    ):
-        application = KnownApplication(
-            item["id"], item["pattern"], item["roles"], place, item.get("replaces", [])
-        )
-        declared.applications[application.id] = application
+    applications = entries.records(
+        design / "applications.toml", "application", KnownApplication, "id", may=["replaces"]
+    )
+    declared.applications = {each.id: each for each in applications}
     clauses = design / "clauses.toml"
-    needs = {"id": str, "pattern": str, "says": str, "fix": str, "about": list}
-    for item, place in entries.tables(clauses, "clause", needs, own="id"):
-        declared.clauses[item["id"]] = ClauseText(place=place, **item)
-    declared.patterns = [
-        KnownPattern(item["name"], item["applications"], item["roles"], place)
-        for item, place in entries.tables(
-            clauses, "pattern", {"name": str, "applications": int, "roles": list}, own="name"
-        )
-    ]
+    texts = entries.records(clauses, "clause", ClauseText, "id")
+    declared.clauses = {each.id: each for each in texts}
+    declared.patterns = entries.records(clauses, "pattern", KnownPattern, "name")
 
 
 def _modules(path: Path, entries: Entries, declared: Declared) -> None:
@@ -332,10 +246,7 @@ def _modules(path: Path, entries: Entries, declared: Declared) -> None:
     ):
         declared.names[item["folder"]] = item["modules"]
         declared.name_places[item["folder"]] = place
-    declared.shared = [
-        SharedFunctions(item["file"], item["why"], place)
-        for item, place in entries.tables(path, "shared", {"file": str, "why": str}, own="file")
-    ]
+    declared.shared = entries.records(path, "shared", SharedFunctions, "file")
 
 
 def _machines(root: Path, entries: Entries, declared: Declared) -> None:
@@ -351,23 +262,13 @@ def _machines(root: Path, entries: Entries, declared: Declared) -> None:
 
 
 def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
-    transitions = [
-        Transition(
-            item["from"],
-            item["on"],
-            item.get("guard", ""),
-            item["to"],
-            item.get("action", ""),
-            at,
-            item.get("requirements", []),
-        )
-        for item, at in entries.tables(
-            path,
-            "transition",
-            {"from": str, "on": str, "to": str},
-            {"guard": str, "action": str, "requirements": list},
-        )
-    ]
+    transitions = entries.records(
+        path,
+        "transition",
+        Transition,
+        may=["guard", "action", "requirements"],
+        keys={"source": "from", "event": "on", "target": "to"},
+    )
     if place.file in entries.unreadable:
         return None
     needs = {"id": str, "title": str, "application": str, "initial": str, "states": dict}
@@ -381,17 +282,11 @@ def _machine(place: Place, path: Path, entries: Entries) -> StateMachine | None:
 
 def _execution(path: Path, entries: Entries, declared: Declared) -> None:
     declared.ends = entries.value(path, "ends", [])
-    needs = {"id": str, "kind": str, "name": str, "says": str, "handlers": list}
-    for item, place in entries.tables(
-        path, "context", needs, {"body": str, "priority": int}, own="id"
-    ):
-        item.setdefault("body", "")
-        item["intended"] = item.pop("priority", None)
-        declared.contexts[item["id"]] = ExecutionContext(place=place, **item)
-    for item, place in entries.tables(
-        path, "pipe", {"object": str, "name": str, "says": str}, own="object"
-    ):
-        declared.pipes[item["object"]] = PipeText(item["name"], item["says"], place)
+    may, keys = ["body", "intended"], {"intended": "priority"}
+    contexts = entries.records(path, "context", ExecutionContext, "id", may=may, keys=keys)
+    declared.contexts = {each.id: each for each in contexts}
+    pipes = entries.records(path, "pipe", PipeText, "object")
+    declared.pipes = {each.object: each for each in pipes}
     for item, place in entries.tables(
         path, "shared", {"members": list, "protection": str, "why": str}
     ):

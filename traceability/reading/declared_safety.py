@@ -6,13 +6,12 @@ import ast
 import itertools
 import operator
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from numbers import Real
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from traceability.reading.toml_reader import Entries, Entry, Keys
+from traceability.reading.toml_reader import Entries
 from traceability.schema import (
     SOURCE_KINDS,
     Assumption,
@@ -27,22 +26,13 @@ from traceability.schema import (
 )
 from traceability.sources import files_below
 
+T = TypeVar("T", SafeState, Assumption, SafetyGoal, Hazard)
 FILE = Path("design/safety_case.toml")
 SCENARIOS = Path("sim/scenario/safety")
 GOAL_LINE = re.compile(r"#\s*goals?:?\s+(SG-\d+(?:[\s,]+SG-\d+)*)\s*$")
 BOUND = re.compile(r"[^#]*\bexpect\b.*\bwithin ([\d.]+) ms\b")
 COLUMNS, ROWS = ("C0", "C1", "C2", "C3"), ("E0", "E1", "E2", "E3", "E4")
 
-SAFE_STATE: Keys = {"id": str, "says": str, "safe": str, "not_safe": str}
-ASSUMPTION: Keys = {"id": str, "title": str, "text": str, "by": str, "confirm": str}
-GOAL: Keys = {
-    **{"id": str, "title": str, "text": str, "safe_states": list, "time": Real, "formula": str},
-    **{"because": str, "reaction": Real, "reacts": str, "requirements": list, "scenarios": list},
-}
-HAZARD: Keys = {
-    **{"id": str, "title": str, "situation": str, "harm": str, "severity": str, "exposure": str},
-    **{"avoidance": str, "goals": list, "assumptions": list, "answer": str},
-}
 OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -60,8 +50,9 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
     item: dict[str, Any] = entries.value(path, "item", {})
     risk: dict[str, Any] = entries.value(path, "risk", {})
 
-    def read(name: str, keys: Keys, optional: Keys | None = None) -> list[Entry]:
-        return entries.tables(path, name, keys, optional or {}, own="id")
+    def read(name: str, kind: type[T], may: Sequence[str] = ()) -> dict[str, T]:
+        records = entries.records(path, name, kind, "id", may=may)
+        return {record.id: record for record in records}
 
     return linked(
         SafetyCase(
@@ -76,23 +67,11 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
             priorities=dict(risk.get("priority", {})),
             data_sheets=list(entries.value(path, "data_sheets", [])),
             scenarios=read_scenarios(root),
-            safe_states={
-                i["id"]: SafeState(**i, place=p) for i, p in read("safe_state", SAFE_STATE)
-            },
-            assumptions={
-                i["id"]: Assumption(**i, place=p) for i, p in read("assumption", ASSUMPTION)
-            },
-            goals={
-                i["id"]: SafetyGoal(**i, place=p)
-                for i, p in read("goal", GOAL, {"exceptions": list})
-            },
-            hazards={i["id"]: Hazard(**i, place=p) for i, p in read("hazard", HAZARD)},
-            corrections=[
-                Correction(i["paths"], i["why"], p, i.get("for_safety", 0))
-                for i, p in entries.tables(
-                    path, "correction", {"paths": list, "why": str}, {"for_safety": int}
-                )
-            ],
+            safe_states=read("safe_state", SafeState),
+            assumptions=read("assumption", Assumption),
+            goals=read("goal", SafetyGoal, ["exceptions"]),
+            hazards=read("hazard", Hazard),
+            corrections=entries.records(path, "correction", Correction, may=["for_safety"]),
         )
     )
 

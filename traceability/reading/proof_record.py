@@ -34,9 +34,8 @@ class ProofEvent:
 
 
 def read_properties(root: Path, entries: Entries) -> dict[str, ProofProperty]:
-    needs = dict.fromkeys(("name", "requirement", "says", "formula"), str)
-    tables = entries.tables(root / PROPERTIES, "property", needs, own="name")
-    return {item["name"]: ProofProperty(place=place, **item) for item, place in tables}
+    properties = entries.records(root / PROPERTIES, "property", ProofProperty, "name")
+    return {each.name: each for each in properties}
 
 
 def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:

@@ -7,17 +7,18 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import MISSING, dataclass, field, fields
 from numbers import Real
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar, get_args, get_origin, get_type_hints
 
 from traceability.schema import Place
 
 MAY_BE_EMPTY = ("guard", "action")  # keys of a transition
 Keys = Mapping[str, type[Any]]
 Entry = tuple[dict[str, Any], Place]
+T = TypeVar("T")
 
 
 @dataclass
@@ -81,6 +82,39 @@ class Entries:
             entries.append((item, place))
         return entries
 
+    def records(
+        self,
+        path: Path,
+        name: str,
+        record: type[T],
+        own: str = "",
+        *,
+        may: Sequence[str] = (),
+        keys: Mapping[str, str] | None = None,
+        **fixed: Any,
+    ) -> list[T]:
+        """Returns the entries ``[[name]]`` as objects of a dataclass.
+
+        An entry has the fields without a default, and may have the fields in ``may``. ``keys``
+        names the key of a field with another name. The field ``place`` is the place of the entry.
+        """
+        types = {key: _type_of(hint) for key, hint in get_type_hints(record).items()}
+        members = fields(record)  # type: ignore[arg-type]
+        key_of = {each.name: (keys or {}).get(each.name, each.name) for each in members}
+        bare = {
+            each.name
+            for each in members
+            if each.default is MISSING and each.default_factory is MISSING
+        }
+        needs = {key_of[each]: types[each] for each in bare - {"place", *may, *fixed}}
+        others = {key_of[each]: types[each] for each in may}
+        absent = {each: types[each]() for each in bare.intersection(may)}
+        records = []
+        for item, place in self.tables(path, name, needs, others, own):
+            values = {each: item[key] for each, key in key_of.items() if key in item}
+            records.append(record(**{**absent, **fixed, **values, "place": place}))
+        return records
+
     def _places(self, path: Path, name: str, count: int) -> list[Place]:
         header = re.compile(rf"\s*\[\[\s*{re.escape(name)}\s*\]\]")
         lines = path.read_text(encoding="utf-8").splitlines() if count else []
@@ -140,6 +174,16 @@ class Entries:
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         line = next((n for n, line in enumerate(lines, 1) if begins.match(line)), 1)
         return Place(str(path.relative_to(self.root)), line)
+
+
+def _type_of(hint: Any) -> type[Any]:
+    """Returns the type of the values in TOML for a type of a field."""
+    origin = get_origin(hint)
+    if origin is None:
+        return Real if hint is float else hint
+    if origin in (list, Sequence):
+        return list
+    return dict if origin in (dict, Mapping) else _type_of(get_args(hint)[0])
 
 
 def _is_blank(key: str, value: object) -> bool:

@@ -24,7 +24,7 @@ FOLDER = 'auto k = "sim/scenario/safety";\nTEST_P(Safety, FR1_Stops) {\n  play(G
 def check(root: Path, model: Model) -> list[Finding]:
     declared = Declared(entries=Entries(root), safety=model.safety)
     facts: Any = SimpleNamespace(root=root, declared=declared)
-    return safety_checks.check(replace(model, safety=safety_of(model, facts)), facts)
+    return list(safety_checks.check(replace(model, safety=safety_of(model, facts)), facts))
 
 
 @pytest.mark.parametrize(

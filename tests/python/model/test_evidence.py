@@ -66,8 +66,8 @@ def test_with_stale_results_a_missing_measurement_is_no_finding() -> None:
     model = model_with("firmware.flash_bytes at most 9")
     stale = Finding(PLACE, "req-stale", "", "")
     measured = measured_values(model, FIGURES, [stale], KNOWN)
-    assert unmet(model, measured)
-    assert not unmet(model, measured, [stale])
+    assert list(unmet(model, measured))
+    assert not list(unmet(model, measured, [stale]))
 
 
 def test_what_was_not_measured_yet_verifies_nothing() -> None:
