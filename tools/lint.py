@@ -15,7 +15,7 @@ from functools import cache, partial
 from pathlib import Path
 from typing import TextIO
 
-from tools.cmake_build import build
+from tools.cmake_build import TESTS, build
 from tools.prose import lint_prose
 from tools.steps import FailureError, run
 from tools.task_graph import Graph, Task
@@ -147,8 +147,9 @@ def check_format(root: Path, log: TextIO) -> str:
 
 
 def build_with_clang(root: Path, log: TextIO) -> None:
-    for preset in ("host", "sanitize"):
-        build(root, preset, log)
+    """Compiles everything with clang. The tests of the firmware are not part of the preset host."""
+    build(root, "host", log)
+    build(root, "sanitize", log, TESTS)
     words = [*clang_arguments(board=True), *WARNINGS, *include_options(root)]
     words += [f"-fmodule-map-file={root / MAP}", "-fmodules-decluse", "-Xclang", "-fno-cxx-modules"]
     for source in filter(partial(on_board, root), sources(root, DESIGN, ".cpp")):

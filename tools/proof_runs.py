@@ -129,16 +129,21 @@ def model_of(root: Path, declared: Declared, proof: ProofProperty) -> str:
 
 
 def prove_one(root: Path, declared: Declared, proof: ProofProperty) -> ProofResult:
+    begin = time.monotonic()
+    said = search(root, declared, proof)
+    return judged(root, declared, proof, said, time.monotonic() - begin)
+
+
+def search(root: Path, declared: Declared, proof: ProofProperty) -> str:
+    """Searches all states for a violation of a property. Returns the output of the verifier."""
     folder = root / FOLDER / proof.name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     model = model_of(root, declared, proof)
     (folder / "model.pml").write_text(model, encoding="utf-8")
-    begin = time.monotonic()
     call(folder, proof, [SPIN, "-a", "model.pml"])
     call(folder, proof, [COMPILER, *OPTIONS, "-o", "pan", "pan.c"])
-    said = call(folder, proof, ["./pan", "-a", "-n", f"-m{DEPTH}"])
-    return judged(root, declared, proof, said, time.monotonic() - begin)
+    return call(folder, proof, ["./pan", "-a", "-n", f"-m{DEPTH}"])
 
 
 def judged(
