@@ -136,21 +136,27 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
                 # The finding is at the call, because the constant may be right for another context.
-                place = _enabled_at(name, facts) if name in right else _place_of(name, facts)
+                shared = name in right
+                place = _enabled_at(name, context, facts) if shared else _place_of(name, facts)
                 key = (name, context.id if name in right else "")
                 findings[key] = _declared(place, f"{text}{context.place.file}")
     yield from findings.values()
 
 
-def _enabled_at(constant: str, facts: Facts) -> Place:
-    """Returns the last call that enables a line with this priority."""
+def _enabled_at(constant: str, context: ExecutionContext, facts: Facts) -> Place:
+    """Returns the last call that enables a line with this priority. A call that names a line of
+    the context goes before all other calls.
+    """
+    constants = facts.syntax.constants
     calls = [
-        call.place
+        call
         for body in facts.syntax.bodies
         for call in body.calls
         if call.target == ENABLE and call.args[1:] and constant in call.args[1]
     ]
-    return calls[-1] if calls else _place_of(constant, facts)
+    own = [call for call in calls if any(constants.get(n) in context.lines for n in call.args[0])]
+    found = own or calls
+    return found[-1].place if found else _place_of(constant, facts)
 
 
 def _place_of(constant: str, facts: Facts) -> Place:

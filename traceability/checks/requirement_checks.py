@@ -307,7 +307,8 @@ def unmet(
 def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> bool:
     """Returns whether findings of other checks state that the evidence does not hold."""
     if value is None:
-        return bool(evidence.relation) and "req-stale" in checks
+        known = bool(evidence.relation) and not evidence.figure.startswith(CHECKS)
+        return known and "req-stale" in checks
     if evidence.figure == CONFORMING:
         return any(check.startswith("pattern-") for check in checks)
     return evidence.figure.startswith(CHECKS) and value > 0

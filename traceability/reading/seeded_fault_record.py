@@ -23,7 +23,7 @@ SOURCES = (
         "requirements",
         "design",
         "docs",
-        "traceability/doxygen",
+        "traceability",
         "tools",
         "client",
     ),
