@@ -101,7 +101,7 @@ def site() -> Iterator[Site]:
 
 @pytest.fixture(scope="module")
 def sizes(site: Site) -> dict[str, dict[str, list[int]]]:
-    """Page -> width of the window -> width and height of the page."""
+    """Returns width and height of each page, for each width of the window."""
     probe = MEASURE.replace("%WIDTHS%", json.dumps([*WIDTHS, 1440]))
     seen, _ = look(site, PAGES, probe)
     return seen
