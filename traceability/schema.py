@@ -359,8 +359,9 @@ class Test:
 
 @dataclass(frozen=True)
 class Evidence:
-    """A metric that a tool measures, with its bound. Without a relation, the text is not
-    readable."""
+    """A metric that a tool measures, with its bound. If the relation is empty, the text could not
+    be read.
+    """
 
     figure: str
     relation: str  # "at most", "at least", "exactly"

@@ -127,7 +127,7 @@ class Progress:
         self.kind, self.chunks, self.cases = kind, chunks, cases
         self.done = 0
         self.start = self.shown = time.monotonic()
-        print(f"{cases} {kind.unit} to run, in {chunks} chunks with the finished ones", flush=True)
+        print(f"{cases} {kind.unit} to run, in {chunks} chunks in total", flush=True)
 
     def show(self, chunk: Chunk) -> None:
         self.done += chunk.count

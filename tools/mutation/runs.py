@@ -37,7 +37,7 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
     """Runs tests with a mutant activated; the number 0 activates no mutant.
 
     ``seconds`` contains the time of each test without a mutant. A test that ends the program has
-    failed; the others run in the next process.
+    failed; the remaining tests run in the next process.
     """
     outcome = Outcome()
     left = dict(seconds)

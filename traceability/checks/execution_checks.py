@@ -310,7 +310,7 @@ def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
 
 
 def _unprotected(model: Model, facts: Facts) -> list[Finding]:
-    """Finds members that are not atomic or not locked, unlike their declaration."""
+    """Finds members that are declared as atomic or locked, and are not."""
     contexts = {context.id: context for context in model.contexts.values()}
     findings: list[Finding] = []
     for member in model.shared:

@@ -307,8 +307,9 @@ def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place
 
 
 def _old_image(model: Model, facts: Facts) -> list[Finding]:
-    """Finds an image that is older than the sources: its checks and those of its stack do not
-    run."""
+    """Finds an image that is older than the sources. The checks of the image and of its stack then
+    do not run.
+    """
     if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
         return []
     text = "the image is older than the sources, so no check compares its size and its stack"

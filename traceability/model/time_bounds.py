@@ -232,8 +232,8 @@ class Times:
         return False
 
     def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
-        """Returns whether a function contains the code of another function, inlined at a call: at
-        the place of the call, and at the places of the enclosing functions that are inlined too.
+        """Returns whether a function contains the code of another function that was inlined at a
+        call. The place of the call and the places of the enclosing inlined functions are compared.
         """
         other = self.codes.get(self._home(target))
         if other is None or other is code:

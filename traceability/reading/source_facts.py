@@ -1,4 +1,4 @@
-"""The inputs of the model, and the facts that follow from all of them together."""
+"""The inputs of the model, and the facts that follow from all inputs together."""
 
 from __future__ import annotations
 
