@@ -638,8 +638,10 @@ class NumbersWithout:
 
 @dataclass(frozen=True)
 class Justified:
-    """Methods, tests or lines of methods that serve no requirement, with the reason. Also methods
-    that only tests call, and functions with a loop that does not count its rounds."""
+    """Methods, tests or lines of methods that serve no requirement, with the reason. Other
+    justifications are for methods that only tests call, and for functions with a loop that does not
+    count its rounds.
+    """
 
     kind: str  # "method", "test", "line", "uncalled", "loop"
     names: Sequence[str]

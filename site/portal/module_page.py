@@ -12,7 +12,7 @@ from traceability.schema import Method, Module
 
 FIRST_TESTS = 12  # number of members that are shown open on the page of a module
 XML = "build/model/xml"
-MEMBERS = "<!-- members -->"  # marks the place of the part of the page that Breathe writes
+MEMBERS = "<!-- members -->"  # marks the place of the part that Breathe writes
 
 
 def module_page(portal: Portal, module: Module) -> Page:

@@ -58,7 +58,8 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
 def _run(
     program: Path, mutant: int, tests: Iterable[str], limit: float, outcome: Outcome
 ) -> tuple[str | None, bool]:
-    """Runs one process. Returns the test that ended it, if any, and whether this test hung.
+    """Runs one process. Returns the test that ended the process, if any, and whether this test
+    hung.
 
     ``limit`` counts processor seconds, because other programs on this computer delay the tests.
     """

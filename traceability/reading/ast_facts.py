@@ -108,8 +108,8 @@ class BodyFact:
 
 @dataclass
 class NameFact:
-    """A use of the name of a class in the code of another class. ``how``: type, member, construct,
-    base.
+    """A use of the name of a class in the code of another class. ``how`` is type, member, construct
+    or base.
 
     For a member of a namespace, ``member`` contains the namespace, because no class exists.
     """

@@ -265,8 +265,8 @@ def numbered(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def sure_parts(cursor: Cursor) -> int:
-    """Returns the number of first children of a statement that are executed in each execution of
-    it.
+    """Returns the number of children at the begin of a statement that every execution of the
+    statement executes.
     """
     children = list(cursor.get_children())
     if cursor.kind in CHANCES:

@@ -281,7 +281,7 @@ const ownerOf = (method) => facts.methods[method].split("::")[0];
 /* Records the modules that a page shows while a scenario plays, and their calls until now. */
 let shown = { modules: new Set(), counts: {} };
 
-/* Prepares a drive for a page that shows modules; each order "beat" then runs one control cycle of it. */
+/* Prepares a drive for a page that shows modules; each order "beat" then runs one control cycle of the drive. */
 async function play({ folder, modules, scenario: wanted, image }) {
   pause();
   await choose(folder, image || imageWith(modules));
