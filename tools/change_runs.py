@@ -55,7 +55,7 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
 
 
 def missing_emulators(root: Path) -> str:
-    """Returns the programs that tests of ports need, and that are missing."""
+    """Returns the missing programs that tests of ports need."""
     ports = read_ports(root, Entries(root)).values()
     return ", ".join(port.needs for port in ports if port.needs and not shutil.which(port.needs))
 

@@ -169,7 +169,7 @@ class Module:
     registers: Sequence[str] = field(default_factory=list)  # blocks of registers that it owns
     tests: Sequence[str] = field(
         default_factory=list
-    )  # tests that executed it, or that are in its folder and have its name
+    )  # tests that executed the module, or tests with its name in its folder
     lines_total: int | None = None
     lines_covered: int | None = None
     branches_total: int | None = None

@@ -189,7 +189,7 @@ def _declared(place: Place, text: str, fix: str) -> Finding:
 
 
 def _interrupts(model: Model, facts: Facts) -> list[Finding]:
-    """Finds methods that no interrupt may call, but that run in an interrupt."""
+    """Finds methods that run in an interrupt although no interrupt may call them."""
     forbidden = {
         method.id: method
         for module in model.modules.values()
@@ -274,7 +274,7 @@ def _loops(facts: Facts) -> list[Finding]:
 
 
 def _heap(facts: Facts) -> Iterator[Finding]:
-    """Finds memory of the heap in the source: the image may be older."""
+    """Finds uses of the heap in the source, because the image may be older than the source."""
     fix = "use an array or a std::optional of a fixed size"
     for path in files_below(facts.root, SOURCES, (".cpp", ".hpp")):
         file = str(path.relative_to(facts.root))
@@ -287,7 +287,7 @@ def _heap(facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled(facts: Facts) -> list[Finding]:
-    """Finds an interrupt line that has a handler and that no call enables."""
+    """Finds an interrupt line that no call enables, although it has a handler."""
     return [
         _declared(
             facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,

@@ -191,8 +191,7 @@ def _without(model: Model) -> list[Finding]:
 
 
 def _uncalled(model: Model, facts: Facts) -> list[Finding]:
-    """Finds public methods that only tests can call and that design/justified.toml does not
-    list."""
+    """Finds public methods that only tests can call, unless design/justified.toml lists them."""
     called = {
         target
         for body in facts.syntax.bodies

@@ -46,7 +46,7 @@ class FieldFact:
 
 @dataclass
 class SilentFact:
-    """A declaration in a header that others can use, and that has no comment."""
+    """A declaration without a comment, in a header that other files can use."""
 
     name: str
     place: Place  # end of a variable, because a comment may follow the value

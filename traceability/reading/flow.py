@@ -210,7 +210,7 @@ class FlowReader:
         return [] if constant or value is None else self.members(value)
 
     def changed_by(self, call: Cursor) -> list[str]:
-        """Returns a member that is changed by a call of a method that is not const."""
+        """Returns a member that a call of a non-const method changes."""
         target = call.referenced
         if target.kind not in (CursorKind.CXX_METHOD, CursorKind.FUNCTION_TEMPLATE):
             return []
