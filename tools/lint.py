@@ -261,8 +261,8 @@ def check_changed(
     command: Callable[[tuple[Path, ...]], list[str]],
     log: TextIO,
 ) -> str:
-    """Runs the command on each unit whose present content has not passed it yet, and on each file
-    of a unit that fails.
+    """Runs the command on each unit whose present content has not passed yet. If a unit fails, runs
+    the command on each of its files.
 
     The content of a unit includes the files of the project that it includes, the settings of
     clang-tidy, and the command.

@@ -30,8 +30,9 @@ UNALIGNED = 2  # additional cycles of an unaligned access
 
 @dataclass(frozen=True)
 class Limit:
-    """A method with a limited number of calls below another method, by the facts about that
-    method."""
+    """A limit for the calls of a method below another method. The facts about the other method
+    contain the limit.
+    """
 
     method: str
     within: str
@@ -40,8 +41,9 @@ class Limit:
 
 @dataclass(frozen=True)
 class Spread:
-    """A method with a maximum number of rounds of its loop in all calls below another method. The
-    maximum is a number, or a counter of the facts about that method."""
+    """A maximum for the rounds of a method's loop in all calls below another method. The maximum is
+    a number, or a counter of the facts about the other method.
+    """
 
     method: str
     within: str
