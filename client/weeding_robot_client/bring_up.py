@@ -444,7 +444,9 @@ class BringUp:
     def _transmitter_off(self) -> str:
         if self.orders.report and "RC" in self.orders.report.stop_sources:
             raise FailError("the remote control orders stop already", "Set the switch to 'PC'.")
-        begin = self._do("transmitter off", "press Enter and switch the transmitter off together")
+        begin = self._do(
+            "transmitter off", "press Enter, and switch the transmitter off at the same time"
+        )
         try:
             _, seen = self._wait(
                 lambda report: "RC" in report.stop_sources,

@@ -151,7 +151,7 @@ std::vector<std::uint16_t> widths(DriverBoard& drivers) {
 }
 
 /// @brief The width of a pulse of the remote control is measured to 1 us. This is true even when
-/// another pulse ends at its begin, or begins and ends together with it.
+/// another pulse ends when this pulse begins, or when both begin and end together.
 /// @verifies FR-200
 TEST_F(K64PortOnBoard, FR200_EdgesThatComeTogetherGetOneTime) {
   using std::chrono::microseconds;

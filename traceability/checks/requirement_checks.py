@@ -298,8 +298,8 @@ def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
 
 
 def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place:
-    """Returns the first requirement that a finding concerns, because results are no source to
-    open.
+    """Returns the place of the first requirement that a finding concerns. The results themselves
+    have no place in a source.
     """
     ordered = sorted(model.requirements.values(), key=lambda one: not concerns(one))
     return ordered[0].place if ordered else Place("requirements", 1)

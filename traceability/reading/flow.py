@@ -265,9 +265,7 @@ def numbered(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def sure_parts(cursor: Cursor) -> int:
-    """Returns the number of children at the begin of a statement that every execution of the
-    statement executes.
-    """
+    """Counts the first parts of a statement that each execution of the statement executes."""
     children = list(cursor.get_children())
     if cursor.kind in CHANCES:
         return 1 + bool(children and children[0].kind in DECLARATIONS)

@@ -1,4 +1,4 @@
-"""The gate of the built pages: accessible, no sideways scroll, no page of twice the height."""
+"""Built pages are accessible, do not scroll sideways, and are at most twice as tall if narrow."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ class Robot {
     line = new LiveFrames.Line(facts.frames);
     machines = facts.machines.map((one) => new LiveTrees.Machine(one));
     this.hardware = new Set(facts.hardware);
-    this.known = new Map(); // hash of the calls of a cycle -> trees in it
+    this.known = new Map(); // hash of the calls of a cycle -> the trees that these calls match
     this.seen = {}; // requirement -> count, first time
     this.state = "runs";
     this.rows = [];
