@@ -70,7 +70,7 @@ TEST(LiveRobotTest, RunsCycleByCycle) {
   EXPECT_GT(std::ranges::max(robot->entries()), 4U);
 }
 
-/// @brief The begins and ends of interrupts and threads of a cycle are in the order of time, from a
+/// @brief The entries and exits of interrupts and threads of a cycle are in the order of time, from a
 /// clock pulse to the next clock pulse. The tick comes each millisecond.
 TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
   const auto robot = robotIn(kFree);

@@ -363,7 +363,7 @@ function beat() {
   });
 }
 
-/* Plays one scenario with each of some products. Returns the states of each cycle, and the modules that ran. */
+/* Plays one scenario with several products. Returns the states of each cycle, and the modules that ran. */
 async function compare({ folder, products, scenario: name }) {
   pause();
   const scenario = facts.scenarios.find((one) => one.name === name);
