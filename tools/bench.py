@@ -42,13 +42,14 @@ BOARD = "board"  # record of the run of a connected board
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "bench",
-        description="Builds the image for the K64 and plays the paper's four scenarios with it on "
-        "the virtual K64 in the simulated robot, 1000 control cycles each: instructions, time from "
-        "the clock pulse to the report, load, latencies, and the speed of the simulator. Compares "
-        "the patterns with the baseline design, and measures the cost of the records of the calls. "
-        "With --port, sends the same orders to a connected board and reads the cycle counts in its "
-        "reports. Lift the robot: its wheels will turn with up to 300 rpm. A PC sends the "
-        "orders: the remote control is not needed and may be off.",
+        description="Builds the image for the K64. Plays the four scenarios of the paper with it "
+        "on the virtual K64 in the simulated robot, 1000 control cycles each. Measures "
+        "instructions, the time from the clock pulse to the report, load, latencies, and the "
+        "speed of the simulator. Compares the patterns with the baseline design, and measures "
+        "the cost of the records of the calls. With --port, sends the same orders to a connected "
+        "board and reads the cycle counts in its reports. Lift the robot: its wheels will turn "
+        "with up to 300 rpm. A PC sends the orders: the remote control is not needed and may be "
+        "off.",
     )
     parser.add_argument("--port", type=Path, help="serial port of a board that has the image")
     parser.add_argument(

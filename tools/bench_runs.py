@@ -59,7 +59,7 @@ def keep(root: Path, path: Path, record: Record) -> None:
 
 
 def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
-    """Plays a scenario with each model of time, and once more to count each instruction."""
+    """Plays a scenario with each model of time, and a further time to count each instruction."""
     runs: dict[str, BenchRun] = {}
     for timing in TIMINGS:
         raw, user = play(root, log, paper.name, timing)

@@ -34,7 +34,7 @@ def test_changes(root: Path, log: TextIO) -> Outcome:
 
 def test_ports(root: Path, log: TextIO) -> Outcome:
     """Writes build/results/ports.json. It contains the results of the tests of each port that can
-    run here, the sizes of its image, and the sizes of the same design on the K64.
+    run here, and the sizes of its image. It also contains the sizes of the same design on the K64.
     """
     path = root / PORTS_RESULT
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -55,7 +55,7 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
 
 
 def missing_emulators(root: Path) -> str:
-    """Returns the programs that tests of ports need, and that are missing."""
+    """Returns the missing programs that tests of ports need."""
     ports = read_ports(root, Entries(root)).values()
     return ", ".join(port.needs for port in ports if port.needs and not shutil.which(port.needs))
 

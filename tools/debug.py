@@ -47,9 +47,9 @@ class Target:
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "debug",
-        description="Builds a test with full debug information, and opens it in GDB; a test "
-        "that runs only on the virtual board is debugged there. With a scenario, or "
-        "without a name, GDB debugs the image on the virtual board, forwards and backwards.",
+        description="Builds a test with full debug information, and opens it in GDB. A test that "
+        "runs only on the virtual board is debugged there. With a scenario, or without a name, "
+        "GDB debugs the image on the virtual board, forwards and backwards.",
     )
     parser.add_argument(
         "name",
@@ -60,9 +60,11 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "with its PC link)",
     )
     parser.add_argument(
-        "--board", action="store_true", help="a test that runs on both targets: the virtual board"
+        "--board",
+        action="store_true",
+        help="debug a test that runs on both targets on the virtual board",
     )
-    add_product(parser, "the image of the virtual board")
+    add_product(parser, "the product whose image runs on the virtual board")
     parser.add_argument(
         "--print", action="store_true", dest="shows", help="print the commands, and run nothing"
     )

@@ -36,7 +36,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "diff",
         description="Compares two commits: requirements, trees, tests, methods, reviews and "
-        "modules, from the sources of both. Verdicts, sizes, findings and metrics are compared "
+        "modules, from the sources of both commits. Verdicts, sizes, findings and metrics are "
+        "compared "
         "where ./wr portal or ./wr check recorded both commits in build/revisions. Lists all files "
         "that differ. The content of files with 'not followed', such as Python sources and pages, "
         "is not compared. The next portal shows the differences on a page. Reading a "
@@ -65,7 +66,10 @@ def diff(root: Path, options: argparse.Namespace) -> int:
         return 0
     print("\n".join(lines_of(found)))
     for commit in dict.fromkeys(unmeasured):
-        print(f"\n{commit[:10]} has no recorded results: no verdicts, findings, sizes, metrics.")
+        print(
+            f"\n{commit[:10]} has no recorded results, so verdicts, findings, sizes and metrics "
+            "are missing."
+        )
     print(f"\nThe page {PAGE} of the portal shows them after ./wr portal.")
     return 0
 
@@ -121,7 +125,7 @@ def copy_syntax(root: Path, copy: Path) -> None:
 
 
 def changed_files(root: Path, first: str, second: str) -> Iterator[Difference]:
-    """Yields the files that differ, with a mark at those whose content is not compared."""
+    """Yields the files that differ. Files whose content is not compared have a mark."""
     for line in git(root, "diff", "--no-renames", "--numstat", first, second).splitlines():
         added, removed, path = line.split("\t")
         lines = "binary" if added == "-" else f"+{added} -{removed} lines"

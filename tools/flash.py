@@ -43,17 +43,20 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "flash",
         description="Builds the image for the K64, checks that it would not lock the chip, and "
-        "writes it into a FRDM-K64F: with pyOCD, else with OpenOCD, else by a copy to the drive "
-        "that the board shows. Exit code 3: no board was found.",
+        "writes it into a FRDM-K64F. It uses pyOCD or OpenOCD, or copies the image to the drive "
+        "of the board. Exit code 3: no board was found.",
     )
     parser.add_argument(
         "--with",
         dest="way",
         choices=("pyocd", "openocd", "drive"),
-        help="the way to the board (default: the first available one)",
+        help="the way to write to the board (default: the first available way)",
     )
     parser.add_argument(
-        "--drive", type=Path, metavar="PATH", help="where the drive of the board is mounted"
+        "--drive",
+        type=Path,
+        metavar="PATH",
+        help="folder at which the drive of the board is mounted",
     )
     add_product(parser, "build and write the image of this product")
     parser.add_argument(

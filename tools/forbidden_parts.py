@@ -1,4 +1,6 @@
-"""Parts of the language and library without bounds in time or memory: no image contains them."""
+"""Finds parts of the language and library without bounds in time or memory, which no image may
+contain.
+"""
 
 from __future__ import annotations
 

@@ -57,10 +57,10 @@ WARNINGS = [
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "lint",
-        description="Checks the format of all sources, compiles everything with clang without "
-        "warnings or forbidden includes and each header alone, runs clang-tidy on the design and "
-        "sim, and checks the Python sources with ruff and mypy, and the directions of their "
-        "imports.",
+        description="Checks the format of all sources. Compiles everything with clang, without "
+        "warnings and forbidden includes, and compiles each header alone. Runs clang-tidy on the "
+        "design and sim. Checks the Python sources with ruff and mypy, and the directions of "
+        "their imports.",
     )
     parser.set_defaults(run=lambda root, _options: lint(root))
 
@@ -262,8 +262,8 @@ def check_changed(
     command: Callable[[tuple[Path, ...]], list[str]],
     log: TextIO,
 ) -> str:
-    """Runs the command on each unit whose present content has not passed it yet, and on each file
-    of a unit that fails.
+    """Runs the command on each unit whose present content has not passed yet. If a unit fails, runs
+    the command on each of its files.
 
     The content of a unit includes the files of the project that it includes, the settings of
     clang-tidy, and the command.

@@ -43,10 +43,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--minutes",
         type=minutes,
         default=USUAL,
-        help=f"time for the run, at most {LONGEST:g}; default {USUAL:g}",
+        help=f"greatest time of the run, up to {LONGEST:g}; default {USUAL:g}",
     )
     parser.add_argument(
-        "--seed", type=int, help="seed of the order of the faults; default: a new one"
+        "--seed", type=int, help="seed of the order of the faults; default: a new seed"
     )
     parser.add_argument(
         "--resume",

@@ -31,7 +31,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--again",
         action="store_true",
-        help="prove all properties, also those whose model is in tests/records/proofs.json, and "
+        help="prove all properties, also properties whose model is in tests/records/proofs.json, "
+        "and "
         "write that record",
     )
     parser.set_defaults(run=lambda root, options: run(root, options, parser))

@@ -74,7 +74,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--verify",
         action="store_true",
-        help="make it a second time in a new folder, with the same results of tests, and compare",
+        help="make the release a second time in a new folder, with the same results of tests, and "
+        "compare the two releases",
     )
     parser.add_argument(
         "--publish",

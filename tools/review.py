@@ -31,8 +31,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Shows the texts on which the verdict of one requirement depends: its text, "
         "tree, safety goals, methods, tests, fixtures and scenarios, with the changes since its "
         "baseline. Then asks the questions of the checklist, and records your answers in "
-        "requirements/reviews.toml. A reviewer is a person who wrote none of these texts, by git. "
-        "With --baseline it asks nothing: it records the hashes of the present texts in "
+        "requirements/reviews.toml. A reviewer is a person who, by git, wrote no line of these "
+        "texts. With --baseline it asks nothing: it records the hashes of the present texts in "
         "requirements/baseline.toml. A baseline shows later changes; it is not a review.",
     )
     parser.add_argument("ids", nargs="*", metavar="ID", help="a requirement, such as FR-15")
@@ -42,8 +42,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="record the present texts of the requirements, or of all requirements that changed; "
         "'design' selects the reasons in design/ and the code without a requirement",
     )
-    parser.add_argument("--name", help="first and last name of the reviewer; default: git's")
-    parser.add_argument("--email", help="address of the reviewer; default: git's")
+    parser.add_argument("--name", help="first and last name of the reviewer; default: as in git")
+    parser.add_argument("--email", help="address of the reviewer; default: as in git")
     parser.set_defaults(run=review)
 
 

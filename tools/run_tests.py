@@ -44,8 +44,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "test",
         description="Runs the tests of the firmware (with traces and coverage, with "
-        "sanitizers, and with the image on the virtual K64), those of the tools, every check, and "
-        "those of the portal's pages in a browser. Tasks whose inputs did not change are "
+        "sanitizers, and with the image on the virtual K64), the tests of the tools, every check, "
+        "and the tests of the portal's pages in a browser. Tasks whose inputs did not change are "
         "not run again. The last line counts the tests of the firmware "
         "(once for this machine, once for the virtual K64), of the tools and of the pages.",
     )

@@ -84,7 +84,7 @@ def debian_version(name: str) -> str:
 
 
 def _python(root: Path) -> Iterable[Component]:
-    """Returns packages of the tools: not part of an image."""
+    """Returns packages of the tools, which are not part of an image."""
     packages = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
     if not packages:
         raise FailureError(f"{LOCK} names no package")

@@ -148,7 +148,7 @@ class Copy:
         """Seeds the faults together. Seeds the faults that were not found again, in halves.
 
         A fault can hide all others, for example when it makes a file of the design unreadable.
-        Halves separate it from them in few runs.
+        Seeding in halves separates this fault from the other faults in few runs.
         """
         outcomes = {
             fault.name: outcome for fault, outcome in zip(faults, self._seed(faults), strict=True)

@@ -82,6 +82,8 @@ def serve(root: Path, port: int) -> int:
 
 
 def wait(thread: Thread) -> None:
-    """Waits for Ctrl-C. Only the main thread receives it, and only when it wakes up."""
+    """Waits for Ctrl-C. Only the main thread receives Ctrl-C, and only when this thread wakes
+    up.
+    """
     while thread.is_alive():
         thread.join(WAKE)

@@ -33,7 +33,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--link",
         type=Path,
-        help="name of the link made to the pseudo-terminal (default: build/pc-link)",
+        help="name of the symbolic link to the pseudo-terminal (default: build/pc-link)",
     )
     parser.add_argument(
         "--control",

@@ -84,7 +84,7 @@ def run(
 
 
 def heed_interrupts() -> None:
-    """Lets SIGINT and SIGTERM end the command in the same way.
+    """Lets SIGTERM end the command like SIGINT.
 
     A shell ignores SIGINT for a command in the background. A time limit sends SIGTERM.
     """

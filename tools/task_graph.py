@@ -57,7 +57,7 @@ class Task:
     inputs_from: tuple[str, ...] = ()  # tasks that determine inputs of this task
     always: bool = False  # runs each time, because a build tool detects the changes itself
     state: Callable[[], str] | None = None  # inputs that are not files
-    quiet: bool = False  # prints its own lines
+    quiet: bool = False  # the task prints the lines about itself
 
 
 @dataclass
@@ -105,7 +105,7 @@ class Database(JsonDB):  # type: ignore[misc]  # doit has no types
 
 
 class Record(Dependency):  # type: ignore[misc]  # doit has no types
-    """Records the inputs of a task, except those that changed after the start of the run."""
+    """Records the inputs of a task, except inputs that changed after the start of the run."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(Database, str(path))
@@ -253,7 +253,7 @@ class Reporter:
 
 @dataclass
 class Graph:
-    """The tasks of the project, and the way to run a part of them."""
+    """The tasks of the project. A run can execute a part of the tasks."""
 
     root: Path
     tasks: list[Task]

@@ -1,5 +1,6 @@
-"""The drive that the debug probe of the FRDM-K64F shows: the probe writes an image that is copied
-to the drive into the flash."""
+"""The drive of the debug probe of the FRDM-K64F. When an image is copied to the drive, the probe
+writes the image into the flash.
+"""
 
 from __future__ import annotations
 

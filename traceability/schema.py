@@ -169,7 +169,7 @@ class Module:
     registers: Sequence[str] = field(default_factory=list)  # blocks of registers that it owns
     tests: Sequence[str] = field(
         default_factory=list
-    )  # tests that executed it, or that are in its folder and have its name
+    )  # tests that executed the module, or tests with its name in its folder
     lines_total: int | None = None
     lines_covered: int | None = None
     branches_total: int | None = None
@@ -359,8 +359,9 @@ class Test:
 
 @dataclass(frozen=True)
 class Evidence:
-    """A metric that a tool measures, with its bound. Without a relation, the text is not
-    readable."""
+    """A metric that a tool measures, with its bound. If the relation is empty, the text could not
+    be read.
+    """
 
     figure: str
     relation: str  # "at most", "at least", "exactly"
@@ -637,8 +638,10 @@ class NumbersWithout:
 
 @dataclass(frozen=True)
 class Justified:
-    """Methods, tests or lines of methods that serve no requirement, with the reason. Also methods
-    that only tests call, and functions with a loop that does not count its rounds."""
+    """Methods, tests or lines of methods that serve no requirement, with the reason. Other
+    justifications are for methods that only tests call, and for functions with a loop that does not
+    count its rounds.
+    """
 
     kind: str  # "method", "test", "line", "uncalled", "loop"
     names: Sequence[str]

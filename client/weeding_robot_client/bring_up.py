@@ -40,9 +40,9 @@ Guides you through the checks of a new robot, step by step: port, connection, im
 reset cause, inputs, end stops, remote control, emergency stop. Then it turns one wheel at a
 time with 1 V, finds swapped motor leads and Hall sensors, and tries the stop while a wheel turns.
 Each step states the action and the expected result; 's' and Enter skips a step that waits for you.
-No motor is switched on before the emergency stop has passed and you have confirmed that the wheels
-are off the ground. Ctrl-C stops the robot. The result is written to a record of this date, in JSON
-and Markdown.
+No motor is switched on before the step for the emergency stop has passed, and you have confirmed
+that the wheels are off the ground. Ctrl-C stops the robot. The result is written to a record of
+this date, in JSON and Markdown.
 
 Exit code 1: a step failed or was skipped."""
 
@@ -444,7 +444,9 @@ class BringUp:
     def _transmitter_off(self) -> str:
         if self.orders.report and "RC" in self.orders.report.stop_sources:
             raise FailError("the remote control orders stop already", "Set the switch to 'PC'.")
-        begin = self._do("transmitter off", "press Enter and switch the transmitter off together")
+        begin = self._do(
+            "transmitter off", "press Enter, and switch the transmitter off at the same time"
+        )
         try:
             _, seen = self._wait(
                 lambda report: "RC" in report.stop_sources,

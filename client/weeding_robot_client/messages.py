@@ -138,7 +138,7 @@ class Order:
 
 @dataclass(frozen=True)
 class Start:
-    """The cause of the start and the fault before it, in the numbers of the protocol."""
+    """The cause of the start, and the fault before the start, as numbers of the protocol."""
 
     cause: int
     fault: int = 0

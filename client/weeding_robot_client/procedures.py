@@ -15,7 +15,7 @@ from weeding_robot_client.script import Wish
 ARM = """\
 Sends neutral orders (all wheels at 0) until the robot reports that it is armed, and shows why it is
 not armed yet. A stop that the PC ordered before is released. The robot needs neutral orders for 0.5
-s. A program that drives must then send orders: without orders the robot is soon not armed any more.
+s. A program that drives must then send orders: without orders the robot is soon not armed.
 
 Exit code 1: not armed, or no connection."""
 ACKNOWLEDGE = """\

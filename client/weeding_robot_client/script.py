@@ -35,8 +35,7 @@ or, after 'wheel N', for wheel N alone: 0 front left, 1 front right, 2 rear left
 `tension` is the voltage of the motor; velocity is measured at the motor shaft. Steering is positive
 to the left. A line changes only the values that it names. 'stop' orders stop, also after the end of
 the script, until 'release'. 'acknowledge' releases a protective stop. 'release' and 'acknowledge'
-set all wheels to 0; keep them there for 0.5 s, which arms the robot again. The last line is
-'end'."""
+set all wheels to 0. Keep them at 0 for 0.5 s: this arms the robot again. The last line is 'end'."""
 
 WORDS = re.compile(
     r"\s*(?:(stop|release|acknowledge|end)\b|(?:wheel\s+(\S+)\s+)?(\w+)\s+(\S+)\s+(\w+))\s*"

@@ -27,7 +27,7 @@ constexpr float kCurrentNoise = 0.02F;  // share of the voltage across the windi
 // leads, divided by their probability with correct leads.
 constexpr float kSwappedThreshold = 12.0F;
 constexpr float kMaxRisePerCycle = 6.0F;  // a detection needs two cycles
-constexpr float kMaxFallPerCycle = 3.0F;  // reduction by a cycle without a swap
+constexpr float kMaxFallPerCycle = 3.0F;  // in a cycle without signs of a swap
 constexpr float kDoubtThreshold = 3.0F;   // with more evidence the model does not learn
 
 // Up to this voltage the bring-up turns a wheel whose leads may be swapped.

@@ -28,7 +28,7 @@ class CallRecorder {
   /// @param most greatest number of recorded events
   CallRecorder(std::vector<std::uint32_t> functions, std::size_t most);
 
-  /// @brief Reports the begin of a block of instructions.
+  /// @brief Reports the beginning of a block of instructions.
   void block(std::uint32_t address, std::uint32_t stack, std::uint32_t link);
 
   /// @brief Reports that an exception was entered and its handler begins.

@@ -517,8 +517,8 @@ void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
       report("unmapped-memory", what);
       return;
     }
-    // A fault during stacking is entered instead of the exception, which stays pending. A
-    // handler of faults runs although its own frame is lost (ARM DDI 0337E, 5.12.1).
+    // A fault during stacking is entered instead of the exception, which stays pending. A handler
+    // of faults runs although the frame of its entry is lost (ARM DDI 0337E, 5.12.1).
     const int running = executionPriority();
     const bool bus = nvic_.isEnabled(kBusFault) &&
                      nvic_.group(nvic_.priority(kBusFault)) < running &&

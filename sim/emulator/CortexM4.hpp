@@ -230,7 +230,7 @@ class CortexM4 {
   std::uint64_t limit_ = 0;
   bool running_ = false;  ///< the core executes instructions
   bool sleeping_ = false;
-  std::vector<bool> blockWaits_;  ///< whether each entered exception came before a block
+  std::vector<bool> blockWaits_;  ///< for each entered exception: true if it came first in a block
   bool exit_ = false;
   bool faultsAreProblems_ = false;
   unsigned raised_ = 0;

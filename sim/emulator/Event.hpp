@@ -11,14 +11,14 @@ enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Softwa
 /// @brief An event on the board.
 struct Event {
   enum class Kind {
-    ExceptionEntered,  ///< number: of the exception
-    ExceptionLeft,     ///< number: of the exception
-    Reset,             ///< number: of the Reset
+    ExceptionEntered,  ///< number: number of the exception
+    ExceptionLeft,     ///< number: number of the exception
+    Reset,             ///< number: value of Reset
     PinChanged,        ///< number: 32 * port + pin; value: level that the program outputs
-    ByteSent,          ///< number: of the UART; value: the byte, at the end of its stop bit
+    ByteSent,          ///< number: number of the UART; value: the byte, at the end of its stop bit
     PwmChanged,        ///< number: 8 * FTM + channel; value: millionths of the period at high level
-    LineRaised,        ///< number: of the exception whose interrupt line a device raises
-    ByteReceived       ///< number: of the UART; value: the byte, at the end of its stop bit
+    LineRaised,        ///< number: number of the exception whose interrupt line a device raises
+    ByteReceived       ///< number: number of the UART; value: the byte, at the end of its stop bit
   };
   Kind kind;
   std::chrono::nanoseconds at;

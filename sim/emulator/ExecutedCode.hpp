@@ -37,8 +37,9 @@ class ExecutedCode {
   /// @brief Clears all counts.
   void clear() { std::ranges::fill(counts_, std::uint64_t{0}); }
 
-  /// @brief Returns the executed instructions: one bit for each half-word, first the bits of the lower RAM,
-  /// then the bits of the flash; the lowest bit of a byte first.
+  /// @brief Returns one bit for each half-word, which is set if the half-word was executed. The
+  /// bits of the lower RAM come first, then the bits of the flash. The lowest bit of a byte comes
+  /// first.
   [[nodiscard]] std::vector<std::uint8_t> bits() const {
     std::vector<std::uint8_t> bits(counts_.size() / 8);
     for (std::size_t half = 0; half < counts_.size(); ++half) {

@@ -16,8 +16,8 @@ namespace wr::emulator {
 /// (drivers/net/can/flexcan).
 ///
 /// Modelled: the modes disabled, freeze and normal; the bit timing; message buffers that send and
-/// receive data frames with standard identifiers; the global mask; the flags, and their interrupt.
-/// A frame takes the bits of ISO 11898-1 without stuff bits.
+/// receive data frames with standard identifiers; the global mask; the flags and their interrupt. A
+/// frame takes the bits of ISO 11898-1 without stuff bits.
 ///
 /// Not modelled: the receive FIFO, individual masks, remote and extended frames, errors on the bus,
 /// loop-back, listen-only, wake-up, time stamps. A write of their bits is a finding.

@@ -17,8 +17,8 @@ class Nvic {
 
   Nvic(unsigned lines, unsigned priorityBits);
 
-  /// @brief Makes all exceptions disabled, not pending and not active. The levels of the lines do
-  /// not change.
+  /// @brief Disables all exceptions, and ends their pending and active states. The levels of the
+  /// lines do not change.
   void reset();
 
   void pend(unsigned exception) { pending_.set(exception); }

@@ -682,7 +682,7 @@ bool VirtualBoard::Parts::runUntil(Time limit, Done done) {
     }
     const Time next = std::min(nextEvent(), limit);
     if (next > time() && runCore(next) && sleeps_ && core_.hz() != 0 && !done()) {
-      // Since the start of the run the program may have caused an earlier event.
+      // The program may have caused an event that is earlier than the computed next event.
       const std::uint64_t before = cpu_.cycles();
       cpu_.skipTo(core_.reach(std::min(nextEvent(), limit)));
       sleptCycles_ += cpu_.cycles() - before;

@@ -142,9 +142,10 @@ class VirtualBoard {
   /// connected to it. Each conversion returns the voltage of the previous conversion.
   void openAnalog(int converter, int channel);
 
-  /// @brief Sets a callback at each multiple of a period of board time, before the instructions and
-  /// events of that time; the first call is at the next multiple. A callback may use the board, but
-  /// not run it. Callbacks for the same time run in the order in which they were set.
+  /// @brief Sets a callback at each multiple of a period of board time. It is called before the
+  /// instructions and events of that time. The first call is at the next multiple. A callback may
+  /// use the board, but not run it. Callbacks for the same time run in the order in which they were
+  /// set.
   void onTime(nanoseconds period, std::function<void()> call);
 
   /// @brief Raises an exception by hardware before the next instruction, e.g. 3 HardFault.

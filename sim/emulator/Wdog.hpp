@@ -42,14 +42,14 @@ class Wdog final : public Peripheral {
 
   std::array<std::uint16_t, 12> registers_{};
   Lock lock_ = Lock::FreshlyReset;
-  std::uint64_t lockChanged_ = 0;  ///< count of the bus clock
+  std::uint64_t lockChanged_ = 0;  ///< count of the bus clock at the last change
   bool configured_ = false;
   std::uint32_t written_ = 0;  ///< registers written since the unlock
   std::optional<std::uint64_t> unlockKeyAt_;
   std::optional<std::uint64_t> refreshKeyAt_;
-  std::uint64_t countsFrom_ = 0;  ///< count of the source
+  std::uint64_t countsFrom_ = 0;  ///< count of the clock source at the last refresh
   Clock oscillator_;
-  std::optional<std::uint64_t> resetAt_;  ///< count of the bus clock
+  std::optional<std::uint64_t> resetAt_;  ///< count of the bus clock at the next reset
   std::uint16_t resets_ = 0;
 };
 

@@ -65,7 +65,7 @@ emulator::Options options() {
   return chosen;
 }
 
-// The part of the report in which the robot shows a fault. Counters of the line are not among them.
+// The part of the report in which the robot shows a fault, without the counters of the line.
 bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& reference) {
   constexpr std::uint8_t kSteeringFault = 3;
   return report.state != reference.state || report.inhibit != reference.inhibit ||

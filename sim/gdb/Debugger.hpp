@@ -62,7 +62,7 @@ class Debugger {
   void write(std::size_t number, std::uint64_t value);
   [[nodiscard]] bool writeMemory(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
-  /// @brief Returns the board. Valid only during a run.
+  /// @brief Returns the board. The result is valid only during a run.
   [[nodiscard]] const emulator::DebugPort& port() const { return *port_; }
 
   /// @brief Returns the rules; call rulesChanged() after a change.

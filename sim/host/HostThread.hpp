@@ -22,7 +22,7 @@ class HostThread final : public ControlThread {
   /// @return priority, 1 is the lowest.
   [[nodiscard]] int priority() const;
 
-  /// @brief Runs one activation. Called by the scheduler.
+  /// @brief Runs one activation. The scheduler calls this function.
   void runPended();
 
  private:

@@ -21,11 +21,10 @@ struct Contact {
 /// @brief Motor, driver, gear, wheel and tyre of one wheel.
 ///
 /// A brushless motor with its driver is modelled as a motor with a commutator. The driver works in
-/// two quadrants of each orientation: the motor has a fraction of the supply voltage, and with a
+/// two quadrants of each orientation: the motor has a fraction of the supply voltage. With a
 /// fraction of 0 it is short-circuited and brakes. The gear loses the same fraction of the power in
 /// either direction. The tyre's force grows with its slip, along and across the wheel, until the
-/// two
-/// together reach the limit of friction. While the wheel is at rest the tyre is a spring.
+/// two together reach the limit of friction. While the wheel is at rest the tyre is a spring.
 class DriveTrain {
  public:
   static constexpr double kRatio = 10.0;            ///< turns of the motor per turn of the wheel

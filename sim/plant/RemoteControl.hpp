@@ -41,8 +41,8 @@ struct RcEdge {
   bool level;                       ///< level from now on
 };
 
-/// @brief Remote control and its receiver: 50 pulses in a second on each of three pins, 1.0 to 2.0 ms
-/// long, 1.5 ms with a stick in the middle.
+/// @brief Remote control and its receiver. Each of three pins has 50 pulses in a second. A pulse is
+/// 1.0 to 2.0 ms long, and 1.5 ms with the stick in the middle.
 ///
 /// At first only the enable switch sends, in the position Pc. The channels of the sticks send from
 /// the first call of set() on. While the transmitter is on, the width of a pulse varies by up to 2

@@ -36,7 +36,7 @@ enum class Fault : std::uint8_t {
   Hall,           ///< both Hall sensors of a wheel keep their levels
   HallA,          ///< sensor a of a wheel keeps its level
   HallB,          ///< sensor b of a wheel keeps its level
-  HallSwapped,    ///< the two Hall sensors of a wheel are connected to each other's pins
+  HallSwapped,    ///< the two Hall sensors of a wheel are swapped at their pins
   HallMisplaced,  ///< sensor b of a wheel is displaced; value: electrical degrees
   HallGlitches,   ///< pulses of 30 us on sensor a of a wheel; value: pulses in a second
   HallLosses,     ///< edges of a wheel are lost; value: edges in a second
@@ -104,8 +104,9 @@ class Robot {
   /// @param on true for on
   void setNoise(bool on);
 
-  /// @brief Sets the slope of the ground ahead. The robot reaches it axle by axle: the slope of the
-  /// robot changes evenly over one wheelbase, and within 2 s if it drives slowly or is at rest.
+  /// @brief Sets the slope of the ground ahead. The robot reaches this slope axle by axle: its
+  /// slope changes evenly over one wheelbase. If it drives slowly or is at rest, its slope changes
+  /// within 2 s.
   /// @param percent positive uphill, in the direction in which the robot started
   void setSlope(double percent);
 

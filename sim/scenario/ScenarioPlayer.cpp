@@ -267,7 +267,7 @@ bool ScenarioPlayer::isLate(const Pending& pending) const {
   return static_cast<double>((robot_.now() - pending.since).count()) / 1000 > limit.amount;
 }
 
-// Removes the expectations that were met, and those whose limit has passed.
+// Removes the expectations that were met, and the expectations whose limit has passed.
 void ScenarioPlayer::checkPending() {
   std::erase_if(pending_, [this](const Pending& pending) {
     const std::string wrong = mismatch(pending.expect);

@@ -36,7 +36,7 @@ class LiveRobot {
   struct Switch {
     std::uint32_t exception = 0;  ///< number of the exception
     bool entered = false;         ///< true: the exception begins; false: it ends
-    std::uint32_t at = 0;         ///< time since the begin of the cycle [ns]
+    std::uint32_t at = 0;         ///< time since the start of the cycle [ns]
   };
 
   /// @brief The recorded calls from one clock pulse to the next.
@@ -109,7 +109,7 @@ class LiveRobot {
   std::optional<scenario::Scenario::Action> order_;
   scenario::RobotSession::Time orderAt_{};
   Cycle cycle_;
-  std::vector<Switch> switches_;  // switches since the begin of the present cycle
+  std::vector<Switch> switches_;  // switches since the start of the present cycle
   std::chrono::nanoseconds pulseAt_{};
   std::uint64_t beganAt_ = 0;      // processor cycle
   std::uint64_t sleptBefore_ = 0;  // processor cycles

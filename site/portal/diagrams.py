@@ -424,7 +424,9 @@ def finish(svg: str, diagram: Diagram) -> str:
 
 
 def place_labels(root: ET.Element, labels: dict[str, dict[ET.Element, Box]]) -> None:
-    """Moves each label away from the lines of the other edges, and enlarges the drawing for it."""
+    """Moves each label away from the lines of the other edges, and enlarges the drawing for the
+    labels.
+    """
     paths = {line.get("id", ""): line.get("d", "") for line in root.iter("path")}
     states = [
         Box(x, y, x + float(state.get("width", "0")), y + float(state.get("height", "0")))

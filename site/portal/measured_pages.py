@@ -115,8 +115,8 @@ def by_silence(modules: dict[str, dict[str, int]]) -> list[tuple[str, dict[str, 
 
 
 def made_changes(portal: Portal) -> dict[str, Any]:
-    """Returns the likely changes that are made, and the changed lines for the changes that both
-    designs make.
+    """Returns the likely changes that were made. For changes that both designs make, also returns
+    the changed lines.
     """
     done = [change.made for change in portal.model.changes.values() if change.made]
     return {

@@ -12,7 +12,7 @@ from traceability.schema import Method, Module
 
 FIRST_TESTS = 12  # number of members that are shown open on the page of a module
 XML = "build/model/xml"
-MEMBERS = "<!-- members -->"  # marks the place of the part of the page that Breathe writes
+MEMBERS = "<!-- members -->"  # marks the place of the part that Breathe writes
 
 
 def module_page(portal: Portal, module: Module) -> Page:
@@ -98,8 +98,8 @@ def coverage_bars(portal: Portal, module: Module) -> list[tuple[str, list[str]]]
 
 
 def board_hits(portal: Portal, module: Module) -> dict[str, dict[int, int]]:
-    """Returns for each file the lines that the virtual K64 executed, for a module of the drivers.
-    The value of a line is 1.
+    """Returns the lines of a driver that the virtual K64 executed, by file. Each line has the
+    value 1.
     """
     measured = portal.model.board_lines or {}
     return {

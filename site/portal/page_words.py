@@ -10,7 +10,7 @@ from html.parser import HTMLParser
 VOID = {"area", "br", "col", "hr", "img", "input", "link", "meta", "source", "wbr"}
 HEADS = {"h1", "h2"}
 APART = {"nav", "svg", "script", "select", "summary"}  # elements without text to read
-MOST = 4000  # letters of a section: its first sentences, and enough of a table
+MOST = 4000  # greatest number of letters of a section in the index
 
 
 @dataclass

@@ -157,9 +157,7 @@ def products(portal: Portal) -> dict[str, Any]:
 
 
 def reverse_rows(portal: Portal) -> list[tuple[str, int, int]]:
-    """Returns the number of public methods and tests, and how many of them are for no
-    requirement.
-    """
+    """Returns the number of public methods and tests, and the number without a requirement."""
     modules = portal.model.modules.values()
     methods = [m for item in modules if not item.datatype for m in item.methods]
     public = sum(method.access == "public" for method in methods)

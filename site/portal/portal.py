@@ -312,8 +312,8 @@ class Portal:
 
     @functools.cached_property
     def hits(self) -> dict[str, dict[int, int]]:
-        """Returns for each file and line how often the tests executed it; on the virtual K64,
-        whether they executed it.
+        """Returns for each file and line the number of times that tests executed it. For the
+        virtual K64, the number shows only whether tests executed it.
         """
         hits: dict[str, dict[int, int]] = {}
         for module in self.model.modules.values():

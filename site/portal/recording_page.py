@@ -20,7 +20,7 @@ from weeding_robot_client.mcap_file import read_mcap
 SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
 MS_OF_S = 1000
-VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # as the reports name them
+VELOCITY, VOLTAGE, CURRENT = "Velocity", "Tension", "Current"  # names in the reports
 # Values whose changes are listed.
 STATES = ("state", "mode", "source", "armed", "held", "inhibit", "stop_cause", "steering_state")
 

@@ -45,7 +45,9 @@ def requirements(portal: Portal) -> dict[str, Any]:
 
 
 def dots(portal: Portal, requirement: Requirement) -> Counter[str]:
-    """Returns for each logic module at the top how many of its methods satisfy the requirement."""
+    """Returns for each logic module at the top the number of its methods that satisfy the
+    requirement.
+    """
     modules = (portal.model.modules.get(m.split("::")[0]) for m in requirement.satisfied_by)
     return Counter(module.logic.partition("/")[0] for module in modules if module)
 

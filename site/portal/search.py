@@ -18,7 +18,8 @@ from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
-# Group, key, title, text, address. Then words that are searched, and shown only when they match.
+# Group, key, title, text and address of an entry, then further words. A further word is shown only
+# when it matches.
 Entry = tuple[str, ...]
 # Group of entries -> the kind in Sphinx's inventory.
 NAMED = {

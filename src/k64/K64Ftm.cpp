@@ -34,8 +34,8 @@ void K64Ftm::start() {
   ftm0::CNT.write({0});
   ftm0::MOD.write({kPeriod - 1});
   for (std::uint32_t channel = 0; channel < kChannelCount; ++channel) {
-    // High from the beginning of the period to the width. A width greater than MOD is never
-    // reached: the output stays high.
+    // The output is high from the beginning of the period until the width has passed. A width
+    // greater than MOD is never reached: the output stays high.
     ftm0::CnSC.at(channel * ftm0::kChannelDistance).write(ftm0::CnSC_MSB | ftm0::CnSC_ELSB);
     ftm0::CnV.at(channel * ftm0::kChannelDistance).write({0});
   }

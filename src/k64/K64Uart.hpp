@@ -26,8 +26,8 @@ class K64Uart final : public SerialPort {
   /// @brief A serial port that the firmware uses.
   enum class Port : std::uint8_t { Uart0 = 0, Uart4 = 1 };
 
-  /// @brief Zero bytes that the port stores: all, or only those that follow another byte and can end
-  /// a frame.
+  /// @brief Zero bytes that the port stores: all zero bytes, or only zero bytes that follow another
+  /// byte and can end a frame.
   enum class ZeroBytes : std::uint8_t { All, Ends };
 
   /// @brief Constructs a port that is switched off.

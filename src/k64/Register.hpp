@@ -83,7 +83,7 @@ class Register {
     *place() = bits.value;  // NOLINT(clang-analyzer-core.FixedAddressDereference): as above
   }
 
-  /// @brief Sets bits, and does not change the others.
+  /// @brief Sets bits, and does not change the other bits.
   /// @param bits bits to set
   void set(Bits bits) const
     requires(kAccess == Access::ReadWrite)
@@ -91,7 +91,7 @@ class Register {
     write(read() | bits);
   }
 
-  /// @brief Clears bits, and does not change the others.
+  /// @brief Clears bits, and does not change the other bits.
   /// @param bits bits to clear
   void clear(Bits bits) const
     requires(kAccess == Access::ReadWrite)

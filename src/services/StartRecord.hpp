@@ -23,7 +23,7 @@ enum class ResetCause : std::uint8_t {
 enum class FaultKind : std::uint8_t {
   None = 0,                 ///< nothing was recorded
   Assertion = 1,            ///< a condition was false; the number identifies the condition
-  HardFault = 2,            ///< fault without its own handler
+  HardFault = 2,            ///< fault without a separate handler
   MemoryFault = 3,          ///< access that the memory protection forbids
   BusFault = 4,             ///< access that failed on the bus
   UsageFault = 5,           ///< instruction that cannot be executed

@@ -43,8 +43,8 @@ TEST_F(SecondTimerTest, FR100_BeatsEveryMillisecond) {
   EXPECT_EQ(timer.started, milliseconds(1));
 }
 
-/// @brief Each tick acknowledges the timer first, so that a tick during the commands is not lost,
-/// and then executes each command once, in the sequence in which they were added.
+/// @brief Each tick acknowledges the timer first, so that a tick during the commands is not lost.
+/// Then it executes each command once, in the sequence in which the commands were added.
 /// @verifies FR-100
 TEST_F(SecondTimerTest, FR100_EachBeatExecutesAllCommands) {
   LoggingCommand first("first");

@@ -64,7 +64,7 @@ TEST(Function, FR120_HallVelocityNeedsTime) {
   EXPECT_FALSE(HallVelocity().calculate(Given(1, 0, 600'000'000, 60, 0)));
 }
 
-/// @brief A velocity at the bounds is valid, a velocity beyond them is not.
+/// @brief A velocity at the bounds is valid; a velocity beyond the bounds is not.
 /// @verifies FR-124
 TEST(Function, FR124_HallVelocityIsBounded) {
   const HallVelocity function;

@@ -1,6 +1,6 @@
 // Fuzzes the whole firmware with its safety functions, in the simulated robot. The input chooses
-// the bytes of the PC, the remote control, extra edges of Hall sensors, faults of sensors, the
-// emergency stop and resets, and the time of each event.
+// events, and the time of each event: bytes of the PC, the remote control, extra edges of Hall
+// sensors, faults of sensors, the emergency stop and resets.
 
 #include <fuzzer/FuzzedDataProvider.h>
 

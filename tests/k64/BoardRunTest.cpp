@@ -36,7 +36,7 @@ TEST(BoardRun, SameRunGivesSameTrace) {
   EXPECT_NE(first, other);
 }
 
-/// @brief Without an image no test passes.
+/// @brief Every test fails without an image.
 TEST(BoardRun, MissingImageIsAnError) {
   EXPECT_THROW(static_cast<void>(emulator::readImage("/nowhere/weeding_robot.bin")),
                std::runtime_error);

@@ -135,8 +135,8 @@ std::ostream& operator<<(std::ostream& out, const ClockFailure& failure) {
 
 class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
  protected:
-  // Runs to a time of a start attempt. The outputs are safe at each microsecond except those
-  // between a reset and the first stores of the start.
+  // Runs to a time of a start attempt. The outputs are safe at each microsecond, except between a
+  // reset and the first stores of the start.
   static void runSafely(BoardRobot& robot, nanoseconds duration) {
     constexpr nanoseconds kFirstStores{100'000};
     const nanoseconds end = robot.board.now() + duration;

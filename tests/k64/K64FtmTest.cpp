@@ -42,7 +42,7 @@ TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
   }
 }
 
-/// @brief Setting a channel does not change the others.
+/// @brief Setting a channel does not change the other channels.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_ChannelsAreIndependent) {
   DriverBoard drivers;

@@ -150,8 +150,8 @@ std::vector<std::uint16_t> widths(DriverBoard& drivers) {
   return drivers.ask('W');
 }
 
-/// @brief The width of a pulse of the remote control is measured to 1 us, even when the pulse
-/// begins while another pulse ends, or begins and ends together with another pulse.
+/// @brief The width of a pulse of the remote control is measured to 1 us. This is true even when
+/// another pulse ends when this pulse begins, or when both begin and end together.
 /// @verifies FR-200
 TEST_F(K64PortOnBoard, FR200_EdgesThatComeTogetherGetOneTime) {
   using std::chrono::microseconds;
@@ -255,7 +255,8 @@ TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
 /// same moment, even with a slow flash.
 /// @verifies FR-200
 TEST(K64PortInTheRobot, FR200_PulsesThatComeTogetherHaveTheirWidths) {
-  // 1 us of the pulse is 6.4 hundredths of a degree, and each of its edges may be 1 us off.
+  // 1 us of the pulse is 0.064 degrees, and each edge of the pulse may be measured 1 us early or
+  // late.
   std::istringstream text(
       "seed 5\nat 0 noise off\nat 0 rc coincident on\nat 0 rc enable drive\nat 0 rc velocity 0 "
       "steering 2000\nat 50 "
@@ -272,7 +273,7 @@ TEST(K64PortInTheRobot, FR200_PulsesThatComeTogetherHaveTheirWidths) {
   }
 }
 
-/// @brief A robot at rest with pulses of 0.5 us at its Hall sensors counts none of them.
+/// @brief A robot at rest counts no edges of pulses of 0.5 us at its Hall sensors.
 /// @verifies FR-202
 TEST(K64PortInTheRobot, FR202_ShortPulsesMoveNoWheel) {
   BoardRobot robot;

@@ -56,15 +56,16 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief At full control load no byte is lost. All wheels have their greatest velocity, the steering
-/// turns from side to side, the remote control sends pulses, each cycle reports, and the line to
-/// the robot is never idle.
+/// @brief At full control load no byte is lost. All wheels have their greatest velocity, and the
+/// steering turns from side to side. The remote control sends pulses, each cycle reports, and the
+/// line to the robot is never idle.
 /// @verifies FR-37
 /// @verifies FR-49
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   constexpr int kCycles = 70;
-  // With an order of 28 bytes these are 1160 bytes; the line transfers 1152 of them in a cycle.
+  // Together with an order of 28 bytes this makes 1160 bytes; the line transfers 1152 bytes in a
+  // cycle.
   constexpr int kLong = 11;  // frames of 102 bytes
   const scenario::Bytes kLongPayload(95, 3);
   const scenario::Bytes kShortPayload(3, 3);  // in one frame of 10 bytes
@@ -194,8 +195,8 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   EXPECT_EQ(robot.report().overruns, 1);
 }
 
-/// @brief A zero byte after another zero byte takes no storage: a busy robot stores the frame that
-/// follows more of them than its storage has places.
+/// @brief A zero byte after another zero byte uses no storage. A busy robot stores the frame that
+/// follows more zero bytes than its storage has places.
 /// @verifies FR-171
 TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
   BlockedRobot robot;

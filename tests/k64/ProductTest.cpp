@@ -223,7 +223,7 @@ TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {
   EXPECT_EQ(robot.report().steeringSetPoint, -50);
 }
 
-/// @brief Orders over the second serial port that are not signed are not read.
+/// @brief Unsigned orders over the second serial port are not read.
 /// @verifies FR-262
 TEST(ProductWithBluetooth, FR262_UnsignedOrderIsNotRead) {
   RobotWithDevice robot;
@@ -237,7 +237,7 @@ TEST(ProductWithBluetooth, FR262_UnsignedOrderIsNotRead) {
 }
 
 /// @brief While the robot reads orders of the device, it rejects an order that is repeated, altered
-/// or signed with another key; it reads the next order with the correct key.
+/// or signed with another key. It reads the next order with the correct key.
 /// @verifies FR-262
 TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
   RobotWithDevice robot;

@@ -59,9 +59,9 @@ Played played(const scenario::Scenario& scenario) {
 
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The image with safety functions meets each scenario, except those that only the design of
-/// the paper can meet. In a second run it sends the same reports, and the same events occur at the
-/// same times.
+/// @brief The image with safety functions meets each scenario, except scenarios that only the
+/// design of the paper can meet. In a second run it sends the same reports, and the same events
+/// occur at the same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -79,8 +79,8 @@ TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
 INSTANTIATE_TEST_SUITE_P(Files, ScenariosOnBoard, testing::ValuesIn(allScenarios()),
                          [](const auto& file) { return file.param.stem().string(); });
 
-/// @brief When the clock is lost while the robot drives, the first reset comes from the clock monitor, and the
-/// robot brakes and does not drive again by itself.
+/// @brief When the clock is lost while the robot drives, the first reset comes from the clock
+/// monitor. The robot brakes, and does not drive again without an operator.
 /// @verifies FR-203
 TEST(ClockOfTheSafeRobot, FR203_FirstResetAfterALostClockIsThatOfTheMonitor) {
   const scenario::Scenario scenario = scenario::Scenario::load(kFolder / "clock_lost.scenario");
@@ -268,8 +268,8 @@ void PrintTo(const HeldInterrupt& held, std::ostream* output) {
 
 class InterruptsOfTheSafeRobot : public testing::TestWithParam<HeldInterrupt> {};
 
-/// @brief When an interrupt of a driving robot is not served for some time, the robot resets, and the wheels have
-/// no voltage until an operator arms it again.
+/// @brief When an interrupt of a driving robot is not served for some time, the robot resets. The
+/// wheels then have no voltage until an operator arms the robot again.
 /// @verifies FR-308
 TEST_P(InterruptsOfTheSafeRobot, FR308_AnInterruptThatIsNotServedResetsTheRobot) {
   constexpr int kInterruptLate = 7;

@@ -249,8 +249,8 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
             static_cast<std::uint16_t>(line.empty() ? sent - 1 : sent - 2));
 }
 
-/// @brief The bytes of a cycle that is late by one period exceed the buffer of the port on a line
-/// without a pause: the loss is counted, and the connection continues.
+/// @brief On a line without a pause, the bytes of a cycle that is late by one period exceed the
+/// buffer of the port. The loss is counted, and the connection continues.
 /// @verifies FR-49
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
   connect();
@@ -332,7 +332,7 @@ TEST_F(MainControllerTest, FR74_CompletedCycleRefreshesTheWatchdogOnce) {
   EXPECT_FALSE(watchdog.missed());
 }
 
-/// @brief No step of a cycle refreshes the watchdog, nor does a clock pulse alone.
+/// @brief Neither the steps of a cycle nor a clock pulse alone refresh the watchdog.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_NoStepAloneRefreshesTheWatchdog) {
   controller.clockPulse();
@@ -353,7 +353,7 @@ TEST_F(MainControllerTest, FR74_RefreshIsTheLastStep) {
 }
 
 /// @brief A cycle in which a control system did not complete its work does not refresh the
-/// watchdog, and three such cycles in a row cause a reset.
+/// watchdog. Three such cycles in a row cause a reset.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_IncompleteCycleDoesNotRefresh) {
   controller.start();

@@ -160,7 +160,7 @@ TEST_F(RcBufferTest, FR55_FirstPulse) {
   EXPECT_FALSE(velocity.value());
 }
 
-/// @brief A lost edge affects only its own pulse.
+/// @brief A lost edge affects only the pulse of this edge.
 /// @verifies FR-54
 /// @verifies FR-55
 TEST_F(RcBufferTest, FR55_LostEdges) {

@@ -77,8 +77,8 @@ TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   EXPECT_EQ(control.clock.now() - begin, milliseconds(240));
 }
 
-/// @brief The position may differ from the steps by at most 3.00 degrees, also at rest. After the
-/// motor was off the comparison begins again.
+/// @brief The position may differ from the steps by at most 3.00 degrees, also at rest. The
+/// comparison begins again when the motor is switched on.
 /// @verifies FR-227
 TEST_F(DirControllerTest, FR227_PositionFollowsTheStepsWithin3Degrees) {
   for (const std::int32_t side : {1, -1}) {

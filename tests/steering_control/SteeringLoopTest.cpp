@@ -55,7 +55,7 @@ TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
   EXPECT_EQ(loop.state(), SteeringState::Turning);
 }
 
-/// @brief For any angle between the stops: the steering arrives within 0.5 degrees in one move,
+/// @brief The steering reaches any angle between the stops within 0.5 degrees in one move. It
 /// overshoots the angle by at most 0.1 degrees, and then stands still for a minute. Its rate
 /// changes by at most one step/s in each tick, to at most 500 steps/s.
 /// @verifies FR-101
@@ -141,7 +141,7 @@ TEST(SteeringLoopNoiseTest, FR101_AtMostOneMoveToACloseAngle) {
 }
 
 /// @brief When the ordered angle changes in every cycle, by 10 degrees per second, the steering
-/// stays within 2 degrees of it, and is never reported as stalled.
+/// stays within 2 degrees of this angle. It is never reported as stalled.
 /// @verifies FR-101
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
@@ -174,7 +174,7 @@ TEST_F(SteeringLoopTest, FR105_StopsAtTheEnd) {
 }
 
 /// @brief An order to hold in the middle of a turn brings the steering to rest within 0.5 s, with
-/// limited acceleration; then it keeps its angle with the motor on.
+/// limited acceleration. Then the steering keeps its angle with the motor on.
 /// @verifies FR-108
 TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
   loop.follow(3000);
@@ -345,8 +345,8 @@ TEST_F(SteeringLoopTest, FR225_ABrokenWireOfAnEndStopIsReached) {
   EXPECT_NEAR(plant.degrees(), -10, 0.5);
 }
 
-/// @brief Both end stops at once are impossible: the steering is in fault within 10 ms, at rest as
-/// well, and its motor is off.
+/// @brief The steering cannot reach both end stops at once. When both are reported, the steering is
+/// in fault within 10 ms, also at rest, and its motor is off.
 /// @verifies FR-226
 TEST_F(SteeringLoopTest, FR226_BothEndStopsAreAFault) {
   loop.follow(1000);

@@ -59,7 +59,7 @@ void debugIfAsked(emulator::VirtualBoard& board) {
   }
 }
 
-// Recordings contain addresses; all of them belong to one image.
+// Recordings contain addresses, so all recordings must belong to one image.
 bool isRecorded() {
   return imageFile() == WR_RECORDED_IMAGE;
 }

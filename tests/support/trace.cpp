@@ -1,7 +1,7 @@
 // Records which functions of the firmware each test calls. The build includes it only with
 // WR_TRACE.
 //
-// Each test writes one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin, with one
+// Each test writes one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin. The file has one
 // little-endian number of 64 bits for each event: the address of the function, with bit 63 set when
 // the function is left. After kWhole events, a call of the test or of the simulated platform is not
 // written again when it contains the same calls as an earlier call, because timers would fill the

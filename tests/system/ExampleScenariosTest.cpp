@@ -109,8 +109,8 @@ TEST(ClosedLoopOfRobot, FR21_StopBringsTheWheelsToRest) {
   play("stop");
 }
 
-/// @brief A wheel whose Hall sensors fail is switched off, and so is a wheel whose current sensor
-/// fails; the others continue.
+/// @brief A wheel whose Hall sensors or whose current sensor fail is switched off; the other wheels
+/// continue.
 /// @verifies FR-91
 TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
   playWithThePapersDesign("sensors_broken");

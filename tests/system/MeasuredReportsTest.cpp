@@ -101,9 +101,9 @@ TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   EXPECT_EQ(robot.report().cutOffs, 0b0100);
 }
 
-/// @brief The report shows that one wheel has no motion feedback, and that the others have it. One
-/// or both Hall sensors of this wheel are broken. This test is not for safety functions, which stop
-/// the robot earlier.
+/// @brief The report shows that one wheel has no motion feedback, and that the other wheels have
+/// motion feedback. One or both Hall sensors of this wheel are broken. This test is not for safety
+/// functions, which stop the robot earlier.
 /// @verifies FR-68
 TEST_F(MeasuredReportsOfRobot, FR68_BlindWheelIsTold) {
   onlyWith("weeding_robot_paper");

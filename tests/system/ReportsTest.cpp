@@ -58,8 +58,8 @@ TEST_F(ReportsOfRobot, FR35_LinkIsServedInBothModes) {
   EXPECT_GE(cyclesInPc, 15);
 }
 
-/// @brief When the PC is silent for 1 s, the connection ends: there are no more reports, and an
-/// order that comes after that is not read.
+/// @brief When the PC is silent for 1 s, the connection ends. Then there are no more reports, and a
+/// later order is not read.
 /// @verifies FR-33
 /// @verifies FR-36
 /// @verifies FR-60

@@ -47,10 +47,11 @@ enum class Check : std::uint8_t { Flags = 16, StackPointer = 17, FpStatus = 18, 
 /// @brief An event, as the program writes it.
 struct Record {
   Kind kind;
-  std::uint8_t detail;                 ///< exception, action or check
-  std::uint8_t depth;                  ///< number of exceptions that are active
-  std::uint8_t link;                   ///< low byte of EXC_RETURN of the running exception
-  std::array<std::uint32_t, 5> words;  ///< state, or the numbers of the kind
+  std::uint8_t detail;  ///< exception, action or check
+  std::uint8_t depth;   ///< number of exceptions that are active
+  std::uint8_t link;    ///< low byte of EXC_RETURN of the running exception
+  std::array<std::uint32_t, 5>
+      words;  ///< state of the processor, or numbers that depend on the kind
 
   friend bool operator==(const Record&, const Record&) = default;
 };

@@ -352,8 +352,8 @@ scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
           .stop = between(1, 8) == 1};
 }
 
-/// @brief After the PC has begun to send orders, both robots get the same bytes and answer with the
-/// same bytes, for any order and any movement of the wheel.
+/// @brief After the PC has begun to send orders, both robots get the same bytes. They answer with
+/// the same bytes, for any order and any movement of the wheel.
 TEST(BothDesigns, SendTheSameBytes) {
   std::mt19937 random(seed());
   SideBySide both;

@@ -93,7 +93,7 @@ TEST_F(ClosedLoopTest, FR300_VelocityIsKeptUphill) {
 }
 
 /// @brief When the robot drives from flat ground onto a downhill slope, the wheel turns at most at
-/// 165 rpm while the wheelbase passes the edge, and settles on the slope.
+/// 165 rpm while the wheelbase passes the edge. It settles on the slope.
 /// @verifies FR-84
 TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   plant.load = kRolling;

@@ -14,14 +14,14 @@ void drive(CoupledWheels& robot, const WheelSetPoint& setPoint, int cycles) {
   }
 }
 
-/// Checks that the voltage of wheel 0 is within 10 % of the mean of the others.
+/// Checks that the voltage of wheel 0 is within 10 % of the mean of the other wheels.
 void expectShared(const CoupledWheels& robot) {
   const double others = robot.tensionOfTheOthers();
   EXPECT_NEAR(robot.tension(0), others, std::abs(others) * 0.1);
 }
 
 /// @brief Wheel 0 has no Hall edges for 0.4 s. From 2.9 s later on, its voltage is within 10 % of
-/// the voltage of the others.
+/// the voltage of the other wheels.
 /// @verifies FR-224
 TEST(CoupledWheels, FR224_WheelsDoNotFightAfterLostEdges) {
   for (const int velocity : {500, 1000, -1000}) {

@@ -180,8 +180,8 @@ TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   EXPECT_TRUE(orientation.isOn());
 }
 
-/// @brief A wheel that does not move counts as without motion feedback after 6 V for 0.75 s, 3 V
-/// for 1.5 s or 12 V for 0.375 s, rounded up to whole cycles. The wheel is stopped step by step.
+/// @brief A wheel that does not move has no motion feedback after 6 V for 0.75 s, 3 V for 1.5 s or
+/// 12 V for 0.375 s, rounded up to whole cycles. The wheel is stopped step by step.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   struct Case {
@@ -270,7 +270,7 @@ TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
     one.measure(Velocity(), Current());
     one.controller.control(tensionOf(static_cast<std::int16_t>(tension)), one.measured());
   };
-  // Each begin ends with the usual voltage at the output, and returns the count.
+  // Each of these functions ends with the same voltage at the output, and returns the count.
   const auto afterMotion = [](ControlledWheel& one) {
     one.control(tensionOf(kUsual));
     return 0;

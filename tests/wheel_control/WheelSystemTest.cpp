@@ -160,7 +160,7 @@ TEST_F(WheelSystemTest, FR88_HoldStopsTheWheel) {
   EXPECT_EQ(output(), Tension(0));
 }
 
-/// @brief An acknowledgement releases the faults of its own cycle only.
+/// @brief An acknowledgement releases only the faults of the cycle in which it comes.
 /// @verifies FR-89
 TEST_F(WheelSystemTest, FR89_AcknowledgementActsOnce) {
   system.start();

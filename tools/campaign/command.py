@@ -25,14 +25,19 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "campaign",
         description="Runs many random cases, in chunks on all cores. Each finished chunk is kept "
-        "in build/campaign: a campaign that was ended continues with --resume, and has the same "
-        "result as a campaign that was not ended.",
+        "in build/campaign. An interrupted campaign continues with --resume, and has the same "
+        "result as an uninterrupted campaign.",
     )
     parser.add_argument("kind", choices=sorted(KINDS), help="kind of the cases")
     parser.add_argument("--count", type=positive, help="number of cases; each kind has a default")
-    parser.add_argument("--seed", type=int, default=1, help="chooses the cases; by default 1")
     parser.add_argument(
-        "--workers", type=positive, default=os.cpu_count() or 1, help="by default one for each core"
+        "--seed", type=int, default=1, help="number that chooses the cases (default: 1)"
+    )
+    parser.add_argument(
+        "--workers",
+        type=positive,
+        default=os.cpu_count() or 1,
+        help="number of worker processes (default: one for each core)",
     )
     parser.add_argument("--scheduler", help="address of a Dask scheduler, such as tcp://HOST:8786")
     parser.add_argument("--resume", action="store_true", help="keep the chunks that are finished")
@@ -48,7 +53,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
 def positive(text: str) -> int:
     value = int(text)
     if value < 1:
-        raise argparse.ArgumentTypeError("at least 1")
+        raise argparse.ArgumentTypeError("must be at least 1")
     return value
 
 
@@ -127,7 +132,7 @@ class Progress:
         self.kind, self.chunks, self.cases = kind, chunks, cases
         self.done = 0
         self.start = self.shown = time.monotonic()
-        print(f"{cases} {kind.unit} to run, in {chunks} chunks with the finished ones", flush=True)
+        print(f"{cases} {kind.unit} to run, in {chunks} chunks in total", flush=True)
 
     def show(self, chunk: Chunk) -> None:
         self.done += chunk.count

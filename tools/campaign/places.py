@@ -1,4 +1,4 @@
-"""The module that an address of the image belongs to, by its debug information."""
+"""Finds the module of an address of the image, from the debug information."""
 
 from __future__ import annotations
 

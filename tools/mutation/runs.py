@@ -37,7 +37,7 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
     """Runs tests with a mutant activated; the number 0 activates no mutant.
 
     ``seconds`` contains the time of each test without a mutant. A test that ends the program has
-    failed; the others run in the next process.
+    failed; the remaining tests run in the next process.
     """
     outcome = Outcome()
     left = dict(seconds)
@@ -58,7 +58,8 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
 def _run(
     program: Path, mutant: int, tests: Iterable[str], limit: float, outcome: Outcome
 ) -> tuple[str | None, bool]:
-    """Runs one process. Returns the test that ended it, if any, and whether this test hung.
+    """Runs one process. Returns the test that ended the process, if any, and whether this test
+    hung.
 
     ``limit`` counts processor seconds, because other programs on this computer delay the tests.
     """

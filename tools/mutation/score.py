@@ -180,8 +180,7 @@ def try_all(
     plan: Plan,
     goes_on: Callable[[list[Tried]], bool],
 ) -> list[Tried]:
-    """Tries mutants in this order, and calls the caller after each, until the caller ends the
-    search."""
+    """Tries mutants in this order, as long as ``goes_on`` returns true for the results so far."""
     tried: list[Tried] = []
 
     def work() -> None:
@@ -203,8 +202,8 @@ def try_all(
 def found_before(
     last: Mapping[str, Any], mutants: list[Mutant], files: Mapping[str, str], plan: Plan
 ) -> dict[int, Tried]:
-    """Returns the last results of mutants that were found, by number: if the file is unchanged, and
-    tests that found the mutant still pass.
+    """Returns the last results of found mutants, by number, if the file is unchanged and a test
+    that found the mutant still passes.
 
     Equal changes of a method are one group. A group is returned only if the last run found each
     mutant of the group.

@@ -61,7 +61,7 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds registers that the drivers use and that have no belief."""
+    """Finds registers of the drivers that have no belief."""
     believed, block = {belief.register for belief in model.beliefs}, ""
     for number, line in enumerate(_text(facts, REGISTERS).splitlines(), 1):
         if begin := re.match(r"namespace (\w+) \{", line):

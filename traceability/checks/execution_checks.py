@@ -179,7 +179,7 @@ def _declared(place: Place, text: str) -> Finding:
 
 
 def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds methods that no interrupt may call, but that run in an interrupt."""
+    """Finds methods that run in an interrupt although no interrupt may call them."""
     forbidden = {
         method.id: method
         for module in model.modules.values()
@@ -247,7 +247,7 @@ def _loops(facts: Facts) -> Iterator[Finding]:
 
 
 def _heap(facts: Facts) -> Iterator[Finding]:
-    """Finds memory of the heap in the source: the image may be older."""
+    """Finds uses of the heap in the source, because the image may be older than the source."""
     for path in files_below(facts.root, SOURCES, (".cpp", ".hpp")):
         file = str(path.relative_to(facts.root))
         bare = comment_blanked(path.read_text(encoding="utf-8"))
@@ -259,7 +259,7 @@ def _heap(facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled(facts: Facts) -> Iterator[Finding]:
-    """Finds an interrupt line that has a handler and that no call enables."""
+    """Finds an interrupt line that no call enables, although it has a handler."""
     for line, handler in silent_lines(facts).items():
         yield _declared(
             facts.bodies[handler][0].place if handler in facts.bodies else DECLARED,
@@ -279,7 +279,7 @@ def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
 
 
 def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds members that are not atomic or not locked, unlike their declaration."""
+    """Finds members that are declared as atomic or locked, and are not."""
     contexts = {context.id: context for context in model.contexts.values()}
     for member in model.shared:
         if "atomic" in member.protection and "atomic" not in member.type:

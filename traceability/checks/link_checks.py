@@ -176,7 +176,7 @@ def dead_clicks(site: Path) -> Iterator[Finding]:
 
 
 def has_page(site: Path, name: str) -> bool:
-    """Returns whether the site has a page, and on it the anchor behind a #."""
+    """Returns whether the site has a page, and whether the page has the anchor after the #."""
     page, _, anchor = name.partition("#")
     path = site / page
     if not path.is_file():

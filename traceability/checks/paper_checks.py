@@ -194,7 +194,7 @@ def _name_here(target: str, model: Model) -> str:
 
 
 def check_pages(model: Model, facts: Facts, site: Path) -> Iterator[Finding]:
-    """Finds generated pages and anchors that entries name and that the built site lacks."""
+    """Finds generated pages and anchors that entries name although the built site lacks them."""
     named = [
         (entry.place, target, "paper-stale", f"the paper's {entry.kind} {entry.name}")
         for entry in model.paper

@@ -250,7 +250,9 @@ def _missing_roles(
 
 
 def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds subclasses without a role; a nested Command is the body of a thread and needs none."""
+    """Finds subclasses without a role; a nested Command is the body of a thread and needs no
+    role.
+    """
     findings: dict[str, Finding] = {}
     for application in model.patterns.values():
         for binding in application.roles:

@@ -555,7 +555,7 @@ _FIXED = [
         "a "
         "composition, or is listed as shared in design/modules.toml; no function or class next to "
         "a module can be used without it; all variables belong to objects.",
-        "how long a file is.",
+        "the length of a file.",
         "make the code a private part of a module, a separate module, or a @datatype.",
     ),
     Check(
@@ -752,8 +752,8 @@ _FIXED = [
     Check(
         "req-stale",
         "Results belong to the present sources",
-        "The last test run used exactly the present sources. So did the build of the image whose "
-        "size and stack are compared.",
+        "The last test run used exactly the present sources. The build of the image whose size and "
+        "stack are compared also used these sources.",
         "no known case, because it compares contents, not dates.",
         "run ./wr test.",
     ),
@@ -874,7 +874,8 @@ _FIXED = [
         "Each record in requirements/reviews.toml names a person with an address. According to "
         "git, this person wrote no line of the texts. The record has a remark, and an answer to "
         "each question.",
-        "how careful the reviewer was. A requirement without a review is not a finding: its page "
+        "whether the reviewer was careful. A requirement without a review is not a finding: its "
+        "page "
         "shows that.",
         "remove the record, and let another person run ./wr review with the id.",
     ),

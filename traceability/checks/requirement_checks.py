@@ -170,8 +170,7 @@ def _without(model: Model) -> list[Finding]:
 
 
 def _uncalled(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds public methods that only tests can call and that design/justified.toml does not
-    list."""
+    """Finds public methods that only tests can call, unless design/justified.toml lists them."""
     called = {
         target
         for body in facts.syntax.bodies
@@ -260,16 +259,17 @@ def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
 
 
 def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place:
-    """Returns the first requirement that a finding concerns, because results are no source to
-    open.
+    """Returns the place of the first requirement that a finding concerns. The results themselves
+    have no place in a source.
     """
     ordered = sorted(model.requirements.values(), key=lambda one: not concerns(one))
     return ordered[0].place if ordered else Place("requirements", 1)
 
 
 def _old_image(model: Model, facts: Facts) -> list[Finding]:
-    """Finds an image that is older than the sources: its checks and those of its stack do not
-    run."""
+    """Finds an image that is older than the sources. The checks of the image and of its stack then
+    do not run.
+    """
     if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
         return []
     text = "the image is older than the sources, so no check compares its size and its stack"

@@ -181,7 +181,7 @@ def _numbers(
     missing: float | None = None,
 ) -> list[Difference]:
     """Compares numbers. A value that only one revision has is ``missing`` in the other revision.
-    None was not measured.
+    ``None`` means that a number was not measured.
     """
     changed = []
     for name in sorted(first.keys() | second.keys()):

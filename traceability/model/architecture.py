@@ -43,8 +43,8 @@ def pipe_between(model: Model, connection: Connection) -> list[str]:
 
 
 def calls_between(facts: Facts, connection: Connection) -> list[str]:
-    """Returns the shortest path of calls from a module to another. The body of a thread follows its
-    post.
+    """Returns the shortest path of calls from a module to another. A post leads to the body of the
+    thread.
     """
     begin = f"{connection.source}::"
     own = {body.id for body in facts.syntax.bodies if body.id.startswith(begin)}

@@ -108,7 +108,7 @@ class Model:
     line_gaps: Sequence[LineGap] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)  # of texts without a requirement
     reviews_of_nothing: Sequence[str] = field(default_factory=list)  # removed requirements
-    # The elements that the design demands. The code may lack some of them.
+    # The elements that the design demands. Some elements may be missing in the code.
     designed_modules: Sequence[str] = field(default_factory=list)
     designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern
     closed_loop: Sequence[LoopScenario] = field(default_factory=list)

@@ -39,7 +39,7 @@ def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
 
 
 def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, str]]:
-    """Yields the texts below a table, each with the path of tables to it.
+    """Yields the texts below a table, each with the names of the tables that lead to it.
 
     The numbers of an entry belong to its texts, which give the reason for them.
     """

@@ -26,8 +26,9 @@ def read_evidence(text: str, place: Place) -> Evidence:
 def measured_values(
     model: Model, figures: Mapping[str, Any], findings: Iterable[Finding], checks: Collection[str]
 ) -> dict[str, float | None]:
-    """Returns the metric of each evidence -> its value in this run; ``None`` if it was not
-    measured."""
+    """Returns the value of the metric of each evidence in this run; ``None`` if it was not
+    measured.
+    """
     counts = Counter(finding.check for finding in findings)
     values: dict[str, float | None] = {}
     for name in {

@@ -93,9 +93,7 @@ def _vectors(facts: Facts) -> dict[str, list[str]]:
 
 
 def silent_lines(facts: Facts) -> dict[int, str]:
-    """Returns the interrupt lines that have a handler and that no call enables, each with its
-    handler.
-    """
+    """Returns the handlers of the interrupt lines that no call enables."""
     constants, enabled = facts.syntax.constants, _enabling(facts)
     return {
         constants[name]: handlers[0]

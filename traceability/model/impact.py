@@ -1,8 +1,8 @@
 """The possible effects of a change: modules by their distance, and the items to review again.
 
-A change of a module may affect the modules that name it, call it or derive from it, and, through
-these modules, further modules. A change of a subclass does not affect modules that name only the
-abstraction.
+A change of a module may affect the modules that name it, call it or derive from it. Through these
+modules it may affect further modules. A change of a subclass does not affect modules that name only
+the abstraction.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 affect.
 
 The additions of a change are declared for each pattern in ``design/changes.toml``. The modules that
-it edits, and the requirements and tests that it affects, are read from the code: a new class must
+it edits, and the requirements and tests that it affects, are read from the code. A new class must
 be registered only at the places that name the present classes.
 """
 

@@ -88,7 +88,10 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     requirements = model.requirements.values()
     partly = [requirement.id for requirement in requirements if requirement.partly]
     if partly:
-        yield f"Partly verified, each page gives the reason: {', '.join(partly)}.", "requirements"
+        yield (
+            f"Partly verified requirements, whose pages give the reason: {', '.join(partly)}.",
+            "requirements",
+        )
     goals = [name for name, verdict in report.goals.items() if verdict.state != "verified"]
     if goals:
         yield f"Safety goals that are not verified: {', '.join(goals)}.", "safety"

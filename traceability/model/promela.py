@@ -46,7 +46,8 @@ def whole(
     machines: Mapping[str, StateMachine], composition: str, proof: ProofProperty | None = None
 ) -> str:
     """Returns the model that Spin reads: the machines, the composition, and one property. The state
-    space contains no variables that only observe and that the property does not need."""
+    space contains no observing variables that the property does not need.
+    """
     claim = f"ltl {proof.name} {{ {' '.join(proof.formula.split())} }}\n" if proof else ""
     text = without(composition, proof.formula) if proof else composition
     return "\n".join([HEAD, *map(step_of, machines.values()), text, claim])
@@ -60,7 +61,7 @@ def observed(composition: str) -> dict[str, set[str]]:
 
 
 def without(composition: str, formula: str) -> str:
-    """Hides the variables that only observe and that a formula does not need."""
+    """Hides the observing variables that a formula does not need."""
     head, mark, rest = composition.partition(OBSERVED)
     block, end, rest = rest.partition(OBSERVED_END)
     needed = set(WORD.findall(formula))

@@ -240,8 +240,8 @@ def _busy(
 def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noise: bool) -> int:
     """Returns the entries of an interrupt in a time, including requests that wait at its beginning.
 
-    With noise an input gets its edges once more after each tick in this time, and the handler of
-    the first edge may be late.
+    With noise, an input can have new edges after each tick in this time. The handler of the first
+    edge may be late.
     """
     assert bound.entries is not None
     if noise and bound.noise is not None:

@@ -84,7 +84,8 @@ NEEDS: Keys = {
 }
 DATE = r"\d{4}-[01]\d-[0-3]\d"
 QUESTIONS = {
-    "text": "Is the requirement clear, complete, and free of contradiction with the others?",
+    "text": "Is the requirement clear, complete, and free of contradiction with the other "
+    "requirements?",
     "reasons": "Are its rationale, source, safety goals and hazards right?",
     "methods": "Do the specifications and the bodies of its methods do what it demands?",
     "tree": "Does the tree show the calls that matter, in the right order?",

@@ -30,8 +30,9 @@ UNALIGNED = 2  # additional cycles of an unaligned access
 
 @dataclass(frozen=True)
 class Limit:
-    """A method with a limited number of calls below another method, by the facts about that
-    method."""
+    """A limit for the calls of a method below another method. The facts about the other method
+    contain the limit.
+    """
 
     method: str
     within: str
@@ -40,8 +41,9 @@ class Limit:
 
 @dataclass(frozen=True)
 class Spread:
-    """A method with a maximum number of rounds of its loop in all calls below another method. The
-    maximum is a number, or a counter of the facts about that method."""
+    """A maximum for the rounds of a method's loop in all calls below another method. The maximum is
+    a number, or a counter of the facts about the other method.
+    """
 
     method: str
     within: str
@@ -232,8 +234,8 @@ class Times:
         return False
 
     def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
-        """Returns whether a function contains the code of another function, inlined at a call: at
-        the place of the call, and at the places of the enclosing functions that are inlined too.
+        """Returns whether a function contains the code of another function that was inlined at a
+        call. The place of the call and the places of the enclosing inlined functions are compared.
         """
         other = self.codes.get(self._home(target))
         if other is None or other is code:

@@ -46,7 +46,7 @@ class FieldFact:
 
 @dataclass
 class SilentFact:
-    """A declaration in a header that others can use, and that has no comment."""
+    """A declaration without a comment, in a header that other files can use."""
 
     name: str
     place: Place  # end of a variable, because a comment may follow the value
@@ -108,8 +108,8 @@ class BodyFact:
 
 @dataclass
 class NameFact:
-    """A use of the name of a class in the code of another class. ``how``: type, member, construct,
-    base.
+    """A use of the name of a class in the code of another class. ``how`` is type, member, construct
+    or base.
 
     For a member of a namespace, ``member`` contains the namespace, because no class exists.
     """

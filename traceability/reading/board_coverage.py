@@ -59,7 +59,7 @@ def _half(address: int) -> int:
 
 
 def stretches(listing: Iterable[str]) -> Iterator[Stretch]:
-    """Yields the code of the design as linked, in ranges from a single source line each."""
+    """Yields the linked code of the design, in ranges. Each range is from a single source line."""
     file = ""
     before: tuple[str, int, int] | None = None
     dropped = False

@@ -1,9 +1,9 @@
 """The functions of an image with their frames and calls, as the compiler reports them.
 
 The compiler writes a graph for each unit, and one graph next to the image for the units that are
-optimised together (``-fcallgraph-info=su``): frames, direct calls, and the places of indirect
-calls. A function of the toolchain's libraries has no graph; its frame and calls are read from its
-instructions.
+optimised together (``-fcallgraph-info=su``). A graph has the frames, the direct calls, and the
+places of indirect calls. A function of the toolchain's libraries has no graph; its frame and calls
+are read from its instructions.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ from weeding_robot_client.frames import FrameError, decode
 from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, value_name
 
 WITHIN = "> "  # the call of the last step without a mark contains a step with the mark
-HEAD = 4  # bytes before the payload: of the byte stuffing, version, type, sequence number
+HEAD = 4  # bytes before the payload: byte stuffing, version, type, sequence number
 CHANNELS = 8  # channels of an FTM
 BYTES = ("byte_received", "byte_sent")
 

@@ -1,8 +1,8 @@
 """Reads comments: each tag with its arguments, its text and its line.
 
 A comment is a block of ``///`` lines or a ``/** */``. It belongs to the declaration to which the
-syntax tree assigns it, or to the test macro below it; in a ``.dox`` file its tags name its subject.
-Texts are plain, with the light markup of the comment: `names` and lists.
+syntax tree assigns it, or to the test macro below it. In a ``.dox`` file the tags of a comment name
+its subject. Texts are plain, with the light markup of the comment: `names` and lists.
 """
 
 from __future__ import annotations

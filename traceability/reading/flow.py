@@ -210,7 +210,7 @@ class FlowReader:
         return [] if constant or value is None else self.members(value)
 
     def changed_by(self, call: Cursor) -> list[str]:
-        """Returns a member that is changed by a call of a method that is not const."""
+        """Returns a member that a call of a non-const method changes."""
         target = call.referenced
         if target.kind not in (CursorKind.CXX_METHOD, CursorKind.FUNCTION_TEMPLATE):
             return []
@@ -265,9 +265,7 @@ def numbered(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def sure_parts(cursor: Cursor) -> int:
-    """Returns the number of first children of a statement that are executed in each execution of
-    it.
-    """
+    """Counts the first parts of a statement that each execution of the statement executes."""
     children = list(cursor.get_children())
     if cursor.kind in CHANCES:
         return 1 + bool(children and children[0].kind in DECLARATIONS)

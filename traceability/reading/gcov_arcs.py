@@ -66,7 +66,7 @@ class Graph:
     lines: dict[int, list[Line]] = field(default_factory=dict)  # block -> lines
 
     def solve(self, counters: tuple[int, ...]) -> list[int]:
-        """Returns how often the program took each arc."""
+        """Returns the number of times that the program took each arc."""
         given = iter(counters)
         taken: list[int | None] = [next(given, 0) if arc.counted else None for arc in self.arcs]
         leaving, entering = self._sides()

@@ -92,7 +92,7 @@ def support(text: str) -> str:
 
 
 def without_remarks(text: str) -> str:
-    """Returns the lines of a tree or scenario without ``#`` comments. Depth and order remain."""
+    """Returns the lines of a tree or scenario without ``#`` comments, each with its depth."""
     lines = (line.split("#")[0].rstrip() for line in text.splitlines())
     return "\n".join(
         f"{(len(line) - len(line.lstrip())) // 2} {line.strip()}" for line in lines if line

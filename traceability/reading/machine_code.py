@@ -1,7 +1,7 @@
 """The instructions of an image with their cycles: blocks, jumps, calls and loops.
 
-The cycles are counted like on the virtual board (``sim/emulator/Timing.hpp``): the Cortex-M4
-manual, tables 3-1 and 7-1, with the upper end of a range, and with a slow flash without a cache.
+The cycles are counted as on the virtual board (``sim/emulator/Timing.hpp``), by tables 3-1 and 7-1
+of the Cortex-M4 manual. Of a range the upper end counts. The flash is slow and has no cache.
 """
 
 from __future__ import annotations
@@ -229,7 +229,8 @@ def _loops(code: Code) -> list[Loop]:
 
 def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
     """Returns the loops that a path can enter at more than one block, so that they have no head
-    that is on every path. Each gets a block for its head that is part of each of its rounds.
+    that is on every path. Each such loop gets a block as its head, and this block is part of each
+    round.
     """
     entered_loops: list[Loop] = []
     while True:

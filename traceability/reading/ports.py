@@ -17,9 +17,7 @@ RESULT = RESULTS / "ports.json"  # folder of a port -> the suites of its tests
 
 
 def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
-    """Returns the ports by folder, with the results of their tests if these sources gave the
-    results.
-    """
+    """Returns the ports by folder. Results of tests are included if they are not stale."""
     data = read_json(root / RESULT)
     results = data if isinstance(data, dict) and is_fresh(root, PORTS) else {}
     ports = {}

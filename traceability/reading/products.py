@@ -21,7 +21,7 @@ LIST = Path("design/products.toml")
 
 @dataclass(frozen=True)
 class Product:
-    """A product: its composition, and those of its modules that other products lack."""
+    """A product: its composition, and its modules that other products lack."""
 
     name: str
     commands: str

@@ -150,8 +150,8 @@ def results_in(data: dict[str, Any]) -> dict[str, Result]:
 
 
 def _together(earlier: Result, result: Result) -> Result:
-    """Returns the result of several instances, and of a test with several images: one failure fails
-    all.
+    """Returns the common result of several instances, or of a test with several images. With a
+    single failure, the common result is a failure.
     """
     worst = earlier if earlier.result == "failed" else result
     failed = {

@@ -85,8 +85,8 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """Returns the entry with the longest path that is the file itself or a folder that contains
-    it.
+    """Returns the entry with the longest path that is the file itself or a folder that contains the
+    file.
     """
     matching = [
         (len(path), correction)

@@ -1,4 +1,4 @@
-"""The inputs of the model, and the facts that follow from all of them together."""
+"""The inputs of the model, and the facts that follow from all inputs together."""
 
 from __future__ import annotations
 
@@ -36,9 +36,11 @@ class Facts:
     bodies: dict[str, list[BodyFact]]
     classes: dict[str, ClassFact]
     written_in: dict[str, str]  # file -> the class with its name
-    bodies_of: dict[str, list[BodyFact]] = field(default_factory=dict)  # class -> all in its files
-    names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> names in it
-    includes_of: dict[str, list[IncludeFact]] = field(default_factory=dict)  # class -> its files'
+    bodies_of: dict[str, list[BodyFact]] = field(
+        default_factory=dict
+    )  # class -> all bodies in its files
+    names_of: dict[str, list[NameFact]] = field(default_factory=dict)  # class -> names in its code
+    includes_of: dict[str, list[IncludeFact]] = field(default_factory=dict)  # class -> includes
     warnings: list[tuple[Place, str]] = field(default_factory=list)  # warnings of Doxygen
 
     def __post_init__(self) -> None:

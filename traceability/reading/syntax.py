@@ -1,7 +1,7 @@
 """Reads the facts of the code from the syntax tree of libclang, so they agree with the compiler.
 
-The facts of a translation unit are kept in a cache, whose key is the content of the unit's files,
-and the code, without comments, of all files that they include.
+The facts of a translation unit are kept in a cache. The key is the content of the unit's files, and
+the code without comments of all files that they include.
 """
 
 from __future__ import annotations

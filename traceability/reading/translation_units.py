@@ -1,7 +1,7 @@
 """The translation units of the design, and the options with which each compiler reads them.
 
 A header and the source file of the same name are one unit; a header without a source file is a
-separate unit. Files below ``src/k64``, and those in the folder ``k64`` of an extension, are read
+separate unit. Files below ``src/k64``, and files in the folder ``k64`` of an extension, are read
 for the K64, with the library of its compiler.
 """
 

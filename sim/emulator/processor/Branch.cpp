@@ -5,8 +5,8 @@
 #include "sim/emulator/processor/Core.hpp"
 #include "sim/emulator/processor/Encoding.hpp"
 
-// Branches: ARMv7-M ARM, A5.2.6, A5.3.4, A7.7.12 to A7.7.21. Field value is the distance from the
-// program counter.
+// Branches: ARMv7-M ARM, A5.2.6, A5.3.4, A7.7.12 to A7.7.21. The field "value"
+// is the distance from the program counter.
 
 namespace wr::emulator {
 

@@ -183,9 +183,9 @@ std::size_t liveCallCount() {
   return module().robot->cycle().calls.size();
 }
 
-/// Stores the begins and ends of interrupts and threads in the last control cycle. Each has its
-/// exception (2 bytes), 1 when it begins (1 byte), and its time since the begin of the cycle in ns
-/// (4 bytes).
+/// Stores the entries and exits of interrupts and threads in the last control cycle. An entry has
+/// the exception (2 bytes), 1 for an entry or 0 for an exit (1 byte), and the time since the start
+/// of the cycle in ns (4 bytes).
 void liveSwitches() {
   Bytes& bytes = module().bytes;
   bytes.clear();

@@ -164,7 +164,7 @@
     );
   }
 
-  /* card of a module, on hover and focus, and on the first tap */
+  /* shows the card of a module on hover, on focus, and on the first tap */
   let card = null,
     owner = null,
     timer = 0,
@@ -532,7 +532,7 @@
     try {
       return JSON.parse(localStorage.getItem("tour"));
     } catch (error) {
-      return null; // no storage: no tour
+      return null; // without storage there is no tour
     }
   }
   function keep(state) {

@@ -344,7 +344,7 @@
 
   const asks = /^#call-(\d+)$/.exec(location.hash);
   panel.append(
-    make("p", "", "Choose a call: its method, its source and its requirements appear here. A double click zooms to it."),
+    make("p", "", "Choose a call: its method, its source and its requirements appear here. A double click zooms to the call."),
   );
   show(0, data.length);
   if (asks) showCall(calls[asks[1]]);

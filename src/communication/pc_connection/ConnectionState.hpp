@@ -13,8 +13,8 @@ struct Frame;
 /// @role{pc-mcu-connection, State}
 ///
 /// @patternapp{pc-mcu-connection, State, PC-MCU connection}
-/// @why How the PC and the MCU communicate depends on the state of the connection between them.
-/// Each state is a module, so the rules of one state are in one place.
+/// @why The communication of the PC and the MCU depends on the state of the connection between
+/// them. Each state is a module, so the rules of one state are in one place.
 /// @changes A new state of the connection. Another behaviour of a state.
 class ConnectionState {
  public:

@@ -19,7 +19,7 @@ enum class ArgumentId : std::uint8_t {
   Highest   ///< greatest value that is accepted
 };
 
-/// @brief Values of arguments by name. Each may be missing.
+/// @brief Values of arguments by name. Each value may be missing.
 /// @datatype
 class ArgumentValues {
  public:

@@ -58,7 +58,7 @@ void secondPortInterrupt();
 namespace wr {
 
 /// @brief Builds the robot, starts its control cycles, and sleeps between the interrupts. Each
-/// product has its own definition.
+/// product has a separate definition.
 [[noreturn]] void runRobot();
 
 // Interrupt lines.

@@ -25,8 +25,8 @@ enum class ModeId : std::uint8_t {
 /// @role{mode-extensions, Component}
 ///
 /// @patternapp{reading-modes, State, Reading modes}
-/// @why How an order is read depends on whether the system reads orders from the PC or from the
-/// remote control. Each mode is a state, so no other module has to compare modes.
+/// @why The steps that read an order depend on the source: the system reads orders from the PC or
+/// from the remote control. Each mode is a state, so no other module has to compare modes.
 /// @changes The way a mode reads may change. A new source of orders, such as a Bluetooth device, is
 /// a new subclass of this class and changes no other module of Main Control.
 class Mode {

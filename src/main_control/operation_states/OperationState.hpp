@@ -36,7 +36,8 @@ enum class OperationStateId : std::uint8_t {
 /// @patternapp{read-orders, Template Method, Read orders in the operation states}
 /// @why Reading an order has the same steps in every state: check for a message, then act with or
 /// without a message. Only the two actions differ.
-/// @changes How one state acts with or without a message may change without change to the steps.
+/// @changes The actions of one state with or without a message may change without change to the
+/// steps.
 class OperationState {
  public:
   OperationState(const OperationState&) = delete;

@@ -72,9 +72,9 @@ class VelSensor final {
   /// @brief Returns the velocity when edges came since the previous measurement.
   [[nodiscard]] std::optional<Velocity> withEdges(const Instants& instants, Instant now);
 
-  /// @brief Returns the velocity when the wheel was at rest at the previous measurement. It rested
-  /// somewhere between two edges: on average the distance to the first edge is half of the distance
-  /// between two edges.
+  /// @brief Returns the velocity when the wheel was at rest at the previous measurement. The
+  /// wheel rested somewhere between two edges: on average the distance to the first edge is half of
+  /// the distance between two edges.
   [[nodiscard]] std::optional<Velocity> fromStandstill(std::int32_t edges,
                                                        Microseconds elapsed) const;
 

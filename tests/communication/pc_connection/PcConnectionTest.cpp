@@ -480,8 +480,8 @@ TEST_F(PcConnectionTest, FR36_OrdersAreTakenOnlyWhileConnected) {
   EXPECT_TRUE(orders.available());
 }
 
-/// @brief A stop acts in every state of the connection. Without a connection its frame is still counted as
-/// unexpected and is no message.
+/// @brief A stop acts in every state of the connection. Without a connection, the frame of the stop
+/// still counts as unexpected and is no message.
 /// @verifies FR-240
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR240_AStopActsWhenDisconnected) {

@@ -144,7 +144,7 @@ TEST_F(BufferReaderTest, FR51_TheFirstFieldTakesTheSignals) {
   }
 }
 
-/// @brief A read of no field also consumes the signals.
+/// @brief A read that ends without reading a field also consumes the signals.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_AReadWithoutFieldsConsumes) {
   velocitySignal(1);

@@ -171,7 +171,7 @@ TEST(ReportMessage, FR62_AnEmptyReportMarksAllValuesAsMissing) {
   EXPECT_EQ(written({}), empty.bytes());
 }
 
-/// @brief Each measured and applied value has its own bit of validity and its own place.
+/// @brief Each measured and applied value has a separate bit of validity and a separate place.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_EachValueHasItsBitAndItsPlace) {
   struct Case {
@@ -247,8 +247,8 @@ TEST(ReportMessage, FR175_EachFlagHasItsBit) {
   EXPECT_EQ(written(armed)[11], 16);
 }
 
-/// @brief The reason why the robot does not follow its set-points, the cause of a protective stop,
-/// the wheel of this cause, and the sources that order stop have one byte each.
+/// @brief One byte each contains the reason why the robot does not follow its set-points, the cause
+/// of a protective stop, the wheel of this cause, and the sources that order stop.
 /// @verifies FR-242
 TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   ReportData data;
@@ -269,7 +269,7 @@ TEST(ReportMessage, FR249_TheTimeOfTheSenderHasItsPlace) {
   EXPECT_EQ(Bytes(bytes.begin() + 124, bytes.begin() + 128), (Bytes{1, 2, 3, 4}));
 }
 
-/// @brief Each count of the link has its place.
+/// @brief Each count of the link has a separate place.
 /// @verifies FR-63
 /// @verifies FR-243
 TEST(ReportMessage, FR63_EachCountHasItsPlace) {
@@ -353,7 +353,7 @@ TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
   }
 }
 
-/// @brief Each count of processor cycles has its place, and all of its 32 bits.
+/// @brief Each count of processor cycles has a separate place with 32 bits.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303

@@ -124,8 +124,8 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A stop stays in force until an order releases it, even when its own order was read, is
-/// too old, or was dropped.
+/// @brief A stop stays in force until an order releases it, even when the order with the stop was
+/// read, is too old, or was dropped.
 /// @verifies FR-21
 TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderReleasesIt) {
   offer(orderBytes(1, 0, 0, 0, 1));

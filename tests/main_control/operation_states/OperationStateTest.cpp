@@ -171,7 +171,7 @@ TEST_F(OperationStateTest, FR14_WorkingAndWaitingStatesApplyControl) {
   }
 }
 
-/// @brief Each state reports its own number.
+/// @brief Each state reports its number.
 /// @verifies FR-61
 TEST_F(OperationStateTest, FR61_EachStateReportsItsNumber) {
   Working working(other);

@@ -183,7 +183,7 @@ class BluetoothRobotAfterAStop : public BluetoothRobot {
   BluetoothRobotAfterAStop() : BluetoothRobot(true) {}
 };
 
-/// @brief A stop of the device lasts over the reset: orders of the PC do not move the robot.
+/// @brief A stop of the device remains in force after a reset: orders of the PC do not move the robot.
 /// @verifies FR-290
 TEST_F(BluetoothRobotAfterAStop, FR290_OrderOfThePcDoesNotEndIt) {
   for (std::uint16_t order = 1; order <= 2 * kWaitingCycles; ++order) {

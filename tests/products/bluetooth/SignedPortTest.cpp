@@ -74,7 +74,7 @@ TEST_F(SignedPortTest, FR262_EachWrongBitHasTheFrameDropped) {
   EXPECT_EQ(given().size(), 1U);
 }
 
-/// @brief A frame that is sent again is dropped, and so is a frame with an older counter.
+/// @brief A frame that is sent again and a frame with an older counter are dropped.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_ReplayedFrameIsDropped) {
   const scenario::Bytes order = frames.order({.id = 3});

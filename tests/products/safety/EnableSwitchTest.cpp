@@ -101,7 +101,7 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
 }
 
 /// @brief A confirmed stop between two cycles stops the robot in the next cycle, even when the
-/// newest pulse has the position "drive"; the stop ends with the stick centred.
+/// newest pulse has the position "drive". The stop ends with the stick centred.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {

@@ -123,8 +123,8 @@ TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   }
 }
 
-/// @brief A cycle without an edge in the direction of the velocity, or without a measurement or a
-/// voltage, does not change the evidence.
+/// @brief The evidence does not change in a cycle without an edge in the direction of the velocity,
+/// without a measurement or without a voltage.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   EXPECT_FALSE(drive(100, 1, 40));
@@ -168,7 +168,7 @@ TEST_F(WatchedLeads, FR307_ANewBeginHasNoEvidence) {
   EXPECT_EQ(found(100, pulling(100, 1)), 2);
 }
 
-/// @brief After a reset, the watch behaves as at the start: it detects swapped leads in the same
+/// @brief After a reset, the watch behaves as at the start. It detects swapped leads in the same
 /// cycle, for each velocity and load, and for any motor that it learned before.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {

@@ -145,7 +145,7 @@ TEST_F(ProtectiveStopTest, FR270_SetPointsPassWithoutAFault) {
 }
 
 /// @brief A fault of one wheel holds all control systems in the same cycle and in every later
-/// cycle, even after the end of the fault and after a hold.
+/// cycle. This is true even after the end of the fault and after a hold.
 /// @verifies FR-270
 /// @verifies FR-281
 TEST_F(ProtectiveStopTest, FR270_AFaultHoldsInItsCycleAndAfterwards) {
@@ -325,8 +325,8 @@ TEST_F(ProtectiveStopTest, FR271_AnOpenContactCannotBeAcknowledged) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A wheel that moves less than the others stops the robot, and so does a wheel that draws
-/// 12 A for 1 s. A hold restarts the comparison.
+/// @brief A wheel that moves less than the other wheels stops the robot. A wheel that draws 12 A
+/// for 1 s also stops it. A hold restarts the comparison.
 /// @verifies FR-297
 /// @verifies FR-298
 TEST_F(ProtectiveStopTest, FR297_FR298_TheWheelsAreCompared) {
@@ -467,7 +467,7 @@ TEST_F(ArmingTest, FR280_ANeutralOrderCountsOnce) {
   EXPECT_TRUE(protection(arming).armed);
 }
 
-/// @brief An order is not neutral when one of its wheel values is not 0, in any quantity.
+/// @brief An order is neutral only when all its wheel values are 0, in any quantity.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_EveryWheelHasToBeNeutral) {
   for (const WheelQuantity quantity :
@@ -534,8 +534,8 @@ class SetPointRampTest : public SafetyChain {
   int first() const { return spy.applied.wheels[0].value; }
 };
 
-/// @brief From 0 to 300 rpm, which are 0.85 m/s, the set-point takes at least 1.7 s, then it is the
-/// ordered set-point; the decrease takes the same time.
+/// @brief From 0 to 300 rpm, which are 0.85 m/s, the set-point rises in at least 1.7 s. Then it is
+/// the ordered set-point. The decrease takes the same time.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   constexpr double kMetresPerSecond = 0.85 / 3000;
@@ -664,9 +664,9 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
   }
 }
 
-/// @brief While one wheel turns faster than 310.0 rpm, or will do so in two cycles, the set-points
-/// of all wheels fall by 6 % per cycle, but not below a tenth. Otherwise they rise by 1 % per
-/// cycle. In a curve of 5 degrees the limit is 270.0 rpm.
+/// @brief While one wheel turns faster than 310.0 rpm, or will turn faster in two cycles, the
+/// set-points of all wheels fall. They fall by 6 % per cycle, to a tenth at the lowest. Otherwise
+/// they rise by 1 % per cycle. In a curve of 5 degrees the limit is 270.0 rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   const auto at = [&](int velocity) {

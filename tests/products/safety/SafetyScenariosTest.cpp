@@ -25,8 +25,8 @@ std::vector<std::filesystem::path> scenarios() {
 
 class ScenariosWithSafety : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The robot with safety functions meets each scenario, except those that only the design of
-/// the paper can meet.
+/// @brief The robot with safety functions meets each scenario, except scenarios that only the
+/// design of the paper can meet.
 /// @verifies NFR-6
 TEST_P(ScenariosWithSafety, NFR6_RobotDoesWhatIsExpected) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());

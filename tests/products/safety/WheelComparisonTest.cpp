@@ -53,8 +53,9 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   }
 }
 
-/// @brief A wheel that moves half as far as the others is reported; a wheel that moves farther is
-/// not. A wheel that is faster than the others, or too slow only once, is never reported.
+/// @brief A wheel that moves half as far as the other wheels is reported; a wheel that moves
+/// farther is not. A wheel that is faster than the other wheels, or too slow only once, is never
+/// reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   for (int cycle = 0; cycle < 10; ++cycle) {

@@ -311,9 +311,9 @@ TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   }
 }
 
-/// @brief At 1.1 V, a current that stays the same from cycle to cycle seven times is a cause in the
-/// last of these cycles, also at a constant voltage. A current that varies by 1 mA is no cause, nor
-/// is a constant current at 1.0 V.
+/// @brief At 1.1 V, a current that stays the same in seven successive cycles is a cause in the
+/// seventh cycle, also at a constant voltage. A current that varies by 1 mA and a constant current
+/// at 1.0 V are no cause.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   const auto stuckFor = [&](int cycles, double rpm, double volts, double noise) {
@@ -334,8 +334,8 @@ TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   EXPECT_EQ(stuckFor(50, 18, 1.0, 0), 0);
 }
 
-/// @brief A wheel at rest without voltage has no current. More than 1.0 A in two cycles is a cause;
-/// 1.0 A is no cause, nor is 1.1 A while the wheel turns.
+/// @brief A wheel at rest without voltage has no current. More than 1.0 A in two cycles is a cause.
+/// 1.0 A is no cause; 1.1 A while the wheel turns is no cause either.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, 1.0)), StopCause::None);

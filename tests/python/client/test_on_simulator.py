@@ -1,5 +1,6 @@
-"""The client against the firmware, which runs in real time on a pseudo-terminal: once built for
-this machine, once as the image of the K64 on the virtual board."""
+"""The client with the firmware, which runs in real time on a pseudo-terminal. The tests run with
+the firmware of this machine, and with the image of the K64 on the virtual board.
+"""
 
 import itertools
 import os

@@ -1,4 +1,4 @@
-"""Two revisions: the shown differences and their form."""
+"""The differences of two revisions, and the form in which they are shown."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -100,7 +100,7 @@ PAGE = Path(__file__).parents[3] / "docs" / "other_tools.rst"
 
 
 def settings_of_the_page() -> str:
-    """The conf.py that the page gives to its readers."""
+    """Returns the conf.py that the page offers to its readers."""
     _, _, rest = PAGE.read_text(encoding="utf-8").partition(".. code-block:: python\n")
     block = re.match(r"(?:\n| {3}.*\n)+", rest)
     assert block

@@ -34,7 +34,7 @@ ELF = BUILD / "weeding_robot.elf"
 BIN = BUILD / "weeding_robot.bin"
 HARD_FLOAT = ("-mfloat-abi=hard", "-mfpu=fpv4-sp-d16")
 
-# For each forbidden part: a program that contains it, and its options of the compiler.
+# For each forbidden part: a program that contains it, and the options of its compiler.
 HOLDERS = {
     "heap": ("int* f() { return new int; }", HARD_FLOAT),
     "heap, in C": ('extern "C" void free(void*); void f(int* p) { free(p); }', HARD_FLOAT),

@@ -97,7 +97,7 @@ def write_case(root: Path, *changes: tuple[str, str]) -> None:
 
 
 def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True) -> Model:
-    """A model with the case, and a test that plays its scenario."""
+    """Returns a model with the case, and a test that plays its scenario."""
     entries = Entries(root)
     declared = Declared(entries=entries, safety=read_safety_case(root, entries))
     run = BindingResult(result, 1.0, stale=not fresh)
@@ -121,7 +121,7 @@ def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True)
 
 
 def report_of(model: Model, states: Mapping[str, str] | None = None) -> Report:
-    """The report of a model with these states of its requirements; FR-1 is verified."""
+    """Returns the report of a model with these states of its requirements; FR-1 is verified."""
     verdicts = {
         name: Verdict(state) for name, state in {"FR-1": "verified", **(states or {})}.items()
     }

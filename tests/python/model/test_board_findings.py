@@ -1,4 +1,4 @@
-"""Results of the virtual K64: of its tests, and of seeded faults in drivers."""
+"""Results of the virtual K64: results of tests, and findings of seeded faults in drivers."""
 
 from __future__ import annotations
 

@@ -58,7 +58,9 @@ def test_evidence_holds_or_says_why_not(text: str, wrong: list[str]) -> None:
     verdict = make_report(model, [], {}, measured).requirements["NFR-9"]
     assert verdict.reasons == wrong
     assert verdict.state == ("unverified" if wrong else "verified")
-    own = [] if text.startswith("checks.module-name ") else wrong  # others report the rest
+    own = (
+        [] if text.startswith("checks.module-name ") else wrong
+    )  # other checks report the other findings
     assert [one.check for one in unmet(model, measured, found)] == ["req-evidence"] * len(own)
 
 

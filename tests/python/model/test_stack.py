@@ -67,7 +67,7 @@ def test_the_deepest_chain_counts_and_not_the_longest() -> None:
 
 
 def test_an_object_of_an_ordered_chain_calls_no_object_before_it() -> None:
-    """The inner stage seems to call the outer one, because both have the same interface."""
+    """The inner stage seems to call the outer stage, because both have the same interface."""
     functions = graph(
         Loop_run=(8, ["Outer_follow", "Inner_follow"]),
         Outer_follow=(100, ["Inner_follow"]),

@@ -61,9 +61,12 @@ def test_an_operation_stays_unless_it_always_changes_the_state() -> None:
         (ON, []),  # only the next call shows the state
         (f"{ON} Lamp::tick On::wait / /", [SWITCHED_ON, Seen("On", "wait", "On")]),
         (f"{OFF} Lamp::tick Off::press / /", [SWITCHED_OFF, STAYS_OFF]),
-        ("Off::press Lamp::changeState / / On::wait /", []),  # no lamp calls the state
+        ("Off::press Lamp::changeState / / On::wait /", []),  # the state is not called by a lamp
         (f"{ON} Lamp::tick Blinking::wait / /", []),
-        (f"{ON} Lamp::Lamp / Lamp::tick Off::press / /", [STAYS_OFF]),  # another lamp
+        (
+            f"{ON} Lamp::Lamp / Lamp::tick Off::press / /",
+            [STAYS_OFF],
+        ),  # the states belong to another lamp
     ],
 )
 def test_a_change_is_seen_when_the_next_call_shows_the_state(calls: str, seen: list[Seen]) -> None:

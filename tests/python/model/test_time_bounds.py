@@ -1,4 +1,4 @@
-"""The longest path through a small program with loops and calls, and with an added loop."""
+"""The longest path through a small program with loops and calls."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ NAMES = {"run": "wr::Thread::run()", "halt": "wr::Halt::execute()"}
 
 
 def times_of(folder: Path, facts: DeclaredFacts) -> Times:
-    """The bounds of the thread that halts a wheel."""
+    """Returns the bounds of the thread that halts a wheel."""
     code_of(folder, HALT)
     graph = {symbol: Mock(spec=Function) for symbol in NAMES}
     for symbol, function in graph.items():

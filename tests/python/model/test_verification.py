@@ -37,7 +37,7 @@ STATES = "src/main_control/operation_states"
 
 
 def write_results(root: Path, result: str = "COMPLETED") -> None:
-    """A run of the test with the present sources."""
+    """Writes the results of a run of the test with the present sources."""
     folder = root / RESULTS
     folder.mkdir(parents=True, exist_ok=True)
     suite, case = TEST.split(".")
@@ -48,7 +48,7 @@ def write_results(root: Path, result: str = "COMPLETED") -> None:
 
 
 def write_trace(root: Path, calls: list[str]) -> None:
-    """A recording in which each call is within the previous call."""
+    """Writes a recording in which each call is within the previous call."""
     executable = root / SOURCES[HOST].executable
     executable.parent.mkdir(parents=True, exist_ok=True)
     executable.write_text("is no program")
@@ -90,7 +90,7 @@ def tree(sound: Path, tmp_path: Path) -> Path:
 
 
 def checked(root: Path) -> tuple[str, set[str], Model, Report]:
-    """The state of the requirement, and the checks with a finding about it."""
+    """Returns the state of the requirement, and the checks with a finding about it."""
     model, facts = build(root)
     report = run_checks(model, facts)
     checks = {

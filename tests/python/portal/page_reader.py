@@ -1,4 +1,4 @@
-"""Reads a page by its meaning: headings, links, cells of tables, and text."""
+"""Reads the headings, links, cells of tables, and text of a page."""
 
 from __future__ import annotations
 

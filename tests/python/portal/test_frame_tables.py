@@ -19,7 +19,7 @@ def tables() -> dict[str, str]:
 
 
 def rows(table: str) -> list[list[str]]:
-    """The cells of each row below the table head."""
+    """Returns the cells of each row below the table head."""
     parts = re.split(r"^   \* - ", table, flags=re.MULTILINE)[2:]
     return [[cell.strip() for cell in re.split(r"\n     -", part)] for part in parts]
 

@@ -1,9 +1,9 @@
 """Random drives of robots whose parts vary: without a fault no stop, with a fault a stop.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
-how many drives ended with a stop, the distance until the stop, and the greatest velocity. A series
-is a fault of a scenario, as "leads 0", or "none", the drives without a fault. The exceptions in
-design/safety_case.toml are the results of these series.
+the number of drives that ended with a stop, the distance until the stop, and the greatest velocity.
+A series is a fault of a scenario, as "leads 0", or "none", the drives without a fault. The
+exceptions in design/safety_case.toml are the results of these series.
 """
 
 import csv

@@ -1,4 +1,4 @@
-"""The extent of a patch, and the comparison of the numbers of the two designs."""
+"""The extent of a patch, and the comparison of the two designs."""
 
 from pathlib import Path
 

@@ -49,7 +49,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def shape(folder: Path, test: str) -> str:
-    """Brackets of the calls, with a letter for each function in order of appearance.
+    """Returns the calls as brackets, with a letter for each function in order of appearance.
 
     A repeated call is the number of the event at which the first equal call begins.
     """
@@ -68,7 +68,7 @@ def shape(folder: Path, test: str) -> str:
 
 def test_a_long_recording_names_the_calls_that_do_the_same_again(recorded: Path) -> None:
     whole = shape(recorded, "Repeated")
-    first = "a(b()b())" * 3334  # 20004 events, and then the number of the first
+    first = "a(b()b())" * 3334  # 20004 events, and then the number of the first event
     assert whole.startswith(first)
     assert whole.removeprefix(first) == " 0 c(b())a(b()) 0  20005 "
 

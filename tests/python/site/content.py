@@ -14,7 +14,7 @@ from lxml.html import HtmlElement, HTMLParser, fromstring
 SITE = Path(__file__).parents[3] / "build" / "site"
 FIRST = "index.html"
 LISTING = re.compile(r"source/.+\.\w+\.html")  # pages of code
-# Classes of elements for navigation: the side navigation, the way back, the search.
+# Classes of elements for navigation: the side navigation, the path to the page, the search.
 NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
 
 
@@ -77,7 +77,7 @@ class Reader:
 
 
 def resolved(page: str, link: str) -> str:
-    """The address of a link, from the root of the site."""
+    """Returns the address of a link, from the root of the site."""
     path, mark, part = link.partition("#")
     if not path:
         return f"{page}{mark}{part}"
@@ -115,9 +115,8 @@ def searched() -> list[list[str]]:
 
 @cache
 def clicks() -> dict[str, int]:
-    """Address -> number of clicks from the first page. A page contributes all its ids.
-
-    A way through a listing of code does not count.
+    """Returns the number of clicks from the first page to each address. A page contributes all its
+    ids. Links in a listing of code do not count.
     """
     found = {FIRST: 0}
     read = {FIRST}

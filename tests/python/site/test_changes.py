@@ -1,4 +1,6 @@
-"""Page of likely changes: costs, reasons and both designs in its table; pages of changes."""
+"""The page of likely changes: costs, reasons and both designs in its table; and the page of each
+change.
+"""
 
 from __future__ import annotations
 

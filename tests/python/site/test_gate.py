@@ -1,4 +1,4 @@
-"""The gate of the built pages: accessible, no sideways scroll, no page of twice the height."""
+"""Built pages are accessible, do not scroll sideways, and are at most twice as tall if narrow."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ def site() -> Iterator[Site]:
 
 @pytest.fixture(scope="module")
 def sizes(site: Site) -> dict[str, dict[str, list[int]]]:
-    """Page -> width of the window -> width and height of the page."""
+    """Returns width and height of each page, for each width of the window."""
     probe = MEASURE.replace("%WIDTHS%", json.dumps([*WIDTHS, 1440]))
     seen, _ = look(site, PAGES, probe)
     return seen

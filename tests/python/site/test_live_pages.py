@@ -238,7 +238,7 @@ def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> Non
         switch(48, True, 0),
         switch(48, False, 100),
         switch(70, False, 300),
-        switch(99, True, 400),  # of no context
+        switch(99, True, 400),  # exception that belongs to no context
         switch(99, False, 420),
         switch(71, True, 500),
         switch(48, True, 600),

@@ -26,7 +26,7 @@ LEAST = 0.9  # minimum share of searches with an expected first hit
 SCREEN = 12  # rows that the list shows without scrolling
 SIZE = 5  # rows of a group that are shown at first
 SCRIPTS = ("minisearch", "search_index", "search")
-# Opened without a server, as a reader opens the portal from a folder.
+# The pages are opened without a server, as a reader opens the portal from a folder.
 PROBE = """<!doctype html><meta charset="utf-8"><pre id="out"></pre>
 %SCRIPTS%
 <script>
@@ -101,7 +101,7 @@ def expects(text: str, addresses: list[str]) -> bool:
 
 
 def asked(folder: Path, texts: list[str]) -> dict[str, list[str]]:
-    """Text -> the addresses on the first screen of its hits."""
+    """Returns for each text the addresses on the first screen of its hits."""
     scripts = (f'<script src="{SITE.as_uri()}/_static/{name}.js"></script>' for name in SCRIPTS)
     values = {"SCRIPTS": "".join(scripts), "SEARCHES": json.dumps(texts)}
     page = PROBE

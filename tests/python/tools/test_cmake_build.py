@@ -1,4 +1,4 @@
-"""Runs of tests: when they are repeated, and how they are counted."""
+"""The repetition and the counts of test runs."""
 
 import io
 import json

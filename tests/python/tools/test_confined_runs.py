@@ -46,8 +46,9 @@ def command(root: Path) -> list[str | Path]:
 
 @pytest.fixture
 def copy() -> Iterator[Path]:
-    """A copy of ./wr without its Python packages, in a folder whose name has a blank, which each
-    user can read."""
+    """A copy of ./wr without its Python packages. Each user can read its folder, whose name has a
+    blank.
+    """
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder) / "a copy"
         (root / "setup").mkdir(parents=True)

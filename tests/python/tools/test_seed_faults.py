@@ -1,4 +1,4 @@
-"""The seeded faults: each check has one, each can be seeded; the record is valid only for this
+"""Each check has a seeded fault, and each fault can be seeded. The record is valid only for this
 state.
 
 Whether the checks find them is tested by ``./wr check --drift``, which ``./wr test`` runs.

@@ -48,7 +48,7 @@ double clocksBetween(nanoseconds from, nanoseconds to) {
 }
 
 /// @brief A pin is high for the share of the period that its channel sets, and the event contains
-/// this share; a channel without a pin has a share of 0.
+/// this share. A channel without a pin has a share of 0.
 TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   VirtualBoard board(Guest("pulses").image());
   EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
@@ -226,7 +226,7 @@ TEST(ConverterOfBoard, NewConversionTakesThePlaceOfTheLast) {
   EXPECT_EQ(told(board, 3), 1U);
 }
 
-/// @brief The second serial port has its own line, uses the bus clock, and has no FIFO.
+/// @brief The second serial port has a separate line, uses the bus clock, and has no FIFO.
 TEST(SecondSerialPortOfBoard, HasALineOfItsOwn) {
   Guest guest("echoesAtSecondUart");
   guest.handleLine(66, "echoesByteOfSecondUart");
@@ -248,7 +248,7 @@ TEST(SecondSerialPortOfBoard, HasALineOfItsOwn) {
   EXPECT_THROW(board.receiveOn(2, Bytes{1}), std::invalid_argument);
 }
 
-/// @brief The line of the second serial port has its own speed.
+/// @brief The line of the second serial port has a separate speed.
 TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   Guest guest("echoesAtSecondUart");
   guest.handleLine(66, "echoesByteOfSecondUart");

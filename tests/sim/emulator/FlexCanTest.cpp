@@ -139,9 +139,9 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
   EXPECT_EQ(can.read(kIflag1, 4), 6U);
 }
 
-/// @brief Each use that the manual forbids is a finding: a write of the timing outside of the
-/// freeze mode, a write of the clock source while the controller is enabled, a write of a buffer
-/// while the controller is disabled, and a frame without pins.
+/// @brief Four uses that the manual forbids are findings. They are a write of the timing outside of
+/// the freeze mode, a write of the clock source while the controller is enabled, a write of a
+/// buffer while the controller is disabled, and a frame without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
   EXPECT_EQ(now.findings.size(), 1U) << "buffer while disabled";

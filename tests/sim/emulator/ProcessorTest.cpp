@@ -45,7 +45,7 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
   EXPECT_LE(events[2].at - events[1].at, 6 * 48ns);
 }
 
-/// @brief Masked interrupts wait, and are entered in the order of their priorities and numbers; an
+/// @brief Masked interrupts wait, and are entered in the order of their priorities and numbers. An
 /// interrupt that PRIMASK masks ends the sleep, and is entered when the mask is removed.
 TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
   Guest guest("pendsTwoBehindMask");

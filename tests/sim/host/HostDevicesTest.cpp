@@ -107,7 +107,7 @@ TEST_F(HostWiresTest, AtRestAllIsInTheMiddle) {
   EXPECT_FALSE(pins.steering.rightEnd.level());
 }
 
-/// @brief Each wheel turns as its own pins demand.
+/// @brief Each wheel turns as the pins of this wheel demand.
 TEST_F(HostWiresTest, WheelsTurnAsTheirPinsSay) {
   pins.wheels[0].pwm.set(DutyCycle(5'000));
   pins.wheels[0].enable.set(true);

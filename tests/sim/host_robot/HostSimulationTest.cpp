@@ -78,8 +78,8 @@ TEST_F(HostSimulationTest, WithoutOrdersTheRobotStands) {
   EXPECT_EQ(world.physics.steeringDegrees(), 0.0);
 }
 
-/// @brief Each edge comes at its own time. The firmware counts 60 edges in a turn of the shaft, and
-/// measures the speed of the wheel.
+/// @brief Each edge comes at the time at which the shaft reaches it. The firmware counts 60 edges
+/// in a turn of the shaft, and measures the speed of the wheel.
 TEST_F(HostSimulationTest, FirmwareCountsTheWayOfTheWheels) {
   connect();
   cycles(30, velocity(1000));

@@ -91,9 +91,9 @@ class RobotTest : public testing::Test {
   std::vector<HallEdge> edges;
 };
 
-/// @brief With the whole supply on flat ground the wheels turn as Ohm's law, the motor's constant,
-/// rolling resistance and friction demand, and the robot moves with the speed of the wheels minus
-/// the slip.
+/// @brief With the whole supply on flat ground, the speed of the wheels follows from Ohm's law, the
+/// motor's constant, rolling resistance and friction. The robot moves with the speed of the wheels
+/// minus the slip.
 TEST_F(RobotTest, FlatGroundWithTheWholeSupply) {
   drive({.duty = 1.0, .backwards = false, .enabled = true});
   run(6000);
@@ -113,7 +113,8 @@ TEST_F(RobotTest, TenPercentUphill) {
   EXPECT_NEAR(robot.velocityRpm(2), 300, 5);
 }
 
-/// @brief Downhill the wheels drive the motors: the current is negative, and so is the motor's power.
+/// @brief Downhill the wheels drive the motors: the current and the power of the motor are
+/// negative.
 TEST_F(RobotTest, DownhillTheMotorsBrake) {
   robot.setSlope(-10);
   drive({.duty = 0.65, .backwards = false, .enabled = true});
@@ -142,8 +143,8 @@ TEST_F(RobotTest, OrientationTurnsEverything) {
   EXPECT_NEAR(other.currentVolts(3) - Robot::kMiddle, Robot::kMiddle - robot.currentVolts(3), 0.01);
 }
 
-/// @brief Energy is conserved: in a run uphill and downhill the supply delivers more than the
-/// kinetic energy of the robot, and while the robot coasts this energy only falls.
+/// @brief Energy is conserved. In a run uphill and downhill, the supply delivers more than the
+/// kinetic energy of the robot. While the robot coasts, the kinetic energy only falls.
 TEST_F(RobotTest, EnergyIsOnlyLost) {
   double supplied = 0;
   drive({.duty = 0.8, .backwards = false, .enabled = true});
@@ -354,7 +355,7 @@ TEST_F(RobotTest, StepsAreLostWithoutCurrentAndWhenStalled) {
   EXPECT_NEAR(robot.steeringDegrees(), 0.05, 1e-9);
 }
 
-/// @brief A dead Hall sensor keeps its level; the others continue.
+/// @brief A dead Hall sensor keeps its level; the other sensors continue.
 TEST_F(RobotTest, DeadHallSensors) {
   robot.setFault(Fault::Hall, 0, true);
   robot.setFault(Fault::HallB, 1, true);

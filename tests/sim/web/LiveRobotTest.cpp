@@ -25,7 +25,7 @@ constexpr int kCyclesToMode = 12;  // cycles until the mode PC reads
 constexpr int kCycles = 30;        // cycles of a drive
 constexpr int kTicks = 100;        // in a cycle
 constexpr std::uint32_t kLongestCycle =
-    100'100'000;  // ns; an interrupt that runs delays the next pulse
+    100'100'000;  // [ns] a running interrupt delays the next pulse
 const std::string kFree = "at 50 connect\nat 600000 end\n";
 
 std::vector<std::uint32_t> functions() {
@@ -70,8 +70,8 @@ TEST(LiveRobotTest, RunsCycleByCycle) {
   EXPECT_GT(std::ranges::max(robot->entries()), 4U);
 }
 
-/// @brief The begins and ends of interrupts and threads of a cycle are in the order of time, from the
-/// clock pulse to the next; the tick comes each millisecond.
+/// @brief The entries and exits of interrupts and threads of a cycle are in the order of time, from a
+/// clock pulse to the next clock pulse. The tick comes each millisecond.
 TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
   const auto robot = robotIn(kFree);
   run(*robot, kCyclesToMode);

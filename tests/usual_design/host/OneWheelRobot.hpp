@@ -31,7 +31,7 @@ struct DesignName {
 
 /// The number of the first successive failed read that changes the mode; each later failed read
 /// also changes it. The baseline design changes it when its counter reaches N, as Figure 7 of the
-/// paper does. In the state machine the N-th failed read leads to the last waiting state, the next
+/// paper does. In the state machine the N-th failed read leads to the last waiting state. The next
 /// failed read leads to Reconnecting, and the failed read after it changes the mode.
 template <class Design>
 inline constexpr int kFirstAlternation = kN + 2;

@@ -109,7 +109,8 @@ TEST_F(WheelOrderTest, FR89_FR94_FR221_TrippedWheelBrakes) {
   }
 }
 
-/// @brief A halt brakes in the same way, so that the robot does not roll on a slope.
+/// @brief A halt also brakes a tripped wheel from the second control cycle on, so that the robot
+/// does not roll on a slope.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_HaltBrakesATrippedWheel) {
   pass(true, kMiddle);
@@ -223,7 +224,7 @@ TEST_F(WheelOrderTest, FR91_FR222_OnlyAnAcknowledgementReleasesTheFaults) {
   EXPECT_FALSE(work.measured.reversalLate);
 }
 
-/// @brief Control reports a late reversal, and so does a halt.
+/// @brief Control and a halt both report a late reversal.
 /// @verifies FR-222
 TEST_F(WheelOrderTest, FR222_LateReversalIsReported) {
   for (int cycle = 0; cycle < 25; ++cycle) {

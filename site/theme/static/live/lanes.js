@@ -43,7 +43,7 @@
     });
   }
 
-  /* Returns the contexts that have begun and not ended at an instant. The first context preempts the others. */
+  /* Returns the contexts that have begun and not ended at an instant. The first context preempts the other contexts. */
   const activeAt = (lanes, at) =>
     lanes.flatMap((lane) => lane.bars.filter(({ begin, end }) => begin <= at && at < end).map((each) => each.context));
 

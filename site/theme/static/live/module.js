@@ -137,7 +137,7 @@
       return new Uint32Array(this.exports.memory.buffer, at, this.functions).slice();
     }
 
-    /* Returns the begins and ends of interrupts and threads in the last cycle, in the order of time [ns]. */
+    /* Returns the entries and exits of interrupts and threads in the last cycle, in the order of time [ns]. */
     switches() {
       this.call("liveSwitches");
       const bytes = this.kept();

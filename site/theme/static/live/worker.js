@@ -57,7 +57,7 @@ class Robot {
     line = new LiveFrames.Line(facts.frames);
     machines = facts.machines.map((one) => new LiveTrees.Machine(one));
     this.hardware = new Set(facts.hardware);
-    this.known = new Map(); // hash of the calls of a cycle -> trees in it
+    this.known = new Map(); // hash of the calls of a cycle -> the trees that these calls match
     this.seen = {}; // requirement -> count, first time
     this.state = "runs";
     this.rows = [];
@@ -281,7 +281,7 @@ const ownerOf = (method) => facts.methods[method].split("::")[0];
 /* Records the modules that a page shows while a scenario plays, and their calls until now. */
 let shown = { modules: new Set(), counts: {} };
 
-/* Prepares a drive for a page that shows modules; each order "beat" then runs one control cycle of it. */
+/* Prepares a drive for a page that shows modules; each order "beat" then runs one control cycle of the drive. */
 async function play({ folder, modules, scenario: wanted, image }) {
   pause();
   await choose(folder, image || imageWith(modules));
@@ -363,7 +363,7 @@ function beat() {
   });
 }
 
-/* Plays one scenario with each of some products. Returns the states of each cycle, and the modules that ran. */
+/* Plays one scenario with several products. Returns the states of each cycle, and the modules that ran. */
 async function compare({ folder, products, scenario: name }) {
   pause();
   const scenario = facts.scenarios.find((one) => one.name === name);

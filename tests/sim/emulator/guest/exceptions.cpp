@@ -184,8 +184,8 @@ PROGRAM countsTicksBetweenConditions() {
   asm volatile("cmp %0, %0" ::"r"(0) : "cc");
 }
 
-// An IT block across a border of 1 KB, at which the engine ends a block of code. The interrupt
-// comes at each instruction of the block in turn.
+// An IT block across a border of 1 KB, at which the engine ends a block of code. The interrupts
+// come at different instructions of the block.
 PROGRAM runsConditionalBlocks() {
   stopWatchdog();
   told(2) = 0;

@@ -15,8 +15,8 @@ constexpr std::uint32_t kCode = 0x100;
 constexpr std::uint32_t kLower = 0x1FFFF000;
 constexpr std::uint32_t kUpper = 0x20000000;
 
-/// @brief Forbidden actions of instructions. Written by hand from the ARMv7-M ARM, because Unicorn
-/// does not detect most of these faults.
+/// @brief Forbidden actions of instructions. The cases were written by hand from the ARMv7-M ARM,
+/// because Unicorn does not detect most of these faults.
 struct Case {
   std::string name;
   std::vector<std::uint16_t> halves;
