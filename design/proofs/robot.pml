@@ -64,7 +64,7 @@ byte failed_reads;  // in a row
 bool accepted;      // a frame was accepted in this round
 bool welcome_due;
 bool pc_stop;     // the reader of the PC stores a stop
-bool pc_kept;     // a stop was ordered before the reset
+bool pc_kept;     // a stop from before the reset
 bool stop_memory; // the memory that a reset does not clear
 bool rc_stopped = true;
 byte neutral_orders;
