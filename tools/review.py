@@ -7,13 +7,13 @@ from __future__ import annotations
 import argparse
 import datetime
 import difflib
-import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tools.steps import FailureError, MissingError, UsageError
+from traceability.reading.build_evidence import git
 
 if TYPE_CHECKING:
     from traceability.model.design_model import Model
@@ -196,13 +196,6 @@ def versions(root: Path, file: str) -> Iterator[str]:
     commits = git(root, "log", f"--max-count={MOST_VERSIONS}", "--format=%H", "--", file)
     for commit in commits.split():
         yield git(root, "show", f"{commit}:{file}")
-
-
-def git(root: Path, *words: str) -> str:
-    run = subprocess.run(
-        ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
-    )
-    return run.stdout if run.returncode == 0 else ""
 
 
 def git_setting(root: Path, name: str, option: str) -> str:

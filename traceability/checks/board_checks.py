@@ -48,16 +48,8 @@ def _beliefs(model: Model, facts: Facts) -> Iterator[Finding]:
             yield _belief(belief, f"there is no register {belief.register} in {REGISTERS}")
         if not _names(_text(facts, belief.model), belief):
             yield _belief(belief, f"{belief.model} does not name {belief.name}")
-        source = model.belief_sources.get(belief.source)
-        if source is None:
+        if belief.source not in model.belief_sources:
             yield _belief(belief, f"there is no source {belief.source}")
-        elif source.outside == belief.shared:
-            yield _belief(
-                belief,
-                f"{belief.register} {belief.value} "
-                + ("has an outside source and is marked" if source.outside else "is not marked")
-                + " as shared by driver and model",
-            )
 
 
 def _without_belief(model: Model, facts: Facts) -> Iterator[Finding]:

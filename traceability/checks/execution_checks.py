@@ -237,7 +237,7 @@ def _loops(facts: Facts) -> Iterator[Finding]:
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
     for name, body in looping.items():
         if name not in named:
-            text = f"the head of a loop in {name} counts its rounds"
+            text = f"the head of a loop in {name} does not count its rounds"
             yield Finding(Place(body.place.file, body.loops[0]), "exec-loop", text)
     for entry in entries:
         for name in entry.names:

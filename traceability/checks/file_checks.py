@@ -10,6 +10,7 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.reading.ast_facts import ClassFact
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
@@ -103,15 +104,11 @@ def _idle(facts: Facts) -> Iterator[Finding]:
 
 def _preprocessor(root: Path) -> Iterator[Finding]:
     """Finds macros and conditions, with which products would compile different texts."""
-    for path in files_below(root, DESIGN, (".cpp", ".hpp")):
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            match = DIRECTIVE.match(line)
-            if match is None or (match[1] == "include" and NAMED.match(match[2])):
-                continue
-            if (match[1], match[2].strip()) == ("pragma", "once"):
-                continue
-            yield Finding(
-                Place(str(path.relative_to(root)), number),
-                "module-preprocessor",
-                f"#{match[1]} is neither an include of a named file nor #pragma once",
-            )
+    for place, line in lines_below(root, DESIGN, (".cpp", ".hpp")):
+        match = DIRECTIVE.match(line)
+        if match is None or (match[1] == "include" and NAMED.match(match[2])):
+            continue
+        if (match[1], match[2].strip()) == ("pragma", "once"):
+            continue
+        text = f"#{match[1]} is neither an include of a named file nor #pragma once"
+        yield Finding(place, "module-preprocessor", text)

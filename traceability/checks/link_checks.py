@@ -17,9 +17,11 @@ from urllib.parse import unquote
 
 from traceability.model.design_model import Model
 from traceability.reading.products import LIST, listed
+from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import file_hash, files_below
 
+PAGES = ("README.md", "docs")
 # A path of the project, in backticks or as the target of a link.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # links in a style sheet
@@ -218,18 +220,16 @@ class Texts:
 
 def missing_paths(root: Path) -> Iterator[Finding]:
     """Finds missing files and folders that a page or a text of the design names."""
-    for path in files_below(root, ("README.md", "docs", "design"), (".md", ".rst", ".toml")):
-        file = str(path.relative_to(root))
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            if path.suffix == ".toml" and line.startswith("#"):
-                continue
-            for named in filter(None, sum(NAMED.findall(line), ())):
-                top, name = named.split("/")[0], root / named
-                listed = path.name == "README.md" and named.endswith("/")
-                is_path = (root / top).is_dir() or name.suffix in SOURCES or listed
-                if is_path and top != "build" and not name.exists():
-                    place = Place(file, number)
-                    yield Finding(place, "link-doc", f"there is no {named}")
+    names, suffixes = ("README.md", "docs", "design"), (".md", ".rst", ".toml")
+    for place, line in lines_below(root, names, suffixes):
+        if place.file.endswith(".toml") and line.startswith("#"):
+            continue
+        for named in filter(None, sum(NAMED.findall(line), ())):
+            top, name = named.split("/")[0], root / named
+            in_list = place.file.endswith("README.md") and named.endswith("/")
+            is_path = (root / top).is_dir() or name.suffix in SOURCES or in_list
+            if is_path and top != "build" and not name.exists():
+                yield Finding(place, "link-doc", f"there is no {named}")
 
 
 def missing_commands(root: Path) -> Iterator[Finding]:
@@ -237,15 +237,13 @@ def missing_commands(root: Path) -> Iterator[Finding]:
     code = "".join(
         path.read_text(encoding="utf-8") for path in files_below(root, PROGRAMS, (".py",))
     )
-    for path in files_below(root, ("README.md", "docs") if code else (), (".md", ".rst")):
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            for command, options in COMMAND.findall(line):
-                after = line if path.suffix == ".md" else options
-                words = [command, *re.findall(r"(?<![\w-])--[a-z][a-z-]*", after)]
-                for word in [word for word in words if f'"{word}"' not in code + HELP]:
-                    place = Place(str(path.relative_to(root)), number)
-                    text, fix = f"./wr has no {word}", "name a command that ./wr --help lists"
-                    yield Finding(place, "link-doc", text, fix)
+    fix = "name a command that ./wr --help lists"
+    for place, line in lines_below(root, PAGES if code else (), (".md", ".rst")):
+        for command, options in COMMAND.findall(line):
+            after = line if place.file.endswith(".md") else options
+            words = [command, *re.findall(r"(?<![\w-])--[a-z][a-z-]*", after)]
+            for word in [word for word in words if f'"{word}"' not in code + HELP]:
+                yield Finding(place, "link-doc", f"./wr has no {word}", fix)
 
 
 def missing_parts(root: Path) -> Iterator[Finding]:
@@ -253,15 +251,13 @@ def missing_parts(root: Path) -> Iterator[Finding]:
     products = {product.name for product in listed(root)} if (root / LIST).exists() else set()
     pins = _pins(root)
     targets, keys = _targets(root), _keys(root)
-    for path in files_below(root, ("README.md", "docs"), (".md", ".rst")):
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            wrong = [f"product {name}" for name in PRODUCT.findall(line) if name not in products]
-            wrong += [f"program {name}" for name in PROGRAM.findall(line) if name not in targets]
-            wrong += [f"key {name}" for name in KEY.findall(line) if name not in keys]
-            wrong += [f"pin {name} in use" for name in PIN.findall(line) if name not in pins]
-            for name in wrong:
-                place = Place(str(path.relative_to(root)), number)
-                yield Finding(place, "link-doc", f"there is no {name}")
+    for place, line in lines_below(root, PAGES, (".md", ".rst")):
+        wrong = [f"product {name}" for name in PRODUCT.findall(line) if name not in products]
+        wrong += [f"program {name}" for name in PROGRAM.findall(line) if name not in targets]
+        wrong += [f"key {name}" for name in KEY.findall(line) if name not in keys]
+        wrong += [f"pin {name} in use" for name in PIN.findall(line) if name not in pins]
+        for name in wrong:
+            yield Finding(place, "link-doc", f"there is no {name}")
 
 
 def _pins(root: Path) -> set[str]:

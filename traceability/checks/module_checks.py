@@ -94,7 +94,7 @@ def _products(model: Model, facts: Facts) -> Iterator[Finding]:
 def _behaviour(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds a method of a data type with a condition or a loop."""
     for body in facts.syntax.bodies:
-        if ((module := model.modules.get(body.owner)) and module.datatype) and body.branches:
+        if (module := model.modules.get(body.owner)) and module.datatype and body.branches:
             text = f"{body.id} has a condition or a loop, and {body.owner} is a data type"
             yield Finding(body.place, "module-data", text)
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from traceability.model.design_model import Model
 from traceability.reading.comments import code_of, comment_tokens
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
@@ -81,12 +82,6 @@ def _words(model: Model, facts: Facts) -> Words:
     return Words(code, paper, facts)
 
 
-def _lines(root: Path, path: Path) -> Iterator[tuple[Place, str]]:
-    file = str(path.relative_to(root))
-    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-        yield Place(file, number), line
-
-
 def _comments(facts: Facts) -> Iterator[tuple[Place, str]]:
     for path in files_below(facts.root, DESIGN, (".hpp", ".cpp")):
         file = str(path.relative_to(facts.root))
@@ -98,14 +93,12 @@ def _comments(facts: Facts) -> Iterator[tuple[Place, str]]:
 
 
 def _pages(root: Path) -> Iterator[tuple[Place, str]]:
-    for path in files_below(root, ("docs",), (".rst",)):
-        for place, line in _lines(root, path):
-            for match in IN_PAGE.finditer(line):
-                yield place, match[1]
+    for place, line in lines_below(root, ("docs",), (".rst",)):
+        for match in IN_PAGE.finditer(line):
+            yield place, match[1]
 
 
 def _design(root: Path) -> Iterator[tuple[Place, str]]:
-    for path in files_below(root, ("design",), (".toml",)):
-        for place, line in _lines(root, path):
-            for match in IN_DESIGN.finditer("" if line.startswith("#") else line):
-                yield place, match[1]
+    for place, line in lines_below(root, ("design",), (".toml",)):
+        for match in IN_DESIGN.finditer("" if line.startswith("#") else line):
+            yield place, match[1]

@@ -9,9 +9,10 @@ from traceability.model.design_model import Model
 from traceability.reading.ast_facts import BodyFact
 from traceability.reading.declared import Block
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import lines_below
 from traceability.reading.translation_units import is_board
 from traceability.schema import Finding, Place
-from traceability.sources import DESIGN, files_below
+from traceability.sources import DESIGN
 
 REGISTERS = "src/k64/registers.hpp"  # the table of all blocks
 REGISTER = "src/k64/Register.hpp"  # converts a number to an address
@@ -238,14 +239,9 @@ def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
 def _linked(facts: Facts) -> Iterator[Finding]:
     """Finds a symbol that the linker places at the address of a register."""
     text = "the linker defines a symbol at an address of registers"
-    for path in files_below(facts.root, DESIGN, (".ld",)):
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
-            if any(
-                int(word, 16) >= PERIPHERALS for word in re.findall(r"\b0[xX][\da-fA-F]+", line)
-            ):
-                yield _finding(
-                    Place(str(path.relative_to(facts.root)), number), text, f"use {REGISTERS}"
-                )
+    for place, line in lines_below(facts.root, DESIGN, (".ld",)):
+        if any(int(word, 16) >= PERIPHERALS for word in re.findall(r"\b0[xX][\da-fA-F]+", line)):
+            yield _finding(place, text, f"use {REGISTERS}")
 
 
 def _idle(block: Block, facts: Facts) -> Iterator[Finding]:

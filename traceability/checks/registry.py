@@ -335,11 +335,10 @@ _FIXED = [
         "board-belief",
         "Each belief of the virtual K64 has a source",
         "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
-        "file of sim/emulator that contains it, and a declared source; it is marked as shared if, "
-        "and only if, this source is inside the project. Every register of that file has a belief.",
+        "file of sim/emulator that contains it, and a declared source. Every register of that "
+        "file has a belief.",
         "a value of a register that is not listed, and whether the source confirms the belief.",
-        "correct or add the entry, with its source and the mark shared = true if the source is "
-        "inside the project.",
+        "correct or add the entry, with its source.",
     ),
     Check(
         "uses-cycle",

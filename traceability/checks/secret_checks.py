@@ -9,6 +9,7 @@ from pathlib import Path
 
 from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
+from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
@@ -143,9 +144,8 @@ def _uses(name: str, facts: Facts) -> list[Place] | None:
 def _standard(name: str, root: Path) -> list[Place] | None:
     """Returns the places at which a header of the library is included."""
     places = [
-        Place(str(path.relative_to(root)), number)
-        for path in files_below(root, DESIGN, (".cpp", ".hpp"))
-        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+        place
+        for place, line in lines_below(root, DESIGN, (".cpp", ".hpp"))
         if (match := INCLUDE.match(line)) and match[1] == name
     ]
     return places or None

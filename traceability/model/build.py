@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -30,7 +29,7 @@ from traceability.model.trees import with_trees
 from traceability.model.verification import with_verification
 from traceability.reading.ast_facts import BodyFact, CallFact, ClassFact, MethodFact
 from traceability.reading.bench_record import PAPER_BENCH, read_bench
-from traceability.reading.build_evidence import read_build
+from traceability.reading.build_evidence import git, read_build
 from traceability.reading.change_kits import read_record as read_kit_record
 from traceability.reading.closed_loop_record import read_closed_loop
 from traceability.reading.comments import NO_COMMENT, Comment
@@ -181,15 +180,9 @@ def source_files(root: Path) -> list[str]:
     return [str(path.relative_to(root)) for path in paths]
 
 
-def _git(root: Path, *arguments: str) -> str:
-    run = subprocess.run(
-        ["git", "-C", str(root), *arguments], capture_output=True, text=True, check=False
-    )
-    return run.stdout.strip() if run.returncode == 0 else ""
-
-
 def commit(root: Path) -> str:
-    return _git(root, "rev-parse", "--short=10", "HEAD") if (root / ".git").exists() else ""
+    inside = (root / ".git").exists()
+    return git(root, "rev-parse", "--short=10", "HEAD").strip() if inside else ""
 
 
 def _version(root: Path) -> str:

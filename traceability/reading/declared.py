@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from traceability.reading.change_kits import Kit, read_kits
@@ -176,7 +176,11 @@ def read_declared(root: Path) -> Declared:
     beliefs = design / "board_beliefs.toml"
     sources = entries.records(beliefs, "source", BeliefSource, "id")
     declared.belief_sources = {each.id: each for each in sources}
-    declared.beliefs = entries.records(beliefs, "belief", BoardBelief, may=["shared"])
+    outside = {each.id for each in sources if each.outside}
+    declared.beliefs = [
+        replace(belief, shared=belief.source not in outside)
+        for belief in entries.records(beliefs, "belief", BoardBelief, shared=False)
+    ]
     declared.justified = [
         entry
         for kind in ("method", "test", "line", "uncalled", "loop")

@@ -11,6 +11,7 @@ from dataclasses import replace
 from difflib import SequenceMatcher
 from pathlib import Path
 
+from traceability.reading.build_evidence import git
 from traceability.reading.comments import code_of
 from traceability.schema import Correction, SafetyCase, SafetyCost, TouchedFile
 from traceability.sources import SRC
@@ -22,13 +23,13 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
     """Returns the counts from the base to the present commit; ``None`` when git does not have the
     base.
     """
-    base = _git(root, "rev-parse", "--verify", f"{case.base}^{{commit}}")
-    head = _git(root, "rev-parse", "--short=10", "HEAD")
+    base = git(root, "rev-parse", "--verify", f"{case.base}^{{commit}}").strip()
+    head = git(root, "rev-parse", "--short=10", "HEAD").strip()
     if not (root / ".git").exists() or not case.base or not base or not head:
         return None
-    before = set((_git(root, "ls-tree", "-r", "--name-only", base, "--", SRC) or "").splitlines())
-    edited = _git(root, "diff", "--name-only", "--no-renames", base, "HEAD", "--", SRC) or ""
-    added = _git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SAFETY) or ""
+    before = set(git(root, "ls-tree", "-r", "--name-only", base, "--", SRC).splitlines())
+    edited = git(root, "diff", "--name-only", "--no-renames", base, "HEAD", "--", SRC)
+    added = git(root, "diff", "--numstat", "--no-renames", base, "HEAD", "--", SAFETY)
     files = [file for file in edited.splitlines() if file in before]
     texts = contents(root, [f"{commit}:{file}" for file in files for commit in (base, head)])
     edits = (edits_of_code(*file) for file in zip(files, texts[::2], texts[1::2], strict=True))
@@ -95,13 +96,3 @@ def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | 
         if file == path or (path.endswith("/") and file.startswith(path))
     ]
     return max(matching, key=lambda pair: pair[0])[1] if matching else None
-
-
-def _git(root: Path, *arguments: str) -> str | None:
-    try:
-        run = subprocess.run(
-            ["git", "-C", str(root), *arguments], capture_output=True, text=True, check=False
-        )
-    except FileNotFoundError:
-        return None
-    return run.stdout.strip() if run.returncode == 0 else None

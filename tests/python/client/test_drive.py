@@ -31,19 +31,14 @@ ROOT = Path(__file__).parents[3]
 
 
 def options(mcu: Any, **more: Any) -> argparse.Namespace:
-    defaults = {
-        **{
-            "link": mcu.path,
-            "csv": None,
-            "mcap": None,
-            "capture": None,
-            "script": None,
-            "lines": True,
-            "reports": None,
-        },
-        "wheel": None,
-    }
-    return argparse.Namespace(**{**defaults, **more})
+    absent = dict.fromkeys(("csv", "mcap", "capture", "script", "reports", "wheel"))
+    return argparse.Namespace(**{"link": mcu.path, "lines": True, **absent, **more})
+
+
+def script_in(folder: Path, text: str) -> Path:
+    script = folder / "script"
+    script.write_text(text)
+    return script
 
 
 def orders(mcu: Any) -> list[tuple[int, int, int]]:
@@ -195,8 +190,9 @@ def test_the_keyboard_can_drive_some_wheels_only() -> None:
 def test_a_script_arms_drives_and_its_end_orders_standstill(
     mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    script = tmp_path / "script"
-    script.write_text("at 0s velocity 50 rpm\nat 0.3s steering -2 deg stop\nat 0.6s end\n")
+    script = script_in(
+        tmp_path, "at 0s velocity 50 rpm\nat 0.3s steering -2 deg stop\nat 0.6s end\n"
+    )
     table = tmp_path / "reports.csv"
     assert drive.run(options(mcu, script=script, csv=table)) == 0
     time.sleep(0.2)
@@ -221,8 +217,7 @@ def test_a_script_does_not_release_a_stop(
     mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     mcu.stop = True
-    script = tmp_path / "script"
-    script.write_text("at 0s velocity 50 rpm\nat 1s end\n")
+    script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 1s end\n")
     assert drive.run(options(mcu, script=script)) == 1
     assert "./wr arm" in capsys.readouterr().err
     assert not orders(mcu)
@@ -231,8 +226,7 @@ def test_a_script_does_not_release_a_stop(
 def test_a_script_ends_with_an_error_when_the_robot_has_stopped_itself(
     mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    script = tmp_path / "script"
-    script.write_text("at 0s velocity 50 rpm\nat 1s end\n")
+    script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 1s end\n")
     threading.Timer(1.0, mcu.control, ("estop press",)).start()
     assert drive.run(options(mcu, script=script)) == 1
     assert "protective stop, the emergency stop is pressed" in capsys.readouterr().err
@@ -242,8 +236,7 @@ def test_a_script_is_refused_by_a_robot_of_another_version(
     mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     mcu.versions = (1, 1)
-    script = tmp_path / "script"
-    script.write_text("at 0s velocity 50 rpm\nat 1s end\n")
+    script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 1s end\n")
     assert drive.run(options(mcu, script=script)) == 1
     assert "version 1 of the PC protocol" in capsys.readouterr().err
 
@@ -251,8 +244,7 @@ def test_a_script_is_refused_by_a_robot_of_another_version(
 def test_a_script_ends_with_an_error_when_the_connection_is_lost(
     mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    script = tmp_path / "script"
-    script.write_text("at 0s velocity 50 rpm\nat 60s end\n")
+    script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 60s end\n")
     threading.Timer(1.0, setattr, (mcu, "silent", True)).start()
     assert drive.run(options(mcu, script=script)) == 1
     assert "lost" in capsys.readouterr().err
@@ -260,8 +252,7 @@ def test_a_script_ends_with_an_error_when_the_connection_is_lost(
 
 @pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
 def test_a_script_that_is_ended_orders_stop(mcu: Any, tmp_path: Path, sent: int) -> None:
-    script = tmp_path / "script"
-    script.write_text("at 0s velocity 50 rpm\nat 60s end\n")
+    script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 60s end\n")
     program = start_drive(mcu, "--script", str(script), stdin=subprocess.DEVNULL)
     wait_for(lambda: (500, 0, 0) in orders(mcu))
     program.send_signal(sent)
@@ -273,8 +264,7 @@ def test_a_script_that_is_ended_orders_stop(mcu: Any, tmp_path: Path, sent: int)
 def test_a_script_that_is_wrong_is_wrong_usage(
     mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    script = tmp_path / "script"
-    script.write_text("at 0s fly\n")
+    script = script_in(tmp_path, "at 0s fly\n")
     assert drive.run(options(mcu, script=script)) == 2
     assert f"{script}:1:" in capsys.readouterr().err
 
@@ -303,8 +293,7 @@ def test_a_recording_that_cannot_be_written_is_named(
     capsys: pytest.CaptureFixture[str],
     run: Callable[[argparse.Namespace], int],
 ) -> None:
-    script = tmp_path / "script"
-    script.write_text("at 0s end\n")
+    script = script_in(tmp_path, "at 0s end\n")
     table = tmp_path / "no folder" / "reports.csv"
     assert run(options(mcu, csv=table, script=script, reports=1)) == exit_codes.MISSING
     assert capsys.readouterr().err == (
@@ -316,8 +305,7 @@ def test_a_recording_that_cannot_be_written_is_named(
 def test_a_full_disk_ends_the_recording_and_not_the_drive(
     mcu: Any, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    script = tmp_path / "script"
-    script.write_text("at 0s velocity 50 rpm\nat 3s end\n")
+    script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 3s end\n")
     assert drive.run(options(mcu, script=script, csv=Path("/dev/full"))) == 0
     told = "the recording /dev/full ends here: No space left on device"
     assert capsys.readouterr().err.count(told) == 1
@@ -330,8 +318,7 @@ def test_an_error_in_a_script_stops_the_robot(
     def fail(_report: object) -> str:
         raise BrokenPipeError
 
-    script = tmp_path / "script"
-    script.write_text("at 0s velocity 50 rpm\nat 5s end\n")
+    script = script_in(tmp_path, "at 0s velocity 50 rpm\nat 5s end\n")
     monkeypatch.setattr(drive, "as_line", fail)
     with pytest.raises(BrokenPipeError):
         drive.run(options(mcu, script=script))

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.python.git_project import git
 from tests.python.model.small_tree import write_tree
 from tools.review import review
 from tools.steps import FailureError
@@ -33,11 +34,6 @@ TEXTS = {
     OTHERS: "namespace wr {\nint helper() {\n  return 1;\n}\n}  // namespace wr\n",
 }
 OTHER = {"name": "Ada Reader", "email": "ada@example.org"}
-
-
-def git(root: Path, *words: str) -> None:
-    who = ["-c", "user.name=Ida Author", "-c", "user.email=ida@example.org"]
-    subprocess.run(["git", "-C", root, *who, *words], check=True)
 
 
 def options(*ids: str, baseline: bool = False, **person: str) -> argparse.Namespace:

@@ -2,21 +2,15 @@
 
 from __future__ import annotations
 
-import subprocess
 from pathlib import Path
 
 import pytest
 
+from tests.python.git_project import git
 from traceability.reading.safety_cost import correction_of, read_cost
 from traceability.schema import Correction, Place, SafetyCase, TouchedFile
 
 WHERE = Place("design/safety_case.toml", 1)
-
-
-def git(root: Path, *words: str) -> str:
-    identity = ("-c", "user.name=A", "-c", "user.email=a@example.org")
-    command = ["git", "-C", str(root), *identity, *words]
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
 
 
 def commit(root: Path, **files: str) -> str:

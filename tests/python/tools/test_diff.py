@@ -1,11 +1,11 @@
 """./wr diff and ./wr impact of commits: real commits of a small project."""
 
 import re
-import subprocess
 from pathlib import Path
 
 import pytest
 
+from tests.python.git_project import git
 from tests.python.model.small_tree import write_tree
 from tools import cli
 from traceability.exports.revision import read_revision
@@ -19,12 +19,6 @@ OTHERS = {
     "docs/a.rst": "A\n",
     "sim/a.scenario": "at 0 end\n",
 }
-
-
-def git(root: Path, *words: str) -> str:
-    settings = ("-c", "user.name=A", "-c", "user.email=a@b.invalid", "-c", "commit.gpgsign=false")
-    command = ["git", "-C", str(root), *settings, *words]
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
 
 
 @pytest.fixture

@@ -14,6 +14,7 @@ from cyclonedx import schema as cyclonedx_schemas
 from referencing import Registry, Resource
 from referencing.jsonschema import DRAFT7
 
+from tests.python.git_project import git
 from tools import release
 from tools.release_files import below, sums_text, write_archive
 from tools.sbom import LOCK, sbom_text
@@ -109,11 +110,10 @@ def test_the_version_of_the_project_has_its_notes_everywhere() -> None:
 def test_a_release_is_made_of_a_commit_without_changes(tmp_path: Path) -> None:
     with pytest.raises(FailureError, match="not a git clone"):
         release.identity(tmp_path)
-    subprocess.run(["git", "-C", tmp_path, "init", "-q"], check=True)
-    author = ["-c", "user.name=A", "-c", "user.email=a@b.invalid"]
+    git(tmp_path, "init", "-q")
     (tmp_path / "CMakeLists.txt").write_text("project(x VERSION 1.2.3)\n")
-    subprocess.run(["git", "-C", tmp_path, "add", "."], check=True)
-    subprocess.run(["git", "-C", tmp_path, *author, "commit", "-qm", "x"], check=True)
+    git(tmp_path, "add", ".")
+    git(tmp_path, "commit", "-qm", "x")
     assert release.identity(tmp_path).name == "weeding_robot-1.2.3"
     (tmp_path / "new").touch()
     with pytest.raises(FailureError, match="1 files differ from the commit"):
@@ -121,11 +121,10 @@ def test_a_release_is_made_of_a_commit_without_changes(tmp_path: Path) -> None:
 
 
 def test_the_sources_of_a_release_can_be_executed_and_are_of_the_commit(tmp_path: Path) -> None:
-    git = ["git", "-C", tmp_path, "-c", "user.name=A", "-c", "user.email=a@b.invalid"]
     (tmp_path / "wr").write_text("#!/bin/sh\n")
     (tmp_path / "wr").chmod(0o755)
     for words in (["init", "-q"], ["add", "."], ["commit", "-qm", "x"]):
-        subprocess.run([*git, *words], check=True)
+        git(tmp_path, *words)
     (tmp_path / "wr").write_text("changed later\n")
     made = release.Release("1.0.0", "HEAD", WHEN)
     archives = [tmp_path / "first.tar.gz", tmp_path / "second.tar.gz"]

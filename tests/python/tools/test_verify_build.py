@@ -3,24 +3,16 @@
 from __future__ import annotations
 
 import json
-import subprocess
 from pathlib import Path
 
 import pytest
 
+from tests.python.git_project import git
 from tools.steps import FailureError
 from tools.verify_build import RECORD, check_origin, clone, compare, compare_verdicts
 from traceability.reading.products import PRODUCTS, image_of
 
 ROW = {"id": "FR-1", "state": "verified", "tests": {"A.B": {"host": "passed"}}}
-
-
-def git(root: Path, *words: str) -> str:
-    who = ["-c", "user.name=x", "-c", "user.email=x@x"]
-    run = subprocess.run(
-        ["git", "-C", root, *who, *words], check=True, capture_output=True, text=True
-    )
-    return run.stdout.strip()
 
 
 @pytest.fixture
