@@ -148,11 +148,16 @@
     const least = [0, 1, 2].find((n) => n === 0 ? there(true, false) : word.length > [, FEW, FEW + 2][n] && there(false, n));
     return { fuzzy: least || false, weights: { fuzzy: 0.45, prefix: 0.6 } };
   }
+  /* The words in which two neighbouring letters are exchanged. */
+  const exchanged = (word) =>
+    [...word].slice(1).map((letter, i) => word.slice(0, i) + letter + word[i] + word.slice(i + 2));
   /* A word that no entry contains is replaced by the most frequent word with the least number of errors. */
   function corrected(typed) {
     const word = stem(typed);
     const { fuzzy } = tolerance(word);
     if (!fuzzy || groups.flat().some((words) => words.includes(word))) return typed;
+    const right = exchanged(word).find((one) => index.search(one, { prefix: false, fuzzy: false }).length);
+    if (right) return right;
     const counts = new Map();
     for (const { terms } of index.search(word, { prefix: false, fuzzy }))
       for (const term of terms) counts.set(term, (counts.get(term) || 0) + 1);
