@@ -65,7 +65,7 @@ def messages_of(root: Path, path: Path) -> Iterator[Message]:
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and (name := called(node)) in CODES:
             parts = [text_of(argument, texts) for argument in node.args]
-            text = " ".join(". ".join(part for part in parts if part).split())
+            text = " ".join(". ".join(part for part in parts if part not in ("", VALUE)).split())
             if worded(text):
                 yield Message(text, CODES[name], str(file), node.lineno)
         elif isinstance(node, ast.Dict) and file == REASONS:

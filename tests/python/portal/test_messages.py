@@ -18,6 +18,7 @@ def check(port: int, parser: Parser) -> None:
 
 def other() -> None:
     raise FailError("no report came", "Check cable and power.")
+    raise FailError(port, "Choose another port.")
     raise FailureError(f"{port}: {port}")
 """
 
@@ -35,10 +36,11 @@ def test_a_message_has_its_text_its_exit_code_and_its_line(tmp_path: Path) -> No
     missing = found["port … has no board. Connect the board, and try again."]
     assert (missing.code, missing.file, missing.line) == (3, "tools/flash.py", 8)
     assert found["no report came. Check cable and power."].code == 1
+    assert "Choose another port." in found
 
 
 def test_a_message_of_values_alone_is_no_entry(tmp_path: Path) -> None:
-    assert len(texts_of(tmp_path, CODE)) == 3
+    assert len(texts_of(tmp_path, CODE)) == 4
 
 
 def test_the_reasons_in_reports_are_messages(tmp_path: Path) -> None:
