@@ -92,6 +92,7 @@ class Navigation:
             written[group].append(doc)
         source = Entry("source", "Source", "source/index.html", "S")
         tuning = Entry("tuning", "Values to tune", "tuning.html")
+        messages = Entry("messages", "Messages of the commands", "messages.html")
         exports = Entry("exports", "Exports", "exports.html")
         live = Entry("run", "Run the robot", "run.html")
         plot = Entry("plot", "Plot a recording", "plot.html")
@@ -103,7 +104,9 @@ class Navigation:
             ),
             Group("verify", "Verify", [*verify(model, checks, faults), *written["verify"]]),
             Group(
-                "build", "Build and use", [live, plot, *written["build"], tuning, source, exports]
+                "build",
+                "Build and use",
+                [live, plot, *written["build"], tuning, messages, source, exports],
             ),
         ]
         if explain := written["explain"]:

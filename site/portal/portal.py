@@ -26,6 +26,7 @@ from traceability.model.execution import INTERRUPT, START
 from traceability.model.impact import Impacts
 from traceability.model.metrics import metrics
 from traceability.model.report import Report
+from traceability.reading.last_changes import last_changes
 from traceability.reading.live_record import MODULE
 from traceability.reading.seeded_fault_record import Outcome
 from traceability.reading.seeded_faults import Fault
@@ -270,6 +271,27 @@ class Portal:
             for context in self.model.contexts.values()
             if context.kind != START and any(m.startswith(begin) for m in context.methods)
         ]
+
+    def stack_of(self, module: Module) -> tuple[int, str] | None:
+        """Returns the most bytes of stack that the methods of a module have in the deepest chain of
+        calls of one context, and the name of this context.
+        """
+        begin = f"{module.name}::"
+        stack = self.model.stack
+        shares = [
+            (sum(call.bytes for call in context.chain if call.name.startswith(begin)), context.name)
+            for context in (stack.contexts if stack else ())
+        ]
+        return max((share for share in shares if share[0]), default=None)
+
+    @functools.cached_property
+    def _last_changes(self) -> dict[str, str]:
+        return last_changes(self.root)
+
+    def last_change_of(self, module: Module) -> str:
+        """Returns the date and the number of the last commit that changed a file of a module."""
+        files = [file for file in (module.header, module.source) if file]
+        return max((self._last_changes.get(file, "") for file in files), default="")
 
     def path_of(self, module: Module) -> list[str]:
         """Returns the logic modules from the top to the logic module of this module."""

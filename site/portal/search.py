@@ -11,6 +11,7 @@ from pathlib import Path
 from portal.constant_texts import constant_links
 from portal.frame_tables import expanded
 from portal.links import ROOT, paper_anchor
+from portal.messages import messages
 from portal.module_page import ancestors
 from portal.names import views_of
 from portal.page_words import parts_of
@@ -18,9 +19,10 @@ from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
-# Group, key, title, text and address of an entry, then further words. A further word is shown only
-# when it matches.
+# Group, key, title, text and address of an entry, then further words. The further words of an answer
+# are those that readers type. Those of other entries are the words of the text.
 Entry = tuple[str, ...]
+ANSWERS = "Answers"
 # Group of entries -> the kind in Sphinx's inventory.
 NAMED = {
     "Modules": "module",
@@ -38,6 +40,7 @@ NAMED = {
 LISTS = {
     *("answers", "tests", "source", "guide", "interfaces", "inheritances", "datatypes", "trees"),
     "structure",
+    "messages",
 }
 
 
@@ -54,12 +57,21 @@ def index_script(portal: Portal, bodies: Path) -> str:
     parts = list(section_entries(portal, bodies))
     pages = {(group, address) for group, _, _, _, address, *_ in parts if group == "Pages"}
     found = [one for one in entries(portal) if (one[0], one[4]) not in pages] + parts
+    words = dict(listed("search_words.txt", " = "))
     data = {
-        "entries": [list(entry) for entry in found],
+        "entries": [with_words(entry, words) for entry in found],
         "synonyms": listed("synonyms.txt", ","),
-        "aliases": listed("search_aliases.txt", " = "),
     }
     return assigned("PORTAL_SEARCH", data)
+
+
+def with_words(entry: Entry, words: dict[str, str]) -> list[str]:
+    """Returns an entry with six parts, and as the seventh the words that readers type for it."""
+    group, key, title, text, address, *rest = entry
+    own = rest[0] if rest else ""
+    if group == ANSWERS:
+        return [group, key, title, text, address, "", f"{own} {words.get(address, '')}".strip()]
+    return [group, key, title, text, address, own, words.get(address, "")]
 
 
 def assigned(name: str, data: object) -> str:
@@ -105,13 +117,9 @@ def entries(portal: Portal) -> list[Entry]:
             found.append((group, key, title, plain(text), address.removeprefix(ROOT)))
 
     for module in model.modules.values():
-        group = "Data types" if module.datatype else "Modules"
+        text, address = module.secret or module.brief, links.module(module.name)
         add(
-            group,
-            kind(module),
-            module.name,
-            module.secret or module.brief,
-            links.module(module.name),
+            "Data types" if module.datatype else "Modules", kind(module), module.name, text, address
         )
     for logic in model.logic_modules.values():
         add("Logic modules", "", logic.name, logic.brief, links.logic(logic.id))
@@ -134,11 +142,18 @@ def entries(portal: Portal) -> list[Entry]:
             add("Pages", entry.key, entry.title, group_.title, ROOT + entry.address)
     for question in portal.questions:
         address = question.address.removeprefix(ROOT)
-        found.append(("Answers", "", question.ask, plain(question.answer), address, question.also))
+        found.append((ANSWERS, "", question.ask, plain(question.answer), address, question.also))
     for tour in portal.tours:
         address = f"{ROOT}tours/{tour.id}.html"
         add("Pages", "", f"Tour: {tour.title}", "tutorial, getting started", address)
-    others = (method_entries, change_entries, safety_entries, paper_entries, written_entries)
+    others = (
+        method_entries,
+        message_entries,
+        change_entries,
+        safety_entries,
+        paper_entries,
+        written_entries,
+    )
     return [*found, *(entry for make in others for entry in make(portal))]
 
 
@@ -162,6 +177,12 @@ def method_entries(portal: Portal) -> Iterator[Entry]:
     for method in shown.values():
         address = (portal.links.method(method.id) or "").removeprefix(ROOT)
         yield "Methods", "G", method.id, plain(method.brief), address
+
+
+def message_entries(portal: Portal) -> Iterator[Entry]:
+    for message in messages(portal.root):
+        address = f"messages.html#{message.anchor}"
+        yield "Messages", "", message.text, "Message of a command", address
 
 
 def change_entries(portal: Portal) -> Iterator[Entry]:

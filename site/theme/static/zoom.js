@@ -4,6 +4,7 @@
 (function () {
   "use strict";
   const STEP = 1.25; // factor of the zoom buttons and keys
+  const READABLE = 0.93; // share of the size at which a diagram is still readable without the window
   const LEAST = 0.25;
   const MOST = 4;
 
@@ -81,10 +82,12 @@
    * frame, because a change while sizes are observed is an error of the browser. */
   const diagrams = new Map();
   function offer(place) {
-    const wide = place.clientWidth && natural(diagrams.get(place)) > place.clientWidth + 1;
+    const svg = diagrams.get(place);
+    const scrolls = place.scrollWidth > place.clientWidth + 1;
+    const wide = place.clientWidth && (scrolls || natural(svg) * READABLE > place.clientWidth);
     if (wide && !place.classList.contains("wide")) {
       place.classList.add("wide");
-      addButton(place, diagrams.get(place));
+      addButton(place, svg);
     }
   }
   const watch = new ResizeObserver((changes) => {

@@ -2,9 +2,10 @@
 
 import pytest
 
-from portal.bench_page import steps
+from portal.bench_page import bands, steps
 from portal.plots import axis, draw
-from traceability.schema import HOST, VIRTUAL_K64, Curve, LoopPlot
+from traceability.reading.bench_record import MANUAL, SLOW
+from traceability.schema import HOST, VIRTUAL_K64, BenchRun, Curve, LoopPlot, Spread
 
 
 def curve(kind: str, binding: str, *values: float) -> Curve:
@@ -52,3 +53,16 @@ def test_the_set_points_of_a_scenario_are_drawn_in_steps() -> None:
     assert [tick.text for tick in drawing.y] == ["-32", "0", "32"]
     assert drawing.lines[0].path == "M0.0 300.0H500.0V0.0H1000.0V0.0"
     assert drawing.words == "Set-point of the steering: 2 values from -32 to 32 degrees"
+
+
+def test_the_longest_cycle_of_all_models_of_time_is_marked() -> None:
+    spread = Spread(0.0, 0.0, 0.0)
+
+    def run(*times_us: int) -> BenchRun:
+        return BenchRun(spread, spread, spread, 0.0, times_us, len(times_us))
+
+    quick, slow = run(100, 250, 100, 100), run(200, 200, 200, 500)
+    (mark,) = bands({MANUAL: quick, SLOW: slow}).marks
+    assert (mark.words, mark.across, mark.up) == ("maximum 0.500", 75.0, 100.0)
+    (mark,) = bands({MANUAL: quick}).marks
+    assert mark.words == "maximum 0.250"

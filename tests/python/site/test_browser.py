@@ -229,3 +229,28 @@ def test_columns_of_numbers_are_aligned_at_their_right_end(server: tuple[str, Pa
     )
     seen, _ = look(server, ["uses", "modules/MainController"], probe)
     assert seen["uses"] and {*seen["uses"], *seen["modules/MainController"]} == {"right"}
+
+
+def test_an_address_of_a_folded_element_opens_its_list(server: tuple[str, Path]) -> None:
+    probe = (
+        "const section = doc.querySelector('main section[id]');"
+        "const fold = doc.createElement('details'); section.before(fold); fold.append(section);"
+        "const shown = () => section.checkVisibility();"
+        "const found = [shown()]; view.location.hash = '#' + section.id;"
+        "await new Promise((done) => setTimeout(done, 50));"
+        "found.push(shown()); return found;"
+    )
+    seen, _ = look(server, ["modules/MainController"], probe, name="probe-folded")
+    assert seen["modules/MainController"] == [False, True]
+
+
+def test_a_fold_of_the_first_page_shows_its_links_only_when_it_is_open(
+    server: tuple[str, Path],
+) -> None:
+    probe = (
+        "const fold = doc.querySelector('.others'), link = fold.querySelector('a');"
+        "const found = [link.checkVisibility()]; fold.querySelector('summary').click();"
+        "found.push(link.checkVisibility()); return found;"
+    )
+    seen, _ = look(server, ["index"], probe, name="probe-fold")
+    assert seen["index"] == [False, True]

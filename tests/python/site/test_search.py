@@ -68,11 +68,12 @@ def test_headings_of_generated_pages_are_found() -> None:
     assert len(sections) > 60
 
 
-def test_the_title_of_each_alias_is_an_entry() -> None:
-    titles = {entry[2] for entry in searched()}
-    aliases = listed("search_aliases.txt", " = ")
-    assert aliases
-    assert [title for _, title in aliases if title not in titles] == []
+def test_words_that_readers_type_belong_to_an_entry() -> None:
+    addresses = {entry[4] for entry in searched()}
+    words = listed("search_words.txt", " = ")
+    assert words
+    assert [address for address, _ in words if address not in addresses] == []
+    assert len({address for address, _ in words}) == len(words)
 
 
 def test_each_expected_hit_is_a_place() -> None:

@@ -1,0 +1,55 @@
+"""The messages of the commands are read from their code."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from portal.messages import Message, messages
+
+CODE = """
+ADVICE = "Connect the board, and try again."
+
+
+def check(port: int, parser: Parser) -> None:
+    if not port:
+        parser.error("name a port with --port")
+    raise MissingError(f"port {port} has no board. {ADVICE}")
+
+
+def other() -> None:
+    raise FailError("no report came", "Check cable and power.")
+    raise FailError(port, "Choose another port.")
+    raise FailureError(f"{port}: {port}")
+"""
+
+
+def texts_of(folder: Path, code: str, name: str = "tools/flash.py") -> list[Message]:
+    path = folder / name
+    path.parent.mkdir(parents=True)
+    path.write_text(code, encoding="utf-8")
+    return messages(folder)
+
+
+def test_a_message_has_its_text_its_exit_code_and_its_line(tmp_path: Path) -> None:
+    found = {message.text: message for message in texts_of(tmp_path, CODE)}
+    assert found["name a port with --port"].code == 2
+    missing = found["port … has no board. Connect the board, and try again."]
+    assert (missing.code, missing.file, missing.line) == (3, "tools/flash.py", 8)
+    assert found["no report came. Check cable and power."].code == 1
+    assert "Choose another port." in found
+
+
+def test_a_message_of_values_alone_is_no_entry(tmp_path: Path) -> None:
+    assert len(texts_of(tmp_path, CODE)) == 4
+
+
+def test_the_reasons_in_reports_are_messages(tmp_path: Path) -> None:
+    code = 'ACTIONS = {"no order": "Send orders: ./wr drive."}'
+    (message,) = texts_of(tmp_path, code, "client/weeding_robot_client/reasons.py")
+    assert (message.text, message.code) == ("Send orders: ./wr drive.", None)
+
+
+def test_each_message_of_the_project_has_one_anchor() -> None:
+    found = messages(Path(__file__).parents[3])
+    assert len(found) > 100
+    assert len({message.anchor for message in found}) == len(found)

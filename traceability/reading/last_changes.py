@@ -1,0 +1,20 @@
+"""The last commit that changed each file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from traceability.reading.build_evidence import git
+
+
+def last_changes(root: Path) -> dict[str, str]:
+    """Returns for each file of the history the date and the number of its last commit. Empty
+    without git.
+    """
+    found: dict[str, str] = {}
+    log = git(root, "log", "--no-merges", "--format=%x00%cs %h", "--name-only")
+    for entry in filter(None, log.split("\0")):
+        commit, *files = entry.split("\n")
+        for file in filter(None, files):
+            found.setdefault(file, commit)
+    return found
