@@ -19,8 +19,8 @@ from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
-# Group, key, title, text and address of an entry, then further words. The further words of an answer
-# are those that readers type. Those of other entries are the words of the text.
+# Group, key, title, text and address of an entry, then further words. The further words of an
+# answer are those that readers type. Those of other entries are the words of the text.
 Entry = tuple[str, ...]
 ANSWERS = "Answers"
 # Group of entries -> the kind in Sphinx's inventory.
