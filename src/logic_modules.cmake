@@ -13,8 +13,8 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 
-# The headers of the standard library, which take most of the time of the compiler. For clang they are not
-# precompiled: it checks that each source includes what it uses.
+# Compiles the headers of the standard library once, because they take most of the time of the compiler. Clang
+# compiles each source without them, and finds a missing include.
 function(precompile_standard_headers target)
   if(WR_JOIN AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_precompile_headers(${target} REUSE_FROM standard_headers)
