@@ -86,10 +86,12 @@ def run(
 def heed_interrupts() -> None:
     """Lets SIGTERM end the command like SIGINT.
 
-    A shell ignores SIGINT for a command in the background. A time limit sends SIGTERM.
+    A shell ignores SIGINT for a command in the background. A time limit sends SIGTERM. A pool ends
+    its processes with SIGTERM, so a process that was forked ends without an exception.
     """
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.default_int_handler)
+    os.register_at_fork(after_in_child=lambda: signal.signal(signal.SIGTERM, signal.SIG_DFL))
 
 
 @contextmanager
