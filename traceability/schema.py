@@ -737,7 +737,7 @@ class LastRecord:
     found: int
     tried: int
     current: bool  # whether its sources were the present sources
-    date: str = ""  # YYYY-MM-DD, of a published record
+    date: str  # YYYY-MM-DD
     justified: int = 0  # faults that were not found because no test can find them
 
 

@@ -162,7 +162,7 @@ def _last(name: str, last: LastRecord | None) -> str:
     commit = f"commit {last.commit[:7]}" if last.commit else "an unknown commit"
     justified = f"; {last.justified} others are justified" if last.justified else ""
     return (
-        f"{NAMES[name]} was not run in this build. Its last run, at {commit}, "
+        f"{NAMES[name]} was not run in this build. Its last run, at {commit} on {last.date}, "
         f"found {last.found} of {_count(last.tried, 'fault')}{justified}."
     )
 

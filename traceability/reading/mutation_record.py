@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from traceability.reading.published import last_score
-from traceability.reading.results import RESULTS, read_json
+from traceability.reading.results import RESULTS, day_of, read_json
 from traceability.schema import LastRecord, Mutant, Mutation, Place
 
 RECORD = RESULTS / "mutation.json"
@@ -20,7 +20,13 @@ def last_mutation(root: Path, sources: str) -> LastRecord | None:
     last = _mutation(data)
     current = data.get("sources") == sources
     return LastRecord(
-        "mutate", data.get("commit", ""), last.found, len(last.tried), current, "", last.justified
+        command="mutate",
+        commit=data.get("commit", ""),
+        found=last.found,
+        tried=len(last.tried),
+        current=current,
+        date=day_of(root / RECORD),
+        justified=last.justified,
     )
 
 

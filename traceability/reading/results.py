@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import time
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
@@ -51,6 +52,11 @@ def read_json(path: Path) -> Any:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
+
+
+def day_of(record: Path) -> str:
+    """Returns the day (UTC) on which a run wrote its record."""
+    return time.strftime("%Y-%m-%d", time.gmtime(record.stat().st_mtime))
 
 
 def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:

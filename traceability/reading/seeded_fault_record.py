@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from traceability.reading.published import last_score
-from traceability.reading.results import RESULTS, read_json
+from traceability.reading.results import RESULTS, day_of, read_json
 from traceability.reading.task_record import SEEDED_FAULTS, is_fresh
 from traceability.schema import LastRecord
 
@@ -68,7 +68,9 @@ def last_seeded(root: Path) -> LastRecord | None:
         return last_score(root, "drift")
     caught = sum(outcome["caught"] for outcome in record["outcomes"])
     tried, current = len(record["outcomes"]), is_fresh(root, SEEDED_FAULTS)
-    return LastRecord("check --drift", record.get("commit", ""), caught, tried, current)
+    return LastRecord(
+        "check --drift", record.get("commit", ""), caught, tried, current, day_of(root / RECORD)
+    )
 
 
 def read_record(root: Path) -> list[Outcome] | None:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import TextIO
@@ -131,10 +133,15 @@ def test_a_justified_mutant_is_not_listed(
     model = read_mutation(root, "sources")
     assert model is not None
     assert (model.found, model.justified, len(model.tried)) == (1, 1, 2)
+    local = last_mutation(root, "later sources")
+    assert local is not None
+    assert (local.found, local.justified, local.tried, local.current) == (1, 1, 2, False)
+    os.utime(root / "build/results/mutation.json", (0, 0))
+    assert last_mutation(root, "later sources") == replace(local, date="1970-01-01")
     (root / "build/results/mutation.json").unlink()
-    last = last_mutation(root, "later sources")
-    assert last is not None
-    assert (last.found, last.justified, last.tried, last.current) == (1, 1, 2, False)
+    published = last_mutation(root, "later sources")
+    assert published is not None
+    assert replace(published, command=local.command) == local
 
 
 def test_a_resumed_run_tries_only_what_no_test_found(
