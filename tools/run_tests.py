@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import argparse
+import time
 from pathlib import Path
 
 from tools.check import report
 from tools.cmake_build import Counts
-from tools.documents import read_findings
+from tools.documents import read_findings, write_time
 from tools.lint import lint_tasks
 from tools.lock import only_one
 from tools.task_graph import Graph, Reporter
@@ -24,6 +25,7 @@ from tools.tasks import (
 from traceability.reading.task_record import (
     CHANGES,
     PORTS,
+    RECORD,
     SEEDED_FAULTS,
     TESTS_BOARD,
     TESTS_TRACE,
@@ -82,7 +84,9 @@ def test_parts(root: Path, parts: list[str]) -> int:
 
 
 def test(root: Path, *, long: bool, lint: bool) -> int:
+    start = time.monotonic()
     with only_one(root, "test"):
+        cold = lint and not (root / RECORD).exists()
         names = [*RESULT_TASKS, TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
         names += [SEEDED_FAULTS] if long else []
         style = lint_tasks(root) if lint else []
@@ -91,6 +95,8 @@ def test(root: Path, *, long: bool, lint: bool) -> int:
         pages = pages_graph(root).run([DOCUMENTS, PAGES])
         counts = counts_of(results) + counts_of(pages)
         code = report(read_findings(root), [*results.failed, *pages.failed])
+        if cold:
+            write_time(root, "build.ci_s", time.monotonic() - start)
     print(counts)
     return code if counts.passed else 1
 

@@ -24,7 +24,7 @@ from traceability.reading.release_record import release_metrics
 from traceability.reading.results import read_recording_factor, read_totals
 from traceability.reading.traces import nodes_of
 from traceability.schema import HOST, Clause, Proofs, Requirement, SafetyCase
-from traceability.sources import file_hash
+from traceability.sources import file_hash, files_below
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verification
 OF_OTHER_STEPS = (  # metrics that are null before a step measures them
@@ -34,7 +34,7 @@ OF_OTHER_STEPS = (  # metrics that are null before a step measures them
     *("drift.seeded", "drift.caught", "portal.axe_violations", "portal.search_first_hit"),
     *("site.pages", "site.dead_links", "build.first_page_s"),
     "changes.proven",
-    *("build.cold_s", "build.edit_s", "release.reproducible"),
+    *("build.cold_s", "build.edit_s", "build.ci_s", "release.reproducible"),
     *(f"live.{key}" for key in LIVE),
     *CAMPAIGNS,
 )
@@ -56,7 +56,20 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
     live = live_metrics(root)
     release = release_metrics(root, model.commit)
     values = drift(model) | image(root) | times | forbidden(model) | tests | prose | live | release
-    return values | changes(model)
+    return values | changes(model) | sizes(root)
+
+
+def sizes(root: Path) -> dict[str, int]:
+    """Returns the lines of the Python tools, of their tests, and of the tables of the design."""
+    parts = {
+        "tools.python_lines": (("traceability", "site", "tools"), ".py"),
+        "tools.python_test_lines": (("tests/python",), ".py"),
+        "tools.design_lines": (("design",), ".toml"),
+    }
+    return {
+        name: sum(file.read_bytes().count(b"\n") for file in files_below(root, folders, (suffix,)))
+        for name, (folders, suffix) in parts.items()
+    }
 
 
 def changes(model: Model) -> dict[str, Any]:

@@ -1,0 +1,58 @@
+"""./wr test: the tasks of a whole run, and the time of the first run."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tools import run_tests
+from tools.documents import TIMES
+from tools.task_graph import Graph, Task
+from tools.tasks import (
+    DOCUMENTS,
+    PAGES,
+    PYTHON_TESTS,
+    RESULT_TASKS,
+    TESTS_SANITIZE,
+    python_task,
+)
+from traceability.reading.results import read_json
+from traceability.reading.task_record import RECORD
+
+
+@pytest.fixture
+def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project whose tasks do nothing."""
+
+    def graph_of(*names: str) -> Graph:
+        return Graph(tmp_path, [Task(name, lambda _log: None, always=True) for name in names])
+
+    results = [*RESULT_TASKS, TESTS_SANITIZE]
+    results += map(python_task, PYTHON_TESTS)
+    monkeypatch.setattr(run_tests, "graph", lambda _root: graph_of(*results))
+    monkeypatch.setattr(run_tests, "pages_graph", lambda _root: graph_of(DOCUMENTS, PAGES))
+    monkeypatch.setattr(run_tests, "lint_tasks", lambda _root: [])
+    monkeypatch.setattr(run_tests, "report", lambda _findings, _failed: 0)
+    return tmp_path
+
+
+def measured(root: Path) -> set[str]:
+    return set(read_json(root / TIMES) or {})
+
+
+def test_the_first_whole_run_with_lint_is_measured(root: Path) -> None:
+    run_tests.test(root, long=False, lint=True)
+    assert measured(root) == {"build.ci_s"}
+
+
+def test_a_later_run_is_not_measured(root: Path) -> None:
+    (root / RECORD).parent.mkdir(parents=True)
+    (root / RECORD).write_text("{}", encoding="utf-8")
+    run_tests.test(root, long=False, lint=True)
+    assert measured(root) == set()
+
+
+def test_a_run_without_lint_is_not_measured(root: Path) -> None:
+    run_tests.test(root, long=False, lint=False)
+    assert measured(root) == set()
