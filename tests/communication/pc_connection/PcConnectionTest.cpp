@@ -512,7 +512,7 @@ TEST_F(PcConnectionTest, FR240_AStopActsWithFieldsOutOfRange) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop acts in an order that is stale.
+/// @brief A stop order acts even when it is stale.
 /// @verifies FR-240
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR240_AStopActsInAStaleOrder) {
@@ -602,7 +602,7 @@ TEST_F(PcConnectionTest, FR243_AnOldKeepAliveDoesNotMakeOldOrdersNew) {
                 [&] { receive(test::lineBytes(kOrder, 6, orderPayload(2))); });
 }
 
-/// @brief After a Hello the sequence begins again: an order with a number from before is accepted.
+/// @brief After a Hello the sequence begins again: an order with a number of the previous session is accepted.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AHelloBeginsTheSequenceAgain) {
   handshake();

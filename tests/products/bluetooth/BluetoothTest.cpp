@@ -101,7 +101,7 @@ TEST_F(BluetoothTest, FR151_ServesTheWrappedMode) {
   EXPECT_EQ(served, 1);
 }
 
-/// @brief A stop of the device is reported by the mode, also when the order is old.
+/// @brief The mode reports a stop of the device, even when the order is old.
 /// @verifies FR-151
 TEST_F(BluetoothTest, FR151_PassesTheStopOn) {
   EXPECT_FALSE(mode.stopOrdered());
