@@ -559,7 +559,7 @@ class FaultScenario:
 
 @dataclass(frozen=True)
 class Correction:
-    """Files whose edits correct defects, except for the lines ``for_safety``."""
+    """Files whose edits correct defects; ``for_safety`` counts their lines that serve safety."""
 
     paths: Sequence[str]
     why: str
@@ -629,7 +629,7 @@ class RequirementNumbers:
 
 @dataclass(frozen=True)
 class NumbersWithout:
-    """Numbers of requirements that no constant has, as ``FR-1 100 us``."""
+    """Numbers of requirements that no constant has, for example ``FR-1 100 us``."""
 
     numbers: Sequence[str]
     why: str

@@ -81,7 +81,7 @@ void CortexM4::writeSystem(std::uint32_t address, unsigned size, std::uint32_t v
   reevaluate();
 }
 
-// Passes the values of system control that the core needs to the core.
+// Passes to the core the values of system control that it needs.
 void CortexM4::systemChanged() {
   core_.fpu = {
       .on = system_.fpuOn(), .activates = system_.fpuStacks(), .defaults = system_.fpDefaults()};

@@ -175,7 +175,7 @@ TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
 }
 
 /// @brief A stop of the PC holds the robot until the PC sends an order without a stop. Orders of the
-/// remote control do not end it.
+/// remote control do not end this stop.
 TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.2, .steering = 0});
   this->robot.connect();

@@ -545,7 +545,7 @@ _FIXED = [
         "Controllers and sensors are independent",
         "Modules that design/uses.toml separates neither name one another nor include each other's "
         "header. No controller names a sensor, and no sensor names a controller.",
-        "a third module that passes one to the other.",
+        "a third module that gives a controller a sensor, or a sensor a controller.",
         "pass the value through a pipe.",
     ),
     Check(

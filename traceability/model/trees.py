@@ -82,9 +82,7 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
-    """Returns the tree with, for each target, whether its nodes belong to the part of the tree that
-    was found.
-    """
+    """Returns the tree. Each node states the targets on which it was found."""
     numbers = itertools.count()
 
     def marked(node: TreeNode) -> TreeNode:

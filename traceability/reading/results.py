@@ -74,7 +74,7 @@ def read_record(path: Path, kind: type[T]) -> T | None:
 
 
 def bindings_of(file: str) -> list[str]:
-    """Returns the targets that a test of the firmware is built for, by its folder."""
+    """Returns the targets for which a test of the firmware is built. Its folder decides."""
     if file.startswith(COMPARED):
         return []
     if file.startswith(BOARD_ONLY):

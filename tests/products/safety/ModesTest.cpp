@@ -108,7 +108,7 @@ class PersistentStopTest : public ControllerFixture {
   SourceMode source;
 };
 
-/// @brief The stop of the source is stored, and released with it.
+/// @brief The stop of the source is stored. When the source releases it, the stored stop is cleared.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_TheStopIsStored) {
   PersistentStop mode(source, memory);
