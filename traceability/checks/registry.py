@@ -35,8 +35,8 @@ WHY = {
     "design": "The checks compare design/ with the code; they cannot compare an unreadable file.",
     "doc": "Every document is generated from these texts, and repeats their mistakes.",
     "module": (
-        "A module that is small, has a known place and a specification can be found, understood "
-        "and replaced by a developer who has not read the other modules."
+        "A developer can find, understand and replace a small module with a known place and a "
+        "specification, and need not read the other modules."
     ),
     "secret": (
         "If another module uses hidden names, a change of the secret must also change that module."
@@ -106,8 +106,9 @@ _FIXED = [
     Check(
         "doc-name",
         "Names in texts exist",
-        "Each class, method, function, constant or value that a comment of the code, a literal of "
-        "a page of docs/ or a text of design/ names exists in the code or in the paper. "
+        "Each named class, method, function, constant or value exists in the code or in the paper. "
+        "The names are in comments of the code, in literals of the pages of docs/, and in texts of "
+        "design/. "
         "`paper-stale` checks the names in design/concordance.toml, and `pattern-change` the "
         "names in design/changes.toml.",
         "names that are also English words, such as the class Wheel; a name that "
@@ -117,10 +118,9 @@ _FIXED = [
     Check(
         "design-entry",
         "The files of the design can be read",
-        "Every file of design/ exists and is valid TOML; each entry has the keys that it needs and "
-        "no "
-        "others, and no needed text is empty; each name has one entry; each "
-        "baseline and each review has a date.",
+        "Every file of design/ exists and is valid TOML. Each entry has the keys that it needs and "
+        "no others, and no needed text is empty. Each name has one entry. Each baseline and each "
+        "review has a date.",
         "whether an entry is true; the other checks compare it with the code. As long as "
         "a file cannot be read, they do not run.",
         "correct the line, or the name of the key.",
@@ -450,8 +450,8 @@ _FIXED = [
     Check(
         "stack-bound",
         "The stack is large enough for the worst case",
-        "The sum of the deepest chains of calls of all priorities fits into the stack; "
-        "each frame has a bound; no run in closed loop used more than this sum.",
+        "The sum of the deepest chains of calls of all priorities fits into the stack. Each frame "
+        "has a bound. No run in closed loop used more than this sum.",
         "the words that the hardware stores for a fault in a fault handler.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
@@ -490,11 +490,13 @@ _FIXED = [
         "fsm-code",
         "Declared transitions agree with the code",
         "The bodies of the states change to each successor as often as the machine declares, in "
-        "the same operation. The check follows the operation that assigns the Context's state to "
-        "the states that call it, and each successor to the object that the builder passed. The "
+        "the same operation. The check follows the calls of the operation that assigns the "
+        "Context's state, back to the states. It follows each successor to the object that the "
+        "builder passed. The "
         "builder begins with the initial state, and an operation that always changes the state "
-        "has no transition that stays. The only transition of an operation has a guard exactly "
-        "when the code makes it conditional. Before each change the code evaluates the conditions "
+        "has no transition that stays. If an operation has a single transition, this transition "
+        "has a guard exactly when the code makes it "
+        "conditional. Before each change the code evaluates the conditions "
         "that [guards] states for the guard. Before the change, the operations of a state also "
         "call the methods that [actions] states for their actions. They call no other methods of "
         "[actions].",
@@ -899,9 +901,9 @@ _FIXED = [
     Check(
         "paper-stale",
         "The concordance names existing parts",
-        "Every module, method, application, state machine, requirement, check and page that an "
-        "entry of design/concordance.toml names exists, and so does each name in backticks in its "
-        "texts. A count of modules or applications, and the value of a constant, equal the values "
+        "The entries of design/concordance.toml and the backticks in their texts name only "
+        "existing modules, methods, applications, state machines, requirements, checks and "
+        "pages. A count of modules or applications, and the value of a constant, equal the values "
         "in the code.",
         "whether the paper means this part; only a reader can judge that.",
         "name the part that replaced it.",

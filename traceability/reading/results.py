@@ -90,8 +90,8 @@ def cost_of(root: Path, run_name: str) -> Path:
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """Returns the duration of the tests with all records, and without records, both with these
-    sources.
+    """Returns the durations of two runs of the tests of these sources: with all records, and
+    without records.
     """
     costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):

@@ -1,6 +1,6 @@
 """The cost of the safety functions: files and lines since a base commit.
 
-Only lines of code count in edited files, and comments do not count.
+In edited files, only lines of code count, not comments.
 """
 
 from __future__ import annotations

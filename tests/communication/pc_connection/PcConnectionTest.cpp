@@ -218,8 +218,8 @@ TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A session that no Welcome has offered cannot be confirmed. This holds in the cycle of the
-/// Hello, and for a Welcome for which the port had no space.
+/// @brief A session that no Welcome has offered cannot be confirmed. This is true in the cycle of
+/// the Hello, and when the port had no space for the Welcome.
 /// @verifies FR-245
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR245_OnlyASessionThatWasSentIsOffered) {

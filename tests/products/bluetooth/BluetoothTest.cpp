@@ -21,7 +21,7 @@ class BluetoothTest : public ControllerFixture {
     mode.serve();
   }
 
-  // An order of the device, received.
+  // Receives an order of the device.
   void order(std::uint16_t id, bool stop = false) {
     devicePort.arrive(device.sign(frames.order({.id = id, .stop = stop})));
     mode.serve();

@@ -123,7 +123,8 @@ TEST_F(PersistentStopTest, FR290_TheStopIsStored) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief A stop from before a reset lasts until a neutral order without a stop is read.
+/// @brief A stop that was in force before a reset lasts until a neutral order without a stop is
+/// read.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_AStopOutlivesAReset) {
   memory.save(true);
