@@ -272,8 +272,8 @@ class Search:
         return node.label, node.kind, sorted(self.run.accepts(node)), below
 
     def find(self) -> tuple[TreeRun | None, int]:
-        """Returns the first run of the whole tree, the shortest recordings first; and the number of
-        its nodes that were found in order.
+        """Returns the run of the whole tree in the shortest recording, and the number of nodes that
+        were found in order.
         """
         nodes = nodes_of(self.tree)
         order = {id(node): number for number, node in enumerate(nodes)}

@@ -84,7 +84,7 @@ def link_once(folder: Path) -> Program:
             link[link.index(original)] = made
             words[words.index("-o") + 1] = made
             compiled[str(source.relative_to(SOURCES))] = words
-    # Without the notes for the debugger, which refer to the parts of the compiler.
+    # -g0 omits the debug information, because it refers to the parts of the compiler.
     linked_to(f"{folder / 'all'}.elf", [*link, "-g0", "-save-temps"])
     (optimised,) = folder.glob("all.elf.*.ltrans.o")
     link.insert(link.index("-o"), str(optimised))  # before the libraries
