@@ -164,7 +164,7 @@ class CortexM4 {
   /// change the registers, and memory with load().
   void onInstruction(std::function<void()> call) { core_.onInstruction(std::move(call)); }
 
-  /// @brief Sets the callback after each load and store of the program; empty: none.
+  /// @brief Sets the callback that runs after each load and store of the program; empty: none.
   void onAccess(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call) {
     core_.memory.observe(std::move(call));
   }
