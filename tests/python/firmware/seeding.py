@@ -101,7 +101,7 @@ def compiled_to(target: Path, words: list[str]) -> str:
 
 
 def linked_to(target: str, words: list[str]) -> None:
-    """Runs the command of the build that links, with another output."""
+    """Runs the link command of the build with another output."""
     words = list(words)
     words[words.index("-o") + 1] = target
     subprocess.run(words, check=True, cwd=BUILD, timeout=60)

@@ -121,8 +121,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 
 
 def shifted_decisions(common: list[tuple[Row, Row]]) -> list[int]:
-    """Returns the cycles with different decisions of the two runs; each value then occurs in a
-    neighbouring cycle.
+    """Returns the cycles in which the two runs decide differently, and one run decides one cycle
+    later.
     """
     found = []
     for index, (first, second) in enumerate(common):
