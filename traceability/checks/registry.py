@@ -275,10 +275,9 @@ _FIXED = [
         "pattern-heir-unbound",
         "Every subclass has a role",
         "Every class that derives from an abstraction of an application has the role of a "
-        "subclass. A subclass of a State, a Strategy or an Abstract Class has it in each of its "
-        "applications, unless it extends a component or is an extended component. A Command that "
-        "is nested in "
-        "a module is the body of a thread, and needs no role.",
+        "subclass. A subclass of a State, a Strategy or an Abstract Class has this role in each of "
+        "its applications, unless the subclass extends a component or is an extended component. A "
+        "Command that is nested in a module is the body of a thread, and needs no role.",
         "whether the role is right.",
         "bind the subclass to a role, or derive it from another class.",
     ),
