@@ -74,7 +74,7 @@ svg, img { max-width: 100%; height: auto }
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "book",
-        description="Prints the explaining pages of the portal into one PDF: "
+        description="Prints the pages that explain the system into one PDF: "
         f"{PDF}. It uses the last pages of ./wr portal or ./wr test, and needs "
         "Chromium.",
     )

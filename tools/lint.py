@@ -72,7 +72,7 @@ def lint(root: Path) -> int:
 
 
 def lint_tasks(root: Path) -> list[Task]:
-    """Returns the tasks of this command; each runs always."""
+    """Returns the tasks of this command. Each task runs in every call."""
     tools = root / ".venv" / "bin"
     python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
 

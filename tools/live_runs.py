@@ -167,7 +167,7 @@ def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
 
 
 def differences(native: Run, run: dict[str, Any]) -> list[str]:
-    """Returns the differences of a run as WebAssembly from the native one, and its failures."""
+    """Returns the differences between a run as WebAssembly and the native run, and its failures."""
     problems = [run["end"]] if run["end"] != "ended" else []
     problems += run["failures"]
     if run["reports"] != native.reports:

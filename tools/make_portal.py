@@ -25,8 +25,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "portal",
         description="Builds the portal from the sources, serves it on this machine and opens it. "
-        "Then builds the firmware for this machine and for the K64, runs its tests with "
-        "traces and coverage, and with the image on the virtual K64, measures the image, and "
+        "Then builds the firmware for this machine and for the K64, and runs its tests: with "
+        "traces and coverage, and with the image on the virtual K64. Then measures the image, and "
         "rebuilds the pages with the results. An open page shows the running tasks, and updates "
         "itself. Tasks whose inputs did not change are not run again. Findings and failed "
         "tests do not stop the portal from being built.",

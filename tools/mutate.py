@@ -32,9 +32,10 @@ SHOWN_EVERY = 10.0  # seconds
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "mutate",
-        description="Builds a copy of the firmware that contains small faults in the functions "
-        "of the firmware and its extensions, each with a number. For each fault it runs the tests "
-        "of the requirements that the function serves, then the other tests that execute it. "
+        description="Builds a copy of the firmware that contains small faults in the functions of "
+        "the firmware and its extensions. Each fault has a number. For each fault it runs the "
+        "tests of the requirements that the function serves, then the other tests that execute "
+        "the function. "
         "The score is shown in the portal; it is not a pass criterion. "
         "design/mutants.toml justifies faults that no test can find; the other faults that no test "
         "finds are listed as file:line, with the change.",

@@ -76,8 +76,8 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
 def prove(
     root: Path, declared: Declared, properties: Iterable[ProofProperty], say: Callable[[str], None]
 ) -> dict[str, ProofResult]:
-    """Proves properties, some at the same time. Prints a line for each property when its proof
-    ends.
+    """Proves properties, several of them in parallel. Prints a line for each property when its
+    proof ends.
     """
     listed = list(properties)
     results: dict[str, ProofResult] = {}

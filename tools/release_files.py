@@ -38,7 +38,8 @@ def sums_text(folder: Path, names: Iterable[str]) -> str:
 
 
 def below(folder: Path, *without: str) -> dict[str, Path]:
-    """Returns the files of a folder, by their names in it, except files with these endings."""
+    """Returns the files of a folder, by their paths in this folder, except files with these
+    endings."""
     return {
         str(path.relative_to(folder)): path
         for path in sorted(folder.rglob("*"))

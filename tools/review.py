@@ -31,7 +31,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         description="Shows the texts on which the verdict of one requirement depends: its text, "
         "tree, safety goals, methods, tests, fixtures and scenarios, with the changes since its "
         "baseline. Then asks the questions of the checklist, and records your answers in "
-        "requirements/reviews.toml. A reviewer is a person who, by git, wrote no line of these "
+        "requirements/reviews.toml. According to git, a reviewer wrote no line of these "
         "texts. With --baseline it asks nothing: it records the hashes of the present texts in "
         "requirements/baseline.toml. A baseline shows later changes; it is not a review.",
     )

@@ -145,7 +145,7 @@ class Copy:
         return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
-        """Seeds the faults together. Seeds the faults that were not found again, in halves.
+        """Seeds the faults together. Repeats the faults that were not found, in halves.
 
         A fault can hide all others, for example when it makes a file of the design unreadable.
         Seeding in halves separates this fault from the other faults in few runs.

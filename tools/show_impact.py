@@ -25,9 +25,9 @@ SHOWN = 12  # greatest number of listed tests without --json
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "impact",
-        description="Builds the model and lists the modules that a change may affect, by their "
-        "distance, and the requirements, patterns and tests to review. Follows the imports of "
-        "Python files to their tests. Lists the files whose effects it does not follow, such as "
+        description="Builds the model and lists the modules that a change may affect, sorted by "
+        "distance. Also lists the requirements, patterns and tests to review. Follows the imports "
+        "of Python files to their tests. Lists the files whose effects it does not follow, such as "
         "pages, scenarios and build files. The portal shows the effects on the page of each module "
         "and requirement.",
     )

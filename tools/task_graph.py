@@ -266,8 +266,8 @@ class Graph:
     ) -> Reporter:
         """Runs the named tasks and the tasks that they need; returns their results.
 
-        ``changed`` is called with the task that ended with new results, if any, and with the
-        progress.
+        ``changed`` is called with the progress, and with the task that ended with new results or
+        None.
         """
         with contextlib.chdir(self.root):
             record = Record(self.record)

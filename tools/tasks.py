@@ -75,7 +75,7 @@ LIVE_MODULE = "live module"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
 PAGES_RECORD = Path("build/pages.json")
 FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, task_record.IMAGES)
-# Results that the pages show. The most important results come first.
+# Tasks whose results the pages show, the most important task first.
 RESULT_TASKS = (
     *FIRMWARE,
     task_record.TESTS_TRACE,
@@ -106,7 +106,7 @@ PROOF_INPUTS = (
 SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # inputs of tests and runs
 PYTHON_SETTINGS = ("pyproject.toml", "setup/python.lock", "tools/python_tests.py")
 TOOLS = ("traceability", "site/portal", "tools", "client", *PYTHON_SETTINGS)
-# The seeded faults: the sources, the checks, and the faults.
+# Inputs of the test of the checks: the sources, the checks and the seeded faults.
 SEEDED = (
     *(*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design", "docs", "README.md"),
     *(*BUILD_FILES, *TOOLS),
@@ -140,7 +140,8 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     "worked_examples": SHOWN,
 }
 RUN_PROGRAMS = ("client", "firmware", "programs")  # folders whose tests run programs that are built
-# Folders whose tests also run the tools as programs; the others use only the files they import.
+# Folders whose tests also run the tools as programs. The other tests use only the files that they
+# import.
 RUN_TOOLS = (*RUN_PROGRAMS, "tools", "worked_examples")
 
 
@@ -157,12 +158,12 @@ def graph(root: Path) -> Graph:
 
 
 def pages_graph(root: Path, out: TextIO | None = None) -> Graph:
-    """Returns the tasks of the pages, which run while others still measure."""
+    """Returns the tasks that build and test the pages while other tasks still measure."""
     return Graph(root, documents(root, out or sys.stdout), out or sys.stdout, record=PAGES_RECORD)
 
 
 def builds(root: Path) -> list[Task]:
-    """Ninja itself finds the targets to build; each task returns the sources that Ninja lists."""
+    """Returns the tasks that build. Each task returns the sources that Ninja lists for it."""
 
     def made(name: str, *programs: tuple[str, tuple[str, ...]]) -> Task:
         def action(log: TextIO) -> Outcome:
@@ -324,7 +325,7 @@ def measurements(root: Path) -> list[Task]:
 
 
 def checks_of_tools(root: Path) -> list[Task]:
-    """Returns the tests of the tools, and the faults that are seeded to test the checks."""
+    """Returns the tests of the tools, and the task that seeds faults to test the checks."""
     built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, RECORDED_IMAGES, LIVE_MODULE)
 
     def tests(folder: str, others: tuple[str, ...]) -> Task:
@@ -350,7 +351,7 @@ def checks_of_tools(root: Path) -> list[Task]:
 
 
 def seed_faults(root: Path, log: TextIO) -> Outcome:
-    """Each fault must be found; a page of the portal shows the findings and their places."""
+    """Seeds each fault, and reports the faults that no check found."""
     from tools.seed_faults import seed_all
 
     outcomes = seed_all(root)

@@ -180,7 +180,8 @@ class Module:
 
     @property
     def extension(self) -> bool:
-        """Returns whether it belongs to an extension: the design does not count such modules."""
+        """Returns whether the module belongs to an extension: the design does not count such
+        modules."""
         return is_extension(self.logic)
 
 
@@ -261,7 +262,7 @@ class TreeNode:
 
     @property
     def ran(self) -> bool | None:
-        """Returns whether any target executed it; ``None`` when no target was measured."""
+        """Returns whether any target executed the node; ``None`` when no target was measured."""
         return any(self.executed.values()) if self.executed else None
 
 
@@ -476,7 +477,7 @@ class Requirement:
 
     @property
     def by_calls(self) -> bool:
-        """Returns whether calls fulfil it: it is functional, or has a tree."""
+        """Returns whether calls fulfil the requirement: it is functional, or has a tree."""
         return self.id.startswith("FR-") or self.tree is not None
 
 
@@ -559,7 +560,7 @@ class FaultScenario:
 
 @dataclass(frozen=True)
 class Correction:
-    """Files whose edits correct defects, except for the lines ``for_safety``."""
+    """Files whose edits correct defects; ``for_safety`` counts their lines that serve safety."""
 
     paths: Sequence[str]
     why: str
@@ -629,7 +630,7 @@ class RequirementNumbers:
 
 @dataclass(frozen=True)
 class NumbersWithout:
-    """Numbers of requirements that no constant has, as ``FR-1 100 us``."""
+    """Numbers of requirements that no constant has, for example ``FR-1 100 us``."""
 
     numbers: Sequence[str]
     why: str
@@ -1172,7 +1173,7 @@ class Connection:
 
     @property
     def arrow(self) -> str:
-        """Returns the name under which the concordance lists it."""
+        """Returns the name under which the concordance lists the connection."""
         return f"{self.source} -> {self.target} ({self.kind})"
 
 
@@ -1347,7 +1348,7 @@ class BenchRun:
 
 @dataclass(frozen=True)
 class Profile:
-    """Instructions in a cycle on average: name, all, up to the report."""
+    """Average instructions of a name in a cycle: in total, and up to the report."""
 
     modules: Sequence[tuple[str, float, float]]
     functions: Sequence[tuple[str, float, float]]

@@ -75,7 +75,8 @@ TEST_F(WaypointReaderTest, OldAndDamagedPositionsGiveNoOrder) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief The positions of a receiver at the second port command the image of the kit; its reports name the mode.
+/// @brief The image of the kit follows the positions of a receiver at the second port, and its
+/// reports name the mode.
 TEST(WaypointsOnBoard, PositionsCommandTheRobot) {
   ChangedRobot robot("change_reading-modes");
   robot.connect();

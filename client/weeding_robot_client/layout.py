@@ -281,7 +281,7 @@ def _layout(item: dict[str, Any], enumerations: Mapping[str, Enumeration]) -> La
 
 
 def _in_order(items: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], int | None]]:
-    """Yields each field in the order on the line. A group of fields for the wheels repeats."""
+    """Yields the fields in their order on the line. A group of fields for the wheels repeats."""
     group: list[dict[str, Any]] = []
     for one in [*items, None]:
         if one is not None and "each" in one:

@@ -6,8 +6,8 @@ namespace wr {
 
 namespace {
 
-// A step of the steering motor may be late by this time, in which the wheels turn by less than a
-// degree.
+// A step of the steering motor may be late by this time. In this time the wheels turn by less than
+// a degree.
 constexpr Microseconds kLatestTick = milliseconds(20);
 
 // An edge that waits at one or two ticks can be new.

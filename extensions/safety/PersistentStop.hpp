@@ -10,7 +10,7 @@ namespace wr {
 /// @function Stores the stop of the wrapped mode in every cycle. A stop that was in force before a reset
 /// stays in force until the source orders neutral set-points without a stop.
 ///
-/// @secret The event that ends a stop from before a reset.
+/// @secret The event that ends a stop that was stored before a reset.
 ///
 /// @role{mode-extensions, Concrete Decorator}
 class PersistentStop final : public ModeDecorator {
@@ -25,7 +25,7 @@ class PersistentStop final : public ModeDecorator {
   /// @isr{no}
   void serve() override;
 
-  /// @brief Reads an order; a neutral order ends a stop from before the reset.
+  /// @brief Reads an order; a neutral order ends a stop that was stored before the reset.
   /// @param mCtrl controller whose data receive the set-points
   /// @satisfies FR-290
   /// @isr{no}

@@ -54,8 +54,7 @@ void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) 
 }
 
 void CallRecorder::exceptionLeft() {
-  // Ends the calls that were left by jumps before the return of the handler, and the handler
-  // itself.
+  // Ends the handler, and the calls that the handler left by jumps before its return.
   while (!calls_.empty()) {
     const bool handler = calls_.back().returnsTo == 0;
     const std::size_t begin = calls_.back().begin;

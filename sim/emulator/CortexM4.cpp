@@ -81,7 +81,7 @@ void CortexM4::writeSystem(std::uint32_t address, unsigned size, std::uint32_t v
   reevaluate();
 }
 
-// Passes the values of system control that the core needs to the core.
+// Passes to the core the values of system control that it needs.
 void CortexM4::systemChanged() {
   core_.fpu = {
       .on = system_.fpuOn(), .activates = system_.fpuStacks(), .defaults = system_.fpDefaults()};
@@ -375,7 +375,7 @@ void CortexM4::breakpoint() {
   fault(kHardFault, 0, at, "unhandled-fault", "breakpoint");
 }
 
-// Raises the faults of ARMv7-M ARM, B1.5.14, that an instruction causes by its kind or its address.
+// Raises the faults that an instruction causes by its kind or its address: ARMv7-M ARM, B1.5.14.
 void CortexM4::instructionFault(Trap trap) {
   const std::uint32_t at = core_.at();
   const auto usage = [this](std::uint32_t status, std::uint32_t pc, const char* id,

@@ -63,7 +63,7 @@ class DebugPort {
   /// @brief Sets the callback before each instruction. It may read and write registers and memory.
   void onInstruction(std::function<void()> call);
 
-  /// @brief Sets the callback after each load and store of the program; empty: none.
+  /// @brief Sets the callback that runs after each load and store of the program; empty: none.
   void onAccess(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call);
 
   /// @brief Returns the instructions that were executed since the board was switched on.

@@ -31,7 +31,7 @@ class StimulusQueue {
   /// @brief Returns the time of the next stimulus; kNever when there is no stimulus.
   [[nodiscard]] Time next() const { return next_; }
 
-  /// @brief Runs all stimuli up to a time, in order; at the same time levels before calls.
+  /// @brief Runs all stimuli up to a time, in order. At equal times, levels come before calls.
   void advance(Time now);
 
  private:

@@ -14,8 +14,8 @@ namespace wr::emulator {
 /// K64P144M120SF5RM, chapter Universal Asynchronous Receiver/Transmitter (UART).
 ///
 /// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO.
-/// PFIFO is written only while receiver and transmitter are off. S1[RDRF] is set from RWFIFO
-/// waiting bytes on, and S1[TDRE] while at most TWFIFO bytes wait. A read of S1 and then of D
+/// PFIFO is written only while receiver and transmitter are off. S1[RDRF] is set while at least
+/// RWFIFO bytes wait, and S1[TDRE] while at most TWFIFO bytes wait. A read of S1 and then of D
 /// clears RDRF when fewer bytes wait. A byte that does not fit into the FIFO sets S1[OR]; OR and FE
 /// stop the receiver until they are cleared. UART0 has FIFOs of 8 bytes, UART4 buffers of 1
 /// (chapter Chip Configuration, UART).

@@ -142,7 +142,8 @@ class VirtualBoard {
   /// connected to it. Each conversion returns the voltage of the previous conversion.
   void openAnalog(int converter, int channel);
 
-  /// @brief Sets a callback at each multiple of a period of board time. It is called before the
+  /// @brief Sets a callback that runs at each multiple of a period of board
+  /// time. It is called before the
   /// instructions and events of that time. The first call is at the next multiple. A callback may
   /// use the board, but not run it. Callbacks for the same time run in the order in which they were
   /// set.

@@ -53,7 +53,7 @@ class HostFirmware {
   /// @param pcPort line to the PC
   /// @param start cause of the start; unknown when it is omitted
   /// @param equipment parts of the firmware
-  /// @param retained memory from before the last reset
+  /// @param retained memory with its content before the last reset
   HostFirmware(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {},
                HostEquipment equipment = HostEquipment::Whole, const Retained& retained = {});
   HostFirmware(const HostFirmware&) = delete;

@@ -11,8 +11,8 @@ namespace {
 constexpr std::uint32_t kSeed = 1;
 constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).count());
 
-// From power-on to the start of the periods of the timers, as measured with the image on the
-// virtual K64: clock, calibration of the converters, construction.
+// The time from power-on to the start of the periods of the timers: start of the clock, calibration
+// of the converters, and construction. It was measured with the image on the virtual K64.
 constexpr Microseconds kStartUp(5364);
 
 // The time from a tick to the start of the first wheel thread in its cycle, and the time from one

@@ -178,7 +178,8 @@ class Robot {
   /// @return rpm, positive forwards
   [[nodiscard]] double velocityRpm(std::size_t wheel) const;
 
-  /// @brief Greatest true velocity of any wheel since the start or since it was cleared.
+  /// @brief Returns the greatest true velocity of any wheel since the start, or since the last call of
+  /// clearGreatestVelocity().
   /// @return rpm, of either direction
   [[nodiscard]] double greatestRpm() const { return greatestRpm_; }
 

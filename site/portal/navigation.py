@@ -80,7 +80,7 @@ def is_underline(line: str) -> bool:
 
 
 class Navigation:
-    """Three groups, each for an aim of a reader, and the pages that explain."""
+    """Three groups of pages, each for an aim of a reader, and the groups of hand-written pages."""
 
     def __init__(
         self, model: Model, docs: list[Entry], checks: int, faults: int, questions: int

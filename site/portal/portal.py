@@ -273,8 +273,8 @@ class Portal:
         ]
 
     def stack_of(self, module: Module) -> tuple[int, str] | None:
-        """Returns the most bytes of stack that the methods of a module have in the deepest chain of
-        calls of one context, and the name of this context.
+        """Returns the maximum stack use of the methods of a module in the deepest chain of calls of
+        a context [bytes], and the name of this context.
         """
         begin = f"{module.name}::"
         stack = self.model.stack
@@ -415,8 +415,8 @@ class Portal:
         return f"{passed}/{len(runs)}"
 
     def passed_on(self, binding: str) -> tuple[int | None, int]:
-        """Returns the number of passed tests on a target, if known, and the number of tests for
-        it.
+        """Returns the number of passed tests on a target, if known, and the number of all its
+        tests.
         """
         runs = [t.results[binding] for t in self.model.tests.values() if binding in t.results]
         is_fresh = not self.model.stale_on(binding)

@@ -19,8 +19,8 @@ from portal.portal import SITE, Portal
 from portal.sections import sections_of, terms_of
 from traceability.schema import Module
 
-# Group, key, title, text and address of an entry, then further words. The further words of an
-# answer are those that readers type. Those of other entries are the words of the text.
+# Group, key, title, text and address of an entry, then further words. An answer has the words that
+# readers type. Other entries have the words of their text.
 Entry = tuple[str, ...]
 ANSWERS = "Answers"
 # Group of entries -> the kind in Sphinx's inventory.
@@ -66,7 +66,7 @@ def index_script(portal: Portal, bodies: Path) -> str:
 
 
 def with_words(entry: Entry, words: dict[str, str]) -> list[str]:
-    """Returns an entry with six parts, and as the seventh the words that readers type for it."""
+    """Returns an entry with a seventh part: the words that readers type for it."""
     group, key, title, text, address, *rest = entry
     own = rest[0] if rest else ""
     if group == ANSWERS:

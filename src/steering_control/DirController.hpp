@@ -89,7 +89,7 @@ class DirController final {
   /// @satisfies FR-116
   void tick(const TurnFeedback& motor);
 
-  /// @brief Returns whether there is an order to follow. States call it.
+  /// @brief Returns whether an order to follow a set-point is in force. States call this method.
   /// @return true when the newest target is not a hold and is not older than 300 ms
   /// @isr{yes}
   /// @satisfies FR-106

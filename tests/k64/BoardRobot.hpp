@@ -47,8 +47,8 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
     {'B', 22, false},
 }};
 
-/// The firmware on the virtual K64, where a test also has access to the board. Tests cause faults
-/// and resets, so faults and resets do not stop the board.
+/// The firmware on the virtual K64. A test also has access to the board. Tests cause faults and
+/// resets, and the board continues after them.
 class BoardRobot : public SteppedRobot {
  public:
   explicit BoardRobot(emulator::Options options = {})

@@ -29,7 +29,8 @@ std::vector<std::uint32_t> memoryOf(const emulator::VirtualBoard& board) {
   return words;
 }
 
-// Runs to the next reset. Returns the pins that were not at their safe level just before.
+// Runs to the next reset. Returns the pins that were not at their safe level at the last check
+// before this reset.
 std::string unsafeAtReset(BoardRobot& robot) {
   const int before = robot.board.resets();
   const nanoseconds limit = robot.board.now() + milliseconds(1);

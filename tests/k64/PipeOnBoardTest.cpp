@@ -20,8 +20,8 @@ struct Counts {
 };
 
 // The main thread reads one pipe that the interrupt of the Hall sensors writes, and writes another
-// pipe that this interrupt reads. The edges come in pairs, at different times of its loop: in some
-// pairs both edges interrupt the work on the same value.
+// pipe that this interrupt reads. The edges come in pairs, at different times of the loop of the
+// main thread: in some pairs both edges interrupt the work on the same value.
 class PipeOnBoard : public testing::Test {
  protected:
   PipeOnBoard() {

@@ -85,7 +85,8 @@ TEST(ControlThread, FR4_PostWhileRunningIsCountedAndKept) {
   EXPECT_EQ(thread.overruns(), 1);
 }
 
-/// @brief Each of several posts while the body runs is an overrun, and the body runs once more.
+/// @brief The thread is posted several times while its body runs. Each post is an overrun, and the
+/// body runs once more.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_OnlyOnePostIsKept) {

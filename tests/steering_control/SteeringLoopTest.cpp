@@ -215,7 +215,8 @@ TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
 }
 
 /// @brief A broken cable of the sensor ends the turn within 30 ms. An order to hold does not end
-/// the fault; an acknowledgement does. The next order to follow then turns the steering again.
+/// the fault; an acknowledgement does. The next order to follow a set-point then turns the steering
+/// again.
 /// @verifies FR-110
 /// @verifies FR-112
 /// @verifies FR-113

@@ -1,10 +1,9 @@
-// Records the arcs of the firmware's flow graphs that each test executes. The build includes it
-// only with
-// WR_TRACE.
+// Records the arcs of the firmware's flow graphs that each test executes. The build includes this
+// file only with WR_TRACE.
 //
 // Each test writes one file in the folder WR_TRACE_DIR, named <suite>.<test>.arcs. A line with a
-// name is a file of counters, for the lines below it. Each of these lines has the number of a
-// function that ran, and its counters.
+// name names a file of counters, and the lines below it belong to this file. Each of these lines
+// has the number of a function that ran, and the counters of this function.
 //
 // The counters of the whole run are also written to the files of gcc, for other programs.
 

@@ -102,8 +102,8 @@ TEST(ClosedLoopOfRobot, FR52_RemoteControlDrives) {
   play("rc_drive");
 }
 
-/// @brief A stop brings the wheels to rest and keeps the angle of the steering, also after the end of the
-/// connection, until it is released.
+/// @brief A stop brings the wheels to rest and keeps the angle of the steering until the stop is
+/// released. The end of the connection does not release it.
 /// @verifies FR-21
 TEST(ClosedLoopOfRobot, FR21_StopBringsTheWheelsToRest) {
   play("stop");

@@ -134,8 +134,8 @@ TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   EXPECT_FALSE(this->robot.report().held());
 }
 
-/// @brief Without orders the modes alternate, beginning with the failed read that the design
-/// defines.
+/// @brief Without orders the modes alternate. Each design defines the failed read at which this
+/// begins.
 TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
   this->robot.commandByPc();
   int mode = kPc;
@@ -174,8 +174,8 @@ TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   EXPECT_FALSE(this->robot.report().orderRead());
 }
 
-/// @brief A stop of the PC holds the robot, also while the remote control orders, until an order without
-/// stop.
+/// @brief A stop of the PC holds the robot until the PC sends an order without a stop. Orders of the
+/// remote control do not end this stop.
 TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.2, .steering = 0});
   this->robot.connect();

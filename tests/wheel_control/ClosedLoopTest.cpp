@@ -164,7 +164,7 @@ TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   }
 }
 
-/// @brief A step that the limited rise delays causes hardly any overshoot.
+/// @brief A step to 300 rpm, which the limited rise delays, causes less than 10 % overshoot.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   run(velocityOf(3000), 1);
@@ -174,8 +174,8 @@ TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   EXPECT_NEAR(plant.present().count(), 3000, 30);
 }
 
-/// @brief After a current order that the supply could not drive, the next current is reached in 1 s
-/// with hardly any overshoot.
+/// @brief The supply cannot drive the first current order. The second current is reached within 5 % in
+/// 1 s, with an overshoot of less than 10 %.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   plant.load = 1.455;  // 3 A carry it
@@ -192,8 +192,8 @@ TEST_F(ClosedLoopTest, FR301_NoWindUp) {
   }
 }
 
-/// @brief After a velocity order that the supply could not reach, with a load of up to 8 A, the
-/// next velocity has hardly any overshoot.
+/// @brief With a load of up to 8 A, the supply cannot reach the first velocity order. The second
+/// velocity has an overshoot of less than 10 %.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   for (const double load : {3.3, 3.6, 3.9}) {
@@ -208,8 +208,8 @@ TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   }
 }
 
-/// @brief From 150 rpm forwards to 150 rpm backwards, the wheel is slow before its orientation
-/// changes; afterwards it hardly exceeds its set-point.
+/// @brief A wheel reverses from 150 rpm forwards to 150 rpm backwards. It is slower than 40 rpm when its
+/// orientation changes, and exceeds its new set-point by less than 10 %.
 /// @verifies FR-87
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR87_FR301_ReverseSlowsDownFirst) {

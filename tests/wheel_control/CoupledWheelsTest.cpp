@@ -58,7 +58,7 @@ TEST(CoupledWheels, FR224_LostEdgesDoNotSpeedUpTheRobot) {
 TEST(CoupledWheels, FR224_OneBitChangesNothing) {
   CoupledWheels robot;
   drive(robot, velocityOf(1000), 50);
-  // The test finds the values that are stored three times by their content: three equal words.
+  // Some values are stored three times. The test finds these values as three equal words.
   auto* const bytes = reinterpret_cast<unsigned char*>(&robot.wheels[0].velocityAlgorithm);
   constexpr std::size_t kWord = sizeof(std::int32_t);
   std::size_t copies = 0;

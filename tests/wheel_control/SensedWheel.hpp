@@ -47,7 +47,7 @@ class SensedWheel : public ControlledWheel {
     edges.collect(0, time.now());
   }
 
-  /// Lets 100 ms pass, with an edge each 10 ms or none, and a sample of the current each 1 ms.
+  /// Lets 100 ms pass. A turning wheel has an edge each 10 ms. The current has a sample each 1 ms.
   void pass(bool turning, std::uint16_t raw) {
     for (int tick = 0; tick < 100; ++tick) {
       time.advance(milliseconds(1));

@@ -240,8 +240,8 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   }
 }
 
-/// @brief A wheel that was stopped without motion feedback stays stopped until the release, even
-/// when it moves and after a halt.
+/// @brief A wheel that stopped without motion feedback stays stopped until the release. Neither a
+/// motion nor a halt ends the stop.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   for (int cycle = 0; cycle < 11; ++cycle) {

@@ -95,8 +95,8 @@ class Store:
         return cases
 
     def finished(self) -> list[Chunk]:
-        """Returns the finished chunks by their numbers. Of several chunks with the same number it
-        returns the longest.
+        """Returns the finished chunks by their numbers. If several chunks have the same number, it
+        returns the longest chunk.
         """
         seed = int(self.folder.name.rpartition("-")[2])
         longest: dict[int, int] = {}

@@ -260,7 +260,7 @@ class _Finder:
 
 def _layers(cursor: Cursor) -> list[Cursor]:
     """Returns an expression without the nodes that the compiler adds around it, beginning with the
-    outermost one.
+    outermost node.
     """
     found = [cursor]
     while found[-1].kind == CursorKind.UNEXPOSED_EXPR:

@@ -140,7 +140,7 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
 
 
 def _alias(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each name that differs from the paper has a reason, and no equal name has one."""
+    """Each name that differs from the paper has a reason, and no equal name has a reason."""
     if entry.kind not in EXACT or not entry.here:
         return
     same = entry.name in {_name_here(target, model) for target in entry.here}

@@ -276,8 +276,8 @@ def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
-    """Returns whether a subclass has a role that derives, in this application or in one that
-    replaces it.
+    """Returns whether a subclass has a role that derives, in this application or in an application
+    that replaces it.
 
     The subclasses of a Command or a Builder have one application each. A decorator of a component,
     or a decorated component, need not also be an alternative.

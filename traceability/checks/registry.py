@@ -35,8 +35,8 @@ WHY = {
     "design": "The checks compare design/ with the code; they cannot compare an unreadable file.",
     "doc": "Every document is generated from these texts, and repeats their mistakes.",
     "module": (
-        "A module that is small, has a known place and a specification can be found, understood "
-        "and replaced by a developer who has not read the other modules."
+        "A developer can find, understand and replace a small module with a known place and a "
+        "specification, and need not read the other modules."
     ),
     "secret": (
         "If another module uses hidden names, a change of the secret must also change that module."
@@ -106,8 +106,9 @@ _FIXED = [
     Check(
         "doc-name",
         "Names in texts exist",
-        "Each class, method, function, constant or value that a comment of the code, a literal of "
-        "a page of docs/ or a text of design/ names exists in the code or in the paper. "
+        "Each named class, method, function, constant or value exists in the code or in the paper. "
+        "The names are in comments of the code, in literals of the pages of docs/, and in texts of "
+        "design/. "
         "`paper-stale` checks the names in design/concordance.toml, and `pattern-change` the "
         "names in design/changes.toml.",
         "names that are also English words, such as the class Wheel; a name that "
@@ -117,10 +118,9 @@ _FIXED = [
     Check(
         "design-entry",
         "The files of the design can be read",
-        "Every file of design/ exists and is valid TOML; each entry has the keys that it needs and "
-        "no "
-        "others, and no needed text is empty; each name has one entry; each "
-        "baseline and each review has a date.",
+        "Every file of design/ exists and is valid TOML. Each entry has the keys that it needs and "
+        "no others, and no needed text is empty. Each name has one entry. Each baseline and each "
+        "review has a date.",
         "whether an entry is true; the other checks compare it with the code. As long as "
         "a file cannot be read, they do not run.",
         "correct the line, or the name of the key.",
@@ -232,10 +232,10 @@ _FIXED = [
     Check(
         "change-kit",
         "Likely changes are made",
-        "For each application of a pattern a folder of changes/ with its name makes the likely "
-        "change: it names a class that derives from a base class of the recipe, or edits a "
-        "module that the recipe alters; it has tests on the host and on the virtual K64, which "
-        "exist; it states why it changes existing lines.",
+        "Each application of a pattern has a folder of its name in changes/, which makes the "
+        "likely change. The folder names a class that derives from a base class of the recipe, or "
+        "edits a module that the recipe alters. It names tests on the host and on the virtual "
+        "K64, and these tests exist. It states why it changes existing lines.",
         "whether the change is likely, and whether its tests find a fault in it.",
         "complete the kit as changes/README.md explains.",
     ),
@@ -275,10 +275,9 @@ _FIXED = [
         "pattern-heir-unbound",
         "Every subclass has a role",
         "Every class that derives from an abstraction of an application has the role of a "
-        "subclass. A subclass of a State, a Strategy or an Abstract Class has it in each of its "
-        "applications, unless it extends a component or is an extended component. A Command that "
-        "is nested in "
-        "a module is the body of a thread, and needs no role.",
+        "subclass. A subclass of a State, a Strategy or an Abstract Class has this role in each of "
+        "its applications, unless the subclass extends a component or is an extended component. A "
+        "Command that is nested in a module is the body of a thread, and needs no role.",
         "whether the role is right.",
         "bind the subclass to a role, or derive it from another class.",
     ),
@@ -369,9 +368,9 @@ _FIXED = [
     Check(
         "arch-code",
         "Connections of the high-level diagram are in the code",
-        "Calls lead from the first module to the second, through a Command if the connection is "
-        "a command; "
-        "a pipe has its writer in the first module and its reader in the second.",
+        "Calls lead from the first module to the second. They pass through a Command if the "
+        "connection is a command. A pipe has its writer in the first module, and its reader in "
+        "the second.",
         "physical connections; connections that nobody declared.",
         "correct the connection, or the code.",
     ),
@@ -383,7 +382,7 @@ _FIXED = [
         "names exists. The lines of a context have its priority, and each pipe of the robot has "
         "a name.",
         "handlers of products that have other interrupts.",
-        "correct the entry, or declare the missing one.",
+        "correct the entry, or declare the missing part.",
     ),
     Check(
         "exec-isr",
@@ -405,8 +404,8 @@ _FIXED = [
     Check(
         "exec-loop",
         "Each loop is bounded",
-        "A loop is a `for` with a condition; a function with another kind of loop is named in "
-        "design/justified.toml with the reason why the loop ends, or why it is endless.",
+        "A loop is a `for` with a condition. design/justified.toml names each function with "
+        "another kind of loop, and the reason why this loop ends, or why it is endless.",
         "whether the condition of a `for` becomes false.",
         "count the rounds in the head of the loop, or state in design/justified.toml why it ends.",
     ),
@@ -450,8 +449,8 @@ _FIXED = [
     Check(
         "stack-bound",
         "The stack is large enough for the worst case",
-        "The sum of the deepest chains of calls of all priorities fits into the stack; "
-        "each frame has a bound; no run in closed loop used more than this sum.",
+        "The sum of the deepest chains of calls of all priorities fits into the stack. Each frame "
+        "has a bound. No run in closed loop used more than this sum.",
         "the words that the hardware stores for a fault in a fault handler.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
@@ -478,10 +477,10 @@ _FIXED = [
         "fsm-declared",
         "State machines name existing parts",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
-        "Concrete States of the application; each event refers to an operation of the State, and "
-        "each transition states, an event and at least one requirement that exist; a method of "
-        "one of its two states serves the requirement. Each event is used, and guards distinguish "
-        "the transitions of a state at the same event. A number with a unit equals "
+        "Concrete States of the application. Each event refers to an operation of the State. Each "
+        "transition refers to states, an event and at least one requirement that exist. A method "
+        "of one of its two states serves the requirement. Each event is used, and guards "
+        "distinguish the transitions of a state at the same event. A number with a unit equals "
         "a number of a requirement.",
         "the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
@@ -490,13 +489,16 @@ _FIXED = [
         "fsm-code",
         "Declared transitions agree with the code",
         "The bodies of the states change to each successor as often as the machine declares, in "
-        "the same operation. The check follows the operation that assigns the Context's state to "
-        "the states that call it, and each successor to the object that the builder passed. The "
+        "the same operation. The check follows the calls of the operation that assigns the "
+        "Context's state, back to the states. It follows each successor to the object that the "
+        "builder passed. The "
         "builder begins with the initial state, and an operation that always changes the state "
-        "has no transition that stays. The only transition of an operation has a guard exactly "
-        "when the code makes it conditional. Before each change the code evaluates the conditions "
-        "that [guards] states for its guard, and the operations of a state call the methods that "
-        "[actions] states for their actions, before the change, and no other methods of this list.",
+        "has no transition that stays. If an operation has a single transition, this transition "
+        "has a guard exactly when the code makes it "
+        "conditional. Before each change the code evaluates the conditions "
+        "that [guards] states for the guard. Before the change, the operations of a state also "
+        "call the methods that [actions] states for their actions. They call no other methods of "
+        "[actions].",
         "whether the name of a guard or an action fits the code; whether a "
         "condition must be true or false; states that extensions add.",
         "correct the code, or the transition in design/fsm.",
@@ -544,16 +546,15 @@ _FIXED = [
         "Controllers and sensors are independent",
         "Modules that design/uses.toml separates neither name one another nor include each other's "
         "header. No controller names a sensor, and no sensor names a controller.",
-        "a third module that passes one to the other.",
+        "a third module that gives a controller a sensor, or a sensor a controller.",
         "pass the value through a pipe.",
     ),
     Check(
         "module-file",
         "Every file belongs to a module",
         "Every file below src and extensions belongs to a module, contains data types, belongs to "
-        "a "
-        "composition, or is listed as shared in design/modules.toml; no function or class next to "
-        "a module can be used without it; all variables belong to objects.",
+        "a composition, or is listed as shared in design/modules.toml. No function or class next "
+        "to a module can be used without this module. All variables belong to objects.",
         "the length of a file.",
         "make the code a private part of a module, a separate module, or a @datatype.",
     ),
@@ -588,7 +589,7 @@ _FIXED = [
         "tree-missing",
         "Each requirement has a tree",
         "Every requirement has a tree of invocations in design/trees.",
-        "whether the tree is the intended one.",
+        "whether the tree shows the intended calls.",
         "write the tree of the requirement in design/trees.",
     ),
     Check(
@@ -836,34 +837,34 @@ _FIXED = [
     Check(
         "suspect-requirement",
         "A requirement is as in its baseline",
-        "The text of each requirement, its invocation tree, its transitions of state machines, its "
-        "safety goals and their hazards are as they were when its baseline was recorded.",
+        "These texts of each requirement are unchanged since its baseline: the requirement, its "
+        "invocation tree, its transitions of state machines, its safety goals and their hazards.",
         "whether the texts are right, which a review answers; changes of line breaks.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
         "suspect-method",
         "Satisfying methods are as in the baseline",
-        "The specifications of the methods that satisfy a requirement, the bodies of these methods "
-        "and of those in its tree, and the constants of their files are as they were when the "
-        "baseline was recorded.",
+        "These texts are unchanged since the baseline: the specifications of the methods that "
+        "satisfy a requirement, the bodies of these methods and of the methods in its tree, and "
+        "the constants of their files.",
         "comments in a body, formatting, and names of local variables.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
         "suspect-test",
         "Verifying tests are as in the baseline",
-        "The tests that verify a requirement, their fixtures, parameters and helpers, and the "
-        "scenarios that they play are as they were when the baseline was recorded.",
+        "These texts are unchanged since the baseline: the tests that verify a requirement, their "
+        "fixtures, parameters and helpers, and the scenarios that the tests play.",
         "the simulator, and tests in Python; comments and formatting.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
         "suspect-design",
         "Reasons and code without a requirement are as in the baseline",
-        "The sentences in the files of design/ and of changes/, such as reasons, deviations, "
-        "steps and answers, and the bodies and specifications that no requirement names, are as "
-        "they were when the baseline was recorded.",
+        "These texts are unchanged since the baseline: the sentences in the files of design/ and "
+        "of changes/, such as reasons, deviations, steps and answers, and the bodies and "
+        "specifications that no requirement names.",
         "whether the texts are right; the pages of docs/.",
         "compare the text with the code, then run ./wr review --baseline design.",
     ),
@@ -899,9 +900,9 @@ _FIXED = [
     Check(
         "paper-stale",
         "The concordance names existing parts",
-        "Every module, method, application, state machine, requirement, check and page that an "
-        "entry of design/concordance.toml names exists, and so does each name in backticks in its "
-        "texts. A count of modules or applications, and the value of a constant, equal the values "
+        "The entries of design/concordance.toml and the backticks in their texts name only "
+        "existing modules, methods, applications, state machines, requirements, checks and "
+        "pages. A count of modules or applications, and the value of a constant, equal the values "
         "in the code.",
         "whether the paper means this part; only a reader can judge that.",
         "name the part that replaced it.",
@@ -945,7 +946,7 @@ _FIXED = [
         "README or a text of design/ exists. Each command of ./wr with its options, each "
         "product, each test program, each used pin and each key that a page or the README names "
         "exists.",
-        "whether the target is the right one.",
+        "whether the link has the right target.",
         "correct the target.",
     ),
     Check(

@@ -208,8 +208,7 @@ def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
 
 
 def _places(facts: Facts) -> list[Place]:
-    """Returns the places of classes, and of functions, because a folder may contain only
-    functions."""
+    """Returns the places of classes and functions: a folder may contain no class."""
     classes = [fact.place for fact in facts.syntax.classes]
     return classes + [body.place for body in facts.syntax.bodies]
 

@@ -78,7 +78,8 @@ def _naming(model: Model, present: list[str]) -> list[str]:
 
 
 def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
-    """Returns requirements that a method of the modules satisfies, or whose tree contains one."""
+    """Returns requirements that a method of the modules satisfies, or whose tree contains such
+    a method."""
     return [
         requirement.id
         for requirement in model.requirements.values()

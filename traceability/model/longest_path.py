@@ -91,8 +91,8 @@ class Problem:
         return round(solver.getObjectiveValue() + 0.4999)
 
     def _ends_with_condition(self, loop: Loop) -> bool:
-        """Returns whether a round that does not leave the loop early ends with the condition of the
-        loop.
+        """Returns whether each round ends with the condition of the loop, unless it leaves the loop
+        early.
 
         A block that is never executed, such as the end of an assertion, does not leave the loop.
         """

@@ -53,7 +53,7 @@ def tests_without(model: Model) -> list[Test]:
 
 
 def justify(model: Model, declared: Iterable[Justified]) -> Model:
-    """Adds the methods, tests and lines to each justification that needs it."""
+    """Adds to each entry the methods, tests and lines that need its justification."""
     methods = [method.id for _, method in methods_without(model)]
     tests = tests_without(model)
     reasons: dict[str, str] = {}

@@ -223,8 +223,8 @@ def _response(
 def _busy(
     own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, float], *, noise: bool
 ) -> float:
-    """Returns cycles that pass until a number of own cycles is executed, with all interrupts in
-    between.
+    """Returns the cycles until a context has executed a number of its cycles, with all interrupts
+    in this time.
     """
     cycles = own
     for _ in range(MOST_ROUNDS):

@@ -204,7 +204,8 @@ class LinkTexts:
         return LinkText("method", name, specified[0][0], "\n".join(text for _, text in specified))
 
     def _bodies(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Yields the bodies and the constants of the methods that satisfy it or are in its tree."""
+        """Yields the bodies and constants of the methods that satisfy a requirement or are in its
+        tree."""
         files: set[str] = set()
         for name in sorted(self._methods(requirement)):
             bodies = self.facts.bodies.get(name, [])
@@ -218,13 +219,14 @@ class LinkTexts:
                 yield LinkText("constants", file, Place(file, 1), text)
 
     def _justifications(self, requirement: Requirement) -> Iterator[LinkText]:
-        """Yields the reasons why tests do not execute some lines of its methods."""
+        """Yields the reasons why tests do not execute some lines of the methods of a
+        requirement."""
         for item in self.facts.declared.justified:
             if item.kind == "line" and set(item.names) & self._methods(requirement):
                 yield LinkText("justification", item.names[0], item.place, item.why)
 
     def _methods(self, requirement: Requirement) -> set[str]:
-        """Returns the methods that satisfy it or have a node in its tree."""
+        """Returns the methods that satisfy a requirement or have a node in its tree."""
         nodes = nodes_of(requirement.tree) if requirement.tree else []
         accepted_names = {method for node in nodes for method in accepted(node, self.facts)}
         return accepted_names.union(requirement.satisfied_by)

@@ -102,8 +102,8 @@ def scenario_state(model: Model, scenario: FaultScenario) -> str:
 
 
 def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str | None:
-    """Returns the result of the test instance that plays a scenario. Without this instance, returns
-    the result of the whole test.
+    """Returns the result of the test instance that plays a scenario, or of the whole test if no
+    instance plays it.
     """
     end = f".{test.name}_{scenario.name}"
     own = [result for name, result in run.instances.items() if name.endswith(end)]

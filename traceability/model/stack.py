@@ -40,7 +40,7 @@ class Declared:
     calls: dict[str, str] = field(default_factory=dict)  # function -> pattern of symbols
     # Class of a chain -> number of its objects.
     entries: dict[str, int] = field(default_factory=dict)
-    # Class of a chain whose order is known -> the classes of objects that its object wraps.
+    # Class of a chain of known order -> the classes that its object wraps.
     inner: dict[str, frozenset[str]] = field(default_factory=dict)
 
 

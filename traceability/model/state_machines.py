@@ -247,7 +247,8 @@ class Watcher:
         return concerned or method.rpartition("::")[0] in self.code.holders
 
     def watch(self, calls: Iterator[tuple[str, bool]]) -> list[Seen]:
-        """Returns the changes in the calls. Each call is a method, and true when it is entered."""
+        """Returns the changes in the calls. Each call is a method, and true for an entry or false
+        for an exit."""
         run = _Run(self)
         for method, entered in calls:
             if entered:

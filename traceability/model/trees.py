@@ -82,9 +82,7 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
-    """Returns the tree with, for each target, whether its nodes belong to the part of the tree that
-    was found.
-    """
+    """Returns the tree. Each node states the targets on which it was found."""
     numbers = itertools.count()
 
     def marked(node: TreeNode) -> TreeNode:
@@ -274,8 +272,8 @@ class Search:
         return node.label, node.kind, sorted(self.run.accepts(node)), below
 
     def find(self) -> tuple[TreeRun | None, int]:
-        """Returns the first run of the whole tree, the shortest recordings first; and the number of
-        its nodes that were found in order.
+        """Returns the run of the whole tree in the shortest recording, and the number of nodes that
+        were found in order.
         """
         nodes = nodes_of(self.tree)
         order = {id(node): number for number, node in enumerate(nodes)}

@@ -236,7 +236,7 @@ class Reader:
     def silence(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
         """Records a declaration without a comment, if other files can use the declaration.
 
-        An enumerator needs a comment if another enumerator of the type has one.
+        An enumerator needs a comment if another enumerator of the type has a comment.
         """
         if body is not None or not place.file.endswith(".hpp") or not _is_open(cursor):
             return

@@ -1,8 +1,8 @@
 """The lines and branches of the design that each test executed, on this machine and on the K64.
 
-On this machine, the counters of gcc show these lines and branches, see ``gcov_arcs``. On the
-virtual K64 each test records one bit for each half-word of the flash that it executed, see
-``board_coverage``: lines only, no branches.
+On this machine, the counters of gcc show the lines and branches: see ``gcov_arcs``. On the virtual
+K64, each test records one bit for each half-word of the flash that it executed. These bits show
+lines, but no branches: see ``board_coverage``.
 """
 
 from __future__ import annotations

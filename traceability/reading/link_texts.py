@@ -69,7 +69,7 @@ def requirements(text: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def specifications(text: str) -> list[tuple[range, str, str]]:
-    """Yields for each comment with a declaration its lines, the declaration, and both as a text."""
+    """Yields each comment with a declaration: its lines, the declaration, and both as one text."""
     return list(_specifications(text))
 
 

@@ -78,8 +78,8 @@ def module_names(root: Path) -> set[str]:
 
 
 def modules_in(elf: Path, modules: Iterable[str]) -> list[str]:
-    """Returns the modules of this list whose code or constants an image contains, by its
-    symbols.
+    """Returns the modules of this list whose code or constants are among the symbols of an
+    image.
     """
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout

@@ -80,7 +80,7 @@ def read_record(path: Path, kind: type[T]) -> T | None:
 
 
 def bindings_of(file: str) -> list[str]:
-    """Returns the targets that a test of the firmware is built for, by its folder."""
+    """Returns the targets for which a test of the firmware is built. Its folder decides."""
     if file.startswith(COMPARED):
         return []
     if file.startswith(BOARD_ONLY):
@@ -96,8 +96,8 @@ def cost_of(root: Path, run_name: str) -> Path:
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """Returns the duration of the tests with all records, and without records, both with these
-    sources.
+    """Returns the durations of two runs of the tests of these sources: with all records, and
+    without records.
     """
     costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):

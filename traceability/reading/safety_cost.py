@@ -1,6 +1,6 @@
 """The cost of the safety functions: files and lines since a base commit.
 
-Only lines of code count in edited files, and comments do not count.
+In edited files, only lines of code count, not comments.
 """
 
 from __future__ import annotations
@@ -86,9 +86,7 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """Returns the entry with the longest path that is the file itself or a folder that contains the
-    file.
-    """
+    """Returns the entry of the file, or else of the innermost of its folders that has an entry."""
     matching = [
         (len(path), correction)
         for correction in corrections

@@ -263,7 +263,8 @@ class References:
     def reached(
         self, start: Iterable[str], within: dict[str, str], ends: list[str]
     ) -> dict[str, str]:
-        """Returns the methods and functions that may run below the start -> first caller of each.
+        """Returns the methods and functions that may run below the start, each with its first
+        caller.
 
         ``within`` restricts a virtual method to one of its overriding methods. The search does not
         continue below the methods in ``ends``.

@@ -160,7 +160,7 @@ INCLUDE = re.compile(
 
 
 def includes_of(root: Path, file: str) -> list[IncludeFact]:
-    """Returns the files of the project that a file includes, as written.
+    """Returns the files of the project that a file includes, with their names as written.
 
     The compiler's list lacks a header that was included before: such a header is read only once.
     """

@@ -76,8 +76,8 @@ class Traces:
     def calls(
         self, test: str, names: dict[int, str], turning: Set[int] = frozenset()
     ) -> Iterator[tuple[str, bool]]:
-        """Yields the calls of the named functions in order, each with whether it is entered or
-        left.
+        """Yields each entry and exit of the named functions in order: the name, and true for an
+        entry.
 
         Repeated calls that contain no call of ``turning`` are listed again only after such a call.
         """

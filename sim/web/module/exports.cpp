@@ -102,7 +102,7 @@ void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint
 }
 
 /// Runs until a control cycle has ended, or for 200 ms without a clock pulse. Returns 0 if the run
-/// continues, 1 if the scenario has ended, 2 a finding.
+/// continues, 1 if the scenario has ended, 2 if a finding has stopped the run.
 int liveCycle() {
   return static_cast<int>(module().robot->runCycle());
 }

@@ -13,8 +13,8 @@ namespace wr {
 
 namespace {
 
-// Greatest velocity that is measured. Without load a motor with the assumed constant turns at 460
-// rpm with 24 V.
+// Greatest velocity that is measured. A motor without load turns at 460 rpm with 24 V, if it has
+// the assumed motor constant.
 constexpr Velocity kMaxVelocity{6000};
 
 // A wheel that turns at least this fast cannot come to rest within a cycle.

@@ -65,8 +65,8 @@ class VelSensor final {
   /// measure a velocity.
   [[nodiscard]] bool plausible(const HallRecord& record) const;
 
-  /// @brief Returns the velocity that the function calculates from a number of edges in a time, if
-  /// there is one.
+  /// @brief Returns the velocity that the function calculates from a number of edges in a time;
+  /// empty if it calculates no velocity.
   [[nodiscard]] std::optional<Velocity> velocity(std::int32_t edges, Microseconds elapsed) const;
 
   /// @brief Returns the velocity when edges came since the previous measurement.

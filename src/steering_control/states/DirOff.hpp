@@ -5,7 +5,7 @@
 namespace wr {
 
 /// @brief The motor is off: there are no orders.
-/// @function Waits with the motor off until an order to follow comes, then switches the motor on.
+/// @function Waits with the motor off. An order to follow a set-point switches the motor on.
 /// @secret The event that switches the steering on.
 /// @role{steering-controller-states, Concrete State}
 class DirOff final : public DirState {
@@ -14,7 +14,7 @@ class DirOff final : public DirState {
   /// @param holding state after an order to follow; only its address is used before the first tick
   explicit DirOff(DirState& holding);
 
-  /// @brief Switches the motor on when an order to follow is in force.
+  /// @brief Switches the motor on when an order to follow a set-point is in force.
   /// @param controller controller that ticks
   /// @isr{yes}
   /// @satisfies FR-106

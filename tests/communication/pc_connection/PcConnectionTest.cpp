@@ -218,8 +218,8 @@ TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A session that no Welcome has offered cannot be confirmed. This holds in the cycle of the
-/// Hello, and for a Welcome for which the port had no space.
+/// @brief A session that no Welcome has offered cannot be confirmed. This is true in the cycle of
+/// the Hello, and when the port had no space for the Welcome.
 /// @verifies FR-245
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR245_OnlyASessionThatWasSentIsOffered) {
@@ -512,7 +512,7 @@ TEST_F(PcConnectionTest, FR240_AStopActsWithFieldsOutOfRange) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop acts in an order that is stale.
+/// @brief A stop order acts even when it is stale.
 /// @verifies FR-240
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR240_AStopActsInAStaleOrder) {
@@ -602,7 +602,7 @@ TEST_F(PcConnectionTest, FR243_AnOldKeepAliveDoesNotMakeOldOrdersNew) {
                 [&] { receive(test::lineBytes(kOrder, 6, orderPayload(2))); });
 }
 
-/// @brief After a Hello the sequence begins again: an order with a number from before is accepted.
+/// @brief After a Hello the sequence begins again: an order with a number of the previous session is accepted.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AHelloBeginsTheSequenceAgain) {
   handshake();

@@ -260,7 +260,8 @@ TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   EXPECT_EQ(u16(bytes, 62), 0U) << "the cause of a stop is no measured value";
 }
 
-/// @brief The report has a field for the time of the sender's clock in the order in force.
+/// @brief The order in force has the time of the sender's clock, and the report has a field for this
+/// time.
 /// @verifies FR-249
 TEST(ReportMessage, FR249_TheTimeOfTheSenderHasItsPlace) {
   ReportData data;

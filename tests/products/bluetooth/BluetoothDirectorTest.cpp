@@ -194,7 +194,7 @@ TEST_F(BluetoothRobotAfterAStop, FR290_OrderOfThePcDoesNotEndIt) {
   EXPECT_TRUE(deviceStop.value);
 }
 
-/// @brief A neutral order of the device, once it is read, ends the stop from before the reset.
+/// @brief A neutral order of the device ends the stop that was in force before the reset.
 /// @verifies FR-290
 TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
   for (std::uint16_t order = 1; order <= 3 * kWaitingCycles; ++order) {

@@ -21,7 +21,7 @@ class BluetoothTest : public ControllerFixture {
     mode.serve();
   }
 
-  // An order of the device, received.
+  // Receives an order of the device.
   void order(std::uint16_t id, bool stop = false) {
     devicePort.arrive(device.sign(frames.order({.id = id, .stop = stop})));
     mode.serve();
@@ -101,7 +101,7 @@ TEST_F(BluetoothTest, FR151_ServesTheWrappedMode) {
   EXPECT_EQ(served, 1);
 }
 
-/// @brief A stop of the device is reported by the mode, also when the order is old.
+/// @brief The mode reports a stop of the device, even when the order is old.
 /// @verifies FR-151
 TEST_F(BluetoothTest, FR151_PassesTheStopOn) {
   EXPECT_FALSE(mode.stopOrdered());

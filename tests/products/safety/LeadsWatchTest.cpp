@@ -21,8 +21,7 @@ struct Motor {
 
 class WatchedLeads : public testing::Test {
  protected:
-  /// Runs a cycle at a velocity, in which the motor has a voltage. The current is computed from
-  /// both.
+  /// Runs a cycle with a velocity and a voltage of the motor, and computes the current from both.
   bool cycle(double rpm, double ordered) {
     motor.position += rpm * 60 / 600;
     const double real = ordered * motor.supply / 24;
@@ -123,8 +122,8 @@ TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   }
 }
 
-/// @brief The evidence does not change in a cycle without an edge in the direction of the velocity,
-/// without a measurement or without a voltage.
+/// @brief A cycle changes the evidence only if it has a measurement, a voltage, and an edge in the
+/// direction of the velocity.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   EXPECT_FALSE(drive(100, 1, 40));

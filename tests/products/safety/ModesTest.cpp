@@ -108,7 +108,7 @@ class PersistentStopTest : public ControllerFixture {
   SourceMode source;
 };
 
-/// @brief The stop of the source is stored, and released with it.
+/// @brief The stop of the source is stored. When the source releases it, the stored stop is cleared.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_TheStopIsStored) {
   PersistentStop mode(source, memory);
@@ -123,7 +123,8 @@ TEST_F(PersistentStopTest, FR290_TheStopIsStored) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief A stop from before a reset lasts until a neutral order without a stop is read.
+/// @brief A stop that was in force before a reset lasts until a neutral order without a stop is
+/// read.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_AStopOutlivesAReset) {
   memory.save(true);

@@ -84,7 +84,7 @@ def link_once(folder: Path) -> Program:
             link[link.index(original)] = made
             words[words.index("-o") + 1] = made
             compiled[str(source.relative_to(SOURCES))] = words
-    # Without the notes for the debugger, which refer to the parts of the compiler.
+    # -g0 omits the debug information, because it refers to the parts of the compiler.
     linked_to(f"{folder / 'all'}.elf", [*link, "-g0", "-save-temps"])
     (optimised,) = folder.glob("all.elf.*.ltrans.o")
     link.insert(link.index("-o"), str(optimised))  # before the libraries
@@ -101,7 +101,7 @@ def compiled_to(target: Path, words: list[str]) -> str:
 
 
 def linked_to(target: str, words: list[str]) -> None:
-    """Runs the command of the build that links, with another output."""
+    """Runs the link command of the build with another output."""
     words = list(words)
     words[words.index("-o") + 1] = target
     subprocess.run(words, check=True, cwd=BUILD, timeout=60)

@@ -56,9 +56,9 @@ RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_0
 RANGES_OF_REMOTE_CONTROL = {"set_point": 3000, "steering_set_point": 3200}
 WHEELS = "0123"
 # The greatest difference of a value in one cycle, and the greatest difference in 94 of 100 cycles
-# [%]. A wheel may reverse one cycle earlier in one of the two runs, which no report shows. A wheel
-# at rest keeps the voltage of the last velocity that was measured. A velocity that only one of the
-# two runs measures, such as 2.3 rpm, changes the current at rest by 0.13 A.
+# [%]. A wheel may reverse one cycle earlier in one of the two runs: no report shows this
+# difference. A wheel at rest keeps the voltage of the last velocity that was measured. A velocity
+# that only one of the two runs measures, such as 2.3 rpm, changes the current at rest by 0.13 A.
 ONCE = 8
 USUALLY = 1.3
 # A wheel with one Hall sensor measures no usable velocity: its values are random.
@@ -121,8 +121,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 
 
 def shifted_decisions(common: list[tuple[Row, Row]]) -> list[int]:
-    """Returns the cycles with different decisions of the two runs; each value then occurs in a
-    neighbouring cycle.
+    """Returns the cycles in which the two runs decide differently, and one run decides one cycle
+    later.
     """
     found = []
     for index, (first, second) in enumerate(common):

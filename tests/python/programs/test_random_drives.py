@@ -2,8 +2,8 @@
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
 the number of drives that ended with a stop, the distance until the stop, and the greatest velocity.
-A series is a fault of a scenario, as "leads 0", or "none", the drives without a fault. The
-exceptions in design/safety_case.toml are the results of these series.
+A series has the name of a fault of a scenario, such as "leads 0". The series "none" has drives
+without a fault. The exceptions in design/safety_case.toml are the results of these series.
 """
 
 import csv

@@ -1,4 +1,4 @@
-"""Totals by gcovr: they belong to the last run of the tests, or are missing."""
+"""The totals of gcovr belong to the last run of the tests, or are missing."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""Two commands at once: the second one ends and names the first."""
+"""When two commands run at once, the second command ends and names the first command."""
 
 import os
 import subprocess

@@ -1,7 +1,7 @@
 """Each check has a seeded fault, and each fault can be seeded. The record is valid only for this
 state.
 
-Whether the checks find them is tested by ``./wr check --drift``, which ``./wr test`` runs.
+``./wr check --drift``, which ``./wr test`` runs, tests whether the checks find the faults.
 """
 
 from __future__ import annotations

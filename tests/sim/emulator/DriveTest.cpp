@@ -262,8 +262,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief The program reads a level from the time of the level on, for any order in which the test
-/// sets the levels.
+/// @brief The program reads each level from its start time on. The sequence in which the test sets
+/// the levels has no effect.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");

@@ -27,7 +27,7 @@ TEST(HostPwmOutputTest, KeepsWithinTheLimits) {
   EXPECT_EQ(output.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief An output reports each time that it is switched on, and not when it stays on.
+/// @brief An output sends a report when it is switched on, and no report while it stays on.
 TEST(HostDigitalOutputTest, TellsWhenItGoesOn) {
   host::HostDigitalOutput output;
   output.set(true);

@@ -626,8 +626,7 @@ TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
   EXPECT_GT(robot.currentVolts(0), Robot::kMiddle + 1);
 }
 
-/// @brief An open current input takes the voltage of the input that its converter converts before
-/// it.
+/// @brief An open current input has the voltage of the input that was converted before.
 TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   robot.setFault(Fault::CurrentOffset, 0, true, 8000);
   robot.setFault(Fault::CurrentOpen, 1, true);
@@ -641,7 +640,7 @@ TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   EXPECT_EQ(robot.currentVolts(1), Robot::kMiddle);
 }
 
-/// @brief An open angle input takes the voltage of the input that is converted before it. A stuck
+/// @brief An open angle input has the voltage of the input that was converted before. A stuck
 /// sensor keeps its value. A drifting sensor deviates from the true value at its rate.
 TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   robot.setSteeringEnabled(true);

@@ -28,8 +28,8 @@ TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief An order to follow switches the motor on, even when the steering has the right angle. The
-/// motor stays on.
+/// @brief An order to follow a set-point switches the motor on, even when the steering has the right
+/// angle. The motor stays on.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
   for (int i = 0; i < 2; ++i) {
@@ -39,7 +39,7 @@ TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
   }
 }
 
-/// @brief An order to follow that is older than 300 ms does not switch the motor on.
+/// @brief An order to follow a set-point does not switch the motor on when it is older than 300 ms.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOldOrderSwitchesNothingOn) {
   follow(0);
@@ -237,7 +237,7 @@ TEST_F(DirStateTest, FR111_ATurnThatMovesNothingIsAFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief The fault lasts with any order to follow, and without orders.
+/// @brief The fault lasts with any order to follow a set-point, and without orders.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_AFaultStays) {
   switchOn();

@@ -114,7 +114,7 @@ TEST_F(VelocityAlgorithmTest, FR224_DoubtfulCyclesAreInARow) {
   }
 }
 
-/// @brief A voltage from before a reset does not make a velocity doubtful.
+/// @brief After a reset, the earlier voltage does not make a velocity doubtful.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_NothingIsDoubtfulBeforeAVoltage) {
   algorithm.applied(Tension(12000));

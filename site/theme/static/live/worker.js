@@ -266,8 +266,8 @@ async function find({ folder, id }) {
   post({ kind: "found" });
 }
 
-/* Returns the image that contains most of the given modules. Of equal images, the paper's design and then the default
-   is preferred. */
+/* Returns the image that contains most of the given modules. Of equal images, it prefers the paper's design, then the
+   default. */
 function imageWith(modules) {
   const modulesOf = (one) => new Set(one.functions.map(([, method]) => ownerOf(method)));
   const held = (one) => modules.filter((name) => modulesOf(one).has(name)).length;

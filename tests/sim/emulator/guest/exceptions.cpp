@@ -176,8 +176,7 @@ PROGRAM countsTicks() {
   told(0) = told(0) + 1;
 }
 
-// The interrupt comes after a different time each time, so that it comes at every instruction of a
-// loop.
+// The time until the interrupt varies, so that it comes at every instruction of a loop.
 PROGRAM countsTicksBetweenConditions() {
   told(2) = told(2) + 1;
   wordAt(0xE000E014) = 80 + told(2) % 29;
