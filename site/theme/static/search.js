@@ -88,9 +88,10 @@
     field === "title"
       ? [...new Set([...pieces(text), same(text), same(text.split("::").pop())])]
       : pieces(text);
-  /* Requirements is requirement, verified is verify. */
+  /* Requirements is requirement, crashes is crash, verified is verify. */
   function stem(word) {
     if (word.length > FEW && /ie[ds]$/.test(word)) return `${word.slice(0, -3)}y`;
+    if (/(?:sh|ch|ss|x|z)es$/.test(word)) return word.slice(0, -2);
     return word.length > FEW && /[^su]s$/.test(word) ? word.slice(0, -1) : word;
   }
 
