@@ -3,9 +3,9 @@
   "use strict";
   const SMALL = new Set(
     ("a about an and any are as at be been by could covers did do does doing each for from get given gets got had " +
-      "happen happens has have here how i if in into is it its kind just look made make many may me mean meaning means much must my of " +
+      "happen happens has have here how i if in into is it its kind just look made make many may me mean meaning means much must my need needs of " +
       "on one or our out shall should so tell than that the their them then there these they thing this " +
-      "those through to was way we were what when where which who whose why will with work works would you your").split(" "),
+      "those through to want was way we were what when where which who whose why will with work works would you your").split(" "),
   );
   /* Among equal hits, the hit of the earlier group comes first. */
   const ANSWERS = "Answers";
@@ -49,8 +49,10 @@
   const DEFINES = /\b(mean|means|meaning|definition|glossary|term)\b|^what (is|are) (an? )?[\w-]+( here)?\??$/i; // asks for the glossary
   const ASPECTS = new Set(["class", "code", "diagram", "module", "source", "test", "uml", "unit"]); // of a module
   const DEFINITION = new Set(["glossary", "definition", "term"]);
+  const GENERAL = new Set(["robot", "firmware", "software", "project"]); // an answer may lack these words of a question
   const CAN = /^Can (?=[a-z]|I\b)/; // at the beginning of a title: no CAN bus
   const MAY = /^can (?=(i|you|we|it|this|the|a)\b)/i;
+  const IDS = new Set(["Requirements", "Safety case"]); // their titles are ids
   const LAST = new Set(["Tests", "Source"]); // shown first only for their own names, or when nothing else is found
   const MEANT = 2; // weight of an entry with all words of the query in its title and in the words that readers type for it
   const BEHIND = 0.1; // weight of these for two or more words
@@ -65,6 +67,7 @@
   const NEAR = 0.45; // least score of a question with two words, as a share of the best score
   const IDENTIFIER = /\b(?:FR|NFR|SG|HZ|AU)[- ]?\d+\b/gi; // ids of requirements, goals, hazards, assumptions
   const NUMBERED = /\breq(?:uirement)?\b\D{0,9}(\d+)/i; // requirement 15 is FR-15
+  const UNNAMED = 0.2; // weight of an id whose number is in the query without its kind: "every 1 ms" does not ask for FR-1
   const FEW = 3; // least number of letters of a word that may contain a typing error
 
   /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15. */
@@ -85,9 +88,10 @@
     field === "title"
       ? [...new Set([...pieces(text), same(text), same(text.split("::").pop())])]
       : pieces(text);
-  /* Requirements is requirement, verified is verify. */
+  /* Requirements is requirement, crashes is crash, verified is verify. */
   function stem(word) {
     if (word.length > FEW && /ie[ds]$/.test(word)) return `${word.slice(0, -3)}y`;
+    if (/(?:sh|ch|ss|x|z)es$/.test(word)) return word.slice(0, -2);
     return word.length > FEW && /[^su]s$/.test(word) ? word.slice(0, -1) : word;
   }
 
@@ -241,7 +245,9 @@
       const exact = named(entries[hit.id], hit.id);
       const isLast = LAST.has(group) && !exact && wanted.length > 1;
       const isMeant = words.length > 1 && words.every((word) => known[hit.id].has(word));
-      const score = hit.score * (share / wanted.length) ** 3 * (isMeant ? MEANT : 1) * (isLast ? BEHIND : 1);
+      const isNumber = IDS.has(group) && !exact && pieces(entries[hit.id][2]).some((part) => /^\d/.test(part) && terms.has(part));
+      const weights = (isMeant ? MEANT : 1) * (isLast ? BEHIND : 1) * (isNumber ? UNNAMED : 1);
+      const score = hit.score * (share / wanted.length) ** 3 * weights;
       return { id: hit.id, terms: hit.terms, score, isMeant, share: isLast ? share - 1 : share, exact, wanted, isSentence };
     });
     const most = Math.max(...found.map((hit) => hit.share));
@@ -254,16 +260,20 @@
   }
 
   /* Returns whether a question contains the words of a text with two or more words. Of many words, one may be
-   * missing. With exactly two words, the score must also be near the best score. */
+   * missing. With exactly two words, or one missing of three, the score must also be near the best score. */
   function asks({ id, wanted, score, isSentence }, near) {
     const [group, , title, , , , also] = entries[id];
     if (group !== ANSWERS) return false;
     const terms = pieces(`${title.replace(CAN, "")} ${also}`).map(stem);
     const said = (word) => terms.some((term) => term.startsWith(word));
-    const found = wanted.filter(({ own, others }) => [own, ...others].some((words) => words.every(said)));
+    const has = (word) => terms.includes(word);
+    const special = wanted.filter(({ own }) => !own.every((word) => GENERAL.has(word)));
+    const needed = special.length ? special : wanted;
+    const found = needed.filter(({ own, others }) => own.every(said) || others.some((words) => words.every(has)));
     const words = wanted.flatMap(({ own }) => own);
     const isNear = words.length > 1 ? isSentence || words.length > 2 || score >= near : isSentence && score >= near;
-    return isNear && found.length >= wanted.length - (wanted.length > 3);
+    const spare = needed.length > 3 || (needed.length === 3 && isSentence && score >= near) ? 1 : 0;
+    return isNear && found.length >= needed.length - spare;
   }
 
   /* Returns the hits in groups, the group of the best hit first. */
