@@ -9,6 +9,7 @@ import os
 import re
 import subprocess
 import sys
+from collections import defaultdict
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache, partial
@@ -36,7 +37,7 @@ CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")
 # A name that a source defines outside of a class.
 DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
-JOINED = 8  # clang-tidy checks at most this number of sources together
+JOINED = 16  # clang-tidy checks at most this number of sources together
 LINT_RECORD = Path("build/lint.json")
 WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
 WARNINGS = [
@@ -190,8 +191,8 @@ def is_first(root: Path, target: str) -> bool:
 def check_tidy(root: Path, log: TextIO) -> str:
     """Runs clang-tidy on the design and sim.
 
-    Most of the time is spent on headers that the sources share. The sources of a folder are
-    therefore checked as one file.
+    Most of the time is spent on headers that the sources share. Several sources are therefore
+    checked as one file.
     """
     checked = [
         source
@@ -204,7 +205,7 @@ def check_tidy(root: Path, log: TextIO) -> str:
         words = [str(root / ".venv" / "bin" / "clang-tidy"), "--quiet", str(source), "--"]
         return [*words, *tidy_options(root, unit[0])]
 
-    return check_changed(root, "tidy", units_of(checked), command, log)
+    return check_changed(root, "tidy", units_of(root, checked), command, log)
 
 
 def tidy_options(root: Path, source: Path) -> list[str]:
@@ -222,22 +223,22 @@ def tidy_options(root: Path, source: Path) -> list[str]:
     return ["-std=c++20", "-fno-exceptions", "-fno-rtti", *include_options(root)]
 
 
-def units_of(paths: list[Path]) -> list[tuple[Path, ...]]:
-    """Groups the sources that are checked as one file. The sources of a group are in one folder and
-    share no private name.
+def units_of(root: Path, paths: list[Path]) -> list[tuple[Path, ...]]:
+    """Groups the sources that are checked as one file. The sources of a group have the same
+    settings and options, and share no private name.
     """
-    units: list[tuple[Path, ...]] = []
-    names: set[str] = set()
+    units: dict[tuple[object, ...], list[tuple[list[Path], set[str]]]] = defaultdict(list)
     for path in paths:
         own = set(DEFINED.findall(path.read_text(encoding="utf-8")))
-        last = units[-1] if units else ()
-        if last and last[0].parent == path.parent and len(last) < JOINED and not own & names:
-            units[-1] = (*last, path)
-            names |= own
+        alike = units[*settings(root, path), *tidy_options(root, path)]
+        free = (unit for unit in alike if len(unit[0]) < JOINED and unit[1].isdisjoint(own))
+        unit = next(free, None)
+        if unit is None:
+            alike.append(([path], own))
         else:
-            units.append((path,))
-            names = own
-    return units
+            unit[0].append(path)
+            unit[1].update(own)
+    return [tuple(unit) for alike in units.values() for unit, _ in alike]
 
 
 def joined(root: Path, unit: tuple[Path, ...]) -> Path:

@@ -200,7 +200,17 @@ def test_sources_without_a_private_name_in_common_are_checked_as_one(tmp_path: P
     for path in paths:
         path.write_text(f"namespace wr {{\n{texts[path.stem]}}}  // namespace wr\n")
     a, b, c, d, e = paths
-    assert lint.units_of(paths) == [(a, b, c), (d, e)]
+    assert lint.units_of(tmp_path, paths) == [(a, b, c, e), (d,)]
+
+
+def test_sources_with_other_settings_or_options_are_checked_apart(tmp_path: Path) -> None:
+    paths = [tmp_path / name for name in ("src/a.cpp", "ports/b.cpp", "src/x/c.cpp", "src/y/d.cpp")]
+    for path in paths:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.touch()
+    (tmp_path / "src/y/.clang-tidy").touch()
+    a, b, c, d = paths
+    assert lint.units_of(tmp_path, paths) == [(a, c), (b,), (d,)]
 
 
 def test_a_unit_fails_only_with_the_files_that_fail_alone(tmp_path: Path) -> None:
