@@ -44,10 +44,16 @@ LiveRobot::LiveRobot(Setup setup)
       session_(setup_.image, {.resetsAreFindings = setup_.resetsAreFindings}),
       line_(session_),
       player_(scenario_, line_, setup_.verifies ? &reports_ : nullptr),
-      entries_(setup_.functions.size()) {
+      entries_(setup_.functions.size()),
+      lastCalls_(setup_.functions.size()) {
   std::ranges::sort(setup_.functions);
   session_.onEvent([this](const emulator::Event& event) { take(event); });
   if (!setup_.functions.empty()) {
+    recorder_.onCall([this](std::uint32_t function, bool left) {
+      if (!left) {
+        noteCall(function);
+      }
+    });
     session_.board.record(recorder_);
   }
 }
@@ -122,6 +128,18 @@ void LiveRobot::take(const emulator::Event& event) {
   }
 }
 
+void LiveRobot::noteCall(std::uint32_t function) {
+  const auto found = std::ranges::lower_bound(setup_.functions, function);
+  if (found == setup_.functions.end() || *found != function) {
+    return;
+  }
+  LastCall& last = lastCalls_[static_cast<std::size_t>(found - setup_.functions.begin())];
+  last.at = session_.board.now();
+  for (unsigned number = 0; number < last.registers.size(); ++number) {
+    last.registers[number] = session_.board.core(number);
+  }
+}
+
 void LiveRobot::endCycle() {
   cycle_.calls.clear();
   cycle_.hash = kHashBegin;
@@ -137,6 +155,7 @@ void LiveRobot::endCycle() {
   }
   cycle_.truncated = recorder_.truncated();
   cycle_.switches = std::exchange(switches_, {});
+  cycle_.lastCalls = lastCalls_;
   pulseAt_ = session_.board.now();
   recorder_.clear();
   const std::uint64_t now = session_.board.cycles();

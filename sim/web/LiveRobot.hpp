@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -39,6 +40,12 @@ class LiveRobot {
     std::uint32_t at = 0;         ///< time since the start of the cycle [ns]
   };
 
+  /// @brief The last call of a function.
+  struct LastCall {
+    std::chrono::nanoseconds at{-1};           ///< time of the board; -1: not called yet
+    std::array<std::uint32_t, 4> registers{};  ///< core registers 0 to 3 at the first instruction
+  };
+
   /// @brief The recorded calls from one clock pulse to the next.
   struct Cycle {
     std::vector<std::uint32_t> calls;  ///< address of a function; bit 0 is set when it is left
@@ -47,6 +54,9 @@ class LiveRobot {
     std::uint32_t hash = 0;            ///< two cycles with the same calls have the same hash
     bool truncated = false;            ///< further calls were not recorded
     std::vector<Switch> switches;      ///< in the order of time
+    /// Last call of each function since the start, in the sequence of the functions of the setup.
+    /// Also equal calls of one interrupt are seen.
+    std::vector<LastCall> lastCalls;
   };
 
   /// @brief Switches the robot on. Throws Scenario::Error.
@@ -94,6 +104,7 @@ class LiveRobot {
 
  private:
   void take(const emulator::Event& event);
+  void noteCall(std::uint32_t function);
   void endCycle();
   void sendOrder();
   void step();
@@ -114,6 +125,7 @@ class LiveRobot {
   std::uint64_t beganAt_ = 0;      // processor cycle
   std::uint64_t sleptBefore_ = 0;  // processor cycles
   std::vector<std::uint32_t> entries_;
+  std::vector<LastCall> lastCalls_;
   bool cycleEnded_ = false;
   State state_ = State::Runs;
 };

@@ -30,6 +30,12 @@ DATA = "live.json"
 RECORDED = "stop"  # scenario of the recorded curves that the page shows before the robot runs
 SAFETY = Path("sim/scenario/safety")
 CALLS = "_calls"  # suffix of an image in which each method is a separate function
+SIGNATURE = re.compile(r"(?P<result>.+?) ?\b\w+\((?P<parameters>[^()]*)\)")
+INTEGERS = {"void": "", "bool": "bool"} | {
+    f"std::{sign}int{bits}_t": f"{kind}{bits}"
+    for sign, kind in (("", "i"), ("u", "u"))
+    for bits in (8, 16, 32)
+}
 SYMBOL = re.compile(r"([0-9a-f]+) [tTwWuV] (.*)")
 
 
@@ -117,6 +123,7 @@ def facts(portal: Portal, built: list[Image]) -> dict[str, Any]:
     table = read_frames((portal.root / "design/frames.toml").read_text(encoding="utf-8"))
     return {
         "methods": list(numbers),
+        "parameters": parameters(portal, numbers),
         "hardware": sorted(numbers[name] for name in entered),
         "modules": [
             {
@@ -157,6 +164,47 @@ def facts(portal: Portal, built: list[Image]) -> dict[str, Any]:
         "frames": [frame(layout) for layout in table.frames.values()],
         "scenarios": scenarios(portal.root, model),
     }
+
+
+def parameters(portal: Portal, numbers: dict[str, int]) -> dict[int, dict[str, Any]]:
+    """Returns for each method the register of its first parameter, and the name and kind of each
+    parameter that a register has at the call. Overloads, and methods that may return their result
+    in memory, are left out.
+    """
+    found: dict[str, list[Method]] = {}
+    for module in portal.designs:
+        for method in module.methods:
+            found.setdefault(method.id, []).append(method)
+    return {
+        numbers[name]: {"first": int(one[0].kind != "static"), "parameters": kinds}
+        for name, one in found.items()
+        if len(one) == 1 and (kinds := in_registers(one[0].signature))
+    }
+
+
+def in_registers(signature: str) -> list[list[str]]:
+    """Returns the name and the kind of each parameter, up to the first of another size than a
+    register.
+    """
+    match = SIGNATURE.match(signature)
+    if not match or kind_of(match["result"]) is None:
+        return []
+    kinds = []
+    for parameter in filter(None, match["parameters"].split(", ")):
+        type_, _, name = parameter.rpartition(" ")
+        kind = kind_of(type_)
+        if not kind:
+            break
+        kinds.append([name, kind])
+    return kinds
+
+
+def kind_of(type_: str) -> str | None:
+    """Returns the kind of a type; of ``void`` an empty text, and of other types nothing."""
+    if type_.endswith(("&", "*")):
+        return "address"
+    plain = type_.removeprefix("virtual ").removeprefix("static ").removeprefix("const ")
+    return INTEGERS.get(plain)
 
 
 def address(link: str | None) -> str:

@@ -205,6 +205,19 @@ const std::uint32_t* liveEntries() {
   return module().robot->entries().data();
 }
 
+/// Stores the last call of each function: its time in ns (8 bytes; -1: not called yet) and the core
+/// registers 0 to 3 at its begin (4 bytes each).
+void liveLastCalls() {
+  Bytes& bytes = module().bytes;
+  bytes.clear();
+  for (const LiveRobot::LastCall& call : module().robot->cycle().lastCalls) {
+    append(bytes, static_cast<std::uint64_t>(call.at.count()));
+    for (const std::uint32_t value : call.registers) {
+      append(bytes, value);
+    }
+  }
+}
+
 /// Returns the hash of the events of the board; liveEventCount() returns their number.
 std::uint64_t liveEventHash() {
   return module().robot->events().hash();

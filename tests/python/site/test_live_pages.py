@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 from itertools import pairwise
@@ -10,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from portal.live_view import in_registers
 from tests.python.site.browser import BROWSER
 from tests.python.site.content import SITE
 from tools.live_runs import result_of
@@ -151,6 +153,40 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
         assert set(beat["active"]) == risen
         assert all({caller, called} <= set(STATES) for caller, called in beat["calls"])
     assert any(["MainController", "OperationState"] in beat["calls"] for beat in beats)
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
+def test_each_node_of_a_tree_has_the_time_and_the_arguments_of_its_last_call() -> None:
+    sent = played(
+        [{"do": "load", "folder": "live/"}, {"do": "find", "folder": "live/", "id": "FR-15"}], 0
+    )
+    found = next(message for message in sent if message["kind"] == "found")
+    nodes = {node["name"]: node for node in found["nodes"]}
+    read, change = nodes["MainController::read"], nodes["MainController::changeOpState"]
+    # The clock pulse calls MainController::read, and 100 ms later comes the next clock pulse.
+    assert 0 < change["at"] - read["at"] < 100
+    assert change["at"] <= found["at"] + 100
+    (argument,) = change["values"]
+    assert re.fullmatch(r"\w+ at 0x[12]f?f?[0-9a-f]{5,7}", argument), "an object in RAM"
+
+
+@pytest.mark.parametrize(
+    ("signature", "parameters"),
+    [
+        ("void set(std::int16_t value, bool now)", [["value", "i16"], ["now", "bool"]]),
+        (
+            "virtual bool order(Link& link, const Frame& frame)",
+            [["link", "address"], ["frame", "address"]],
+        ),
+        ("void set(Velocity velocity, bool now)", []),
+        ("void set(bool now, Velocity velocity)", [["now", "bool"]]),
+        ("Decoded push(bool now)", []),
+    ],
+)
+def test_a_parameter_has_a_kind_up_to_the_first_that_may_not_be_in_a_register(
+    signature: str, parameters: list[list[str]]
+) -> None:
+    assert in_registers(signature) == parameters
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")

@@ -70,6 +70,26 @@ TEST(LiveRobotTest, RunsCycleByCycle) {
   EXPECT_GT(std::ranges::max(robot->entries()), 4U);
 }
 
+/// @brief The last call of a function has its time and its registers. A function that no code calls has no
+/// time.
+TEST(LiveRobotTest, RecordsTheLastCallOfEachFunction) {
+  const auto robot = robotIn(kFree);
+  run(*robot, kCyclesToMode);
+  const auto& calls = robot->cycle().lastCalls;
+  ASSERT_EQ(calls.size(), robot->entries().size());
+  const auto now = robot->session().board.now();
+  bool called = false;
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    EXPECT_LE(calls[i].at, now);
+    if (robot->entries()[i] > 0) {
+      called = true;
+      EXPECT_GE(calls[i].at.count(), 0) << "an entered function was called";
+    }
+  }
+  EXPECT_TRUE(called);
+  EXPECT_TRUE(std::ranges::any_of(calls, [](const auto& call) { return call.at.count() < 0; }));
+}
+
 /// @brief The entries and exits of interrupts and threads of a cycle are in the order of time, from a
 /// clock pulse to the next clock pulse. The tick comes each millisecond.
 TEST(LiveRobotTest, RecordsInterruptsAndThreads) {

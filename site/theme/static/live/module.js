@@ -137,6 +137,17 @@
       return new Uint32Array(this.exports.memory.buffer, at, this.functions).slice();
     }
 
+    /* Returns the last call of each function: its time [ns], and the core registers 0 to 3 at its begin. */
+    lastCalls() {
+      this.call("liveLastCalls");
+      const bytes = this.kept();
+      const view = new DataView(bytes.buffer);
+      return Array.from({ length: this.functions }, (_, i) => ({
+        at: Number(view.getBigInt64(24 * i, true)),
+        registers: [8, 12, 16, 20].map((offset) => view.getUint32(24 * i + offset, true)),
+      }));
+    }
+
     /* Returns the entries and exits of interrupts and threads in the last cycle, in the order of time [ns]. */
     switches() {
       this.call("liveSwitches");

@@ -190,6 +190,20 @@
   const callsOf = (number) =>
     number === 1 ? "1 call" : number ? `${number.toLocaleString("en")} calls` : "no call inside the module";
 
+  /* Fills the column "live" of the tables of the tree: the time and the arguments of the last call of each node. */
+  function showLive(nodes) {
+    document.querySelectorAll(".embed").forEach((table) => {
+      const cells = [...table.querySelectorAll("td[data-live]")];
+      if (!cells.length) return;
+      table.querySelectorAll(".live").forEach((cell) => (cell.hidden = false));
+      nodes.forEach(({ name, at, values }, i) => {
+        if (!cells[i] || cells[i].dataset.live !== name) return;
+        const time = at === undefined ? "no call" : `${at.toFixed(3)} ms`;
+        cells[i].replaceChildren(element("b", {}, time), ...(values || []).map((value) => element("div", {}, value)));
+      });
+    });
+  }
+
   function show(data) {
     button.disabled = false;
     button.textContent = "Again";
@@ -211,6 +225,7 @@
       if (still.matches) list.append(item);
       else setTimeout(() => list.append(item), number * STEP);
     });
+    showLive(data.nodes);
     const edges = data.moves.map((move) => `machine-${move.machine}-${move.from}-_${move.to}`);
     document.querySelectorAll("g.edge path[id]").forEach((path) => {
       path.parentNode.classList.toggle("lv-last", edges.includes(path.id));

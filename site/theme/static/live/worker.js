@@ -259,11 +259,38 @@ async function find({ folder, id }) {
           name: facts.methods[robot.rows[index].method],
           depth: robot.rows[index].depth - base,
         })),
+        nodes: lastCallsOf(tree.root, new Set(placed.map((index) => robot.rows[index].method))),
       });
       return;
     }
   }
   post({ kind: "found" });
+}
+
+/* Returns the last call of each node of a tree, in the sequence of the tree: its time [ms] and its arguments. */
+function lastCallsOf(root, called) {
+  const calls = simulator.lastCalls();
+  const nodesIn = (node) => [node, ...node.children.flatMap(nodesIn)];
+  return nodesIn(root).map(({ name, methods }) => {
+    const made = product.functions
+      .map(([, method], i) => ({ method, ...calls[i] }))
+      .filter(({ method, at }) => methods.has(method) && called.has(method) && at >= 0)
+      .sort((a, b) => b.at - a.at);
+    return made.length ? { name, at: made[0].at / 1e6, values: argumentsOf(made[0]) } : { name };
+  });
+}
+
+/* Returns the arguments of a call as texts. Registers have them in the order of the parameters. */
+function argumentsOf({ method, registers }) {
+  const SIZES = { bool: 1, i8: 8, u8: 8, i16: 16, u16: 16, i32: 32, u32: 32 };
+  const { first, parameters } = facts.parameters[method] || { first: 0, parameters: [] };
+  return parameters.slice(0, registers.length - first).map(([name, kind], i) => {
+    const value = registers[first + i];
+    if (kind === "address") return `${name} at 0x${value.toString(16).padStart(8, "0")}`;
+    const unused = 32 - SIZES[kind];
+    const number = kind[0] === "i" ? (value << unused) >> unused : (value << unused) >>> unused;
+    return `${name} = ${kind === "bool" ? number === 1 : number}`;
+  });
 }
 
 /* Returns the image that contains most of the given modules. Of equal images, it prefers the paper's design, then the
