@@ -32,8 +32,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--again",
         action="store_true",
         help="prove all properties, also properties whose model is in tests/records/proofs.json, "
-        "and "
-        "write that record",
+        "and write that record",
     )
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
 

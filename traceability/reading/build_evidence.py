@@ -37,9 +37,13 @@ def read_build(root: Path) -> BuildEvidence:
 
 
 def git(root: Path, *words: str) -> str:
-    run = subprocess.run(
-        ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
-    )
+    """Returns the output of git; empty when git fails or is not installed."""
+    try:
+        run = subprocess.run(
+            ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
+        )
+    except OSError:
+        return ""
     return run.stdout if run.returncode == 0 else ""
 
 

@@ -8,17 +8,23 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import MISSING, dataclass, field, fields
+from dataclasses import MISSING, Field, dataclass, field, fields
 from numbers import Real
 from pathlib import Path
-from typing import Any, TypeVar, get_args, get_origin, get_type_hints
+from typing import Any, ClassVar, Protocol, TypeVar, get_args, get_origin, get_type_hints
 
 from traceability.schema import Place
 
 MAY_BE_EMPTY = ("guard", "action")  # keys of a transition
 Keys = Mapping[str, type[Any]]
 Entry = tuple[dict[str, Any], Place]
-T = TypeVar("T")
+
+
+class DataclassInstance(Protocol):
+    __dataclass_fields__: ClassVar[dict[str, Field[Any]]]
+
+
+T = TypeVar("T", bound=DataclassInstance)
 
 
 @dataclass
@@ -99,7 +105,7 @@ class Entries:
         names the key of a field with another name. The field ``place`` is the place of the entry.
         """
         types = {key: _type_of(hint) for key, hint in get_type_hints(record).items()}
-        members = fields(record)  # type: ignore[arg-type]
+        members = fields(record)
         key_of = {each.name: (keys or {}).get(each.name, each.name) for each in members}
         bare = {
             each.name
