@@ -79,7 +79,7 @@ def handler_lines(facts: Facts) -> dict[str, list[int]]:
 
 
 def _vectors(facts: Facts) -> dict[str, list[str]]:
-    """Returns the handlers of an interrupt line, which a constant names, and of the lines after it."""
+    """Returns the handlers of the line that a constant names, and of the lines after it."""
     table: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         if flow.into in facts.syntax.constants and flow.into.endswith("Line"):
