@@ -73,15 +73,18 @@ def check(root: Path, *, drift: bool = False) -> int:
         return report(read_findings(root), [*failed, *pages.failed])
 
 
-def report(findings: list[Finding], failed: Iterable[str]) -> int:
-    """Prints the findings and the failed tasks. Returns the exit code."""
+def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
+    """Prints the findings and the failed tasks. Returns the exit code.
+
+    Without documents the findings are not known.
+    """
     from traceability.checks import message, sort
 
     first = ("syntax-error", "design-entry")  # the causes of many other findings
-    for finding in sorted(sort(findings), key=lambda finding: finding.check not in first):
+    for finding in sorted(sort(findings or []), key=lambda finding: finding.check not in first):
         print(message(finding))
     names = list(failed)
     if names:
         print(f"failed: {', '.join(names)}")
-    print(counted(findings))
-    return 1 if findings or names else 0
+    print("findings unknown" if findings is None else counted(findings))
+    return 0 if findings == [] and not names else 1

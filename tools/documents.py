@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 FINDINGS = Path("build/model/findings.json")
 TIMES = RESULTS / "times.json"  # duration of commands, for the metrics
 METRICS = Path("build/metrics.json")
+INCOMPLETE = 3  # exit code of the process; a Python error ends it with 1
 PARTS = ("model", "checks", "site", "links")
 
 
@@ -46,14 +47,19 @@ def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
         for line in made.stdout:
             log.write(line)
             print(line, end="", file=out, flush=True)
-    if made.returncode != 0:
+    if made.returncode == INCOMPLETE:
         raise FailureError("a step failed")
-    return counted(read_findings(root))
+    if made.returncode != 0:
+        (root / FINDINGS).unlink(missing_ok=True)  # they belong to earlier documents
+        raise FailureError(f"its process ended early, with code {made.returncode}")
+    return counted(read_findings(root) or [])
 
 
-def read_findings(root: Path) -> list[Finding]:
-    """Returns the findings of the last documents."""
-    records = read_json(root / FINDINGS) or []
+def read_findings(root: Path) -> list[Finding] | None:
+    """Returns the findings of the last documents; nothing if their process ended early."""
+    records = read_json(root / FINDINGS)
+    if records is None:
+        return None
     return [Finding(**{**record, "place": Place(**record["place"])}) for record in records]
 
 
@@ -77,13 +83,13 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 def main(root: Path) -> int:
     """Runs the process. Returns exit code 0 when all four steps were completed, even with
-    findings.
+    findings; else INCOMPLETE.
     """
     steps = Steps(root, len(PARTS))
     with no_collection():
         findings, complete = make(root, steps)
     write_whole(root / FINDINGS, json.dumps([asdict(finding) for finding in findings]))
-    return 0 if complete else 1
+    return 0 if complete else INCOMPLETE
 
 
 @contextmanager

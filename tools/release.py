@@ -137,7 +137,7 @@ def build(root: Path) -> None:
     if run.failed or pages.failed:
         raise FailureError("the build failed")
     write_svd(root, root / SVD)
-    print(f"{len(read_findings(root))} findings in the documents")
+    print(f"{len(read_findings(root) or [])} findings in the documents")
 
 
 def write_release(root: Path, made: Release, folder: Path) -> None:

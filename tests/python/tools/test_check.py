@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import json
+import sys
+from functools import partial
 from pathlib import Path
 from typing import TextIO
 
 import pytest
 
 from tools import check
-from tools.documents import FINDINGS, read_findings, read_times
+from tools.documents import FINDINGS, make_documents, read_findings, read_times
 from tools.steps import FailureError
 from tools.task_graph import Graph, Task
 from tools.tasks import DOCUMENTS
@@ -77,6 +79,23 @@ def test_documents_that_could_not_be_made_fail_and_are_made_again(
     for _ in range(2):
         assert check.check(tmp_path) == 1
         assert "FAILED: a step failed" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("ends", ["raise SystemError", "os.kill(os.getpid(), signal.SIGKILL)"])
+def test_findings_of_earlier_documents_are_not_shown_when_the_process_ends_early(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, ends: str
+) -> None:
+    (tmp_path / FINDINGS).parent.mkdir(parents=True)
+    (tmp_path / FINDINGS).write_text("[]", encoding="utf-8")
+    (tmp_path / "tools").mkdir()
+    (tmp_path / "tools/__init__.py").touch()
+    (tmp_path / "tools/documents.py").write_text(f"import os, signal\n{ends}\n", encoding="utf-8")
+    made = Task(DOCUMENTS, partial(make_documents, tmp_path, sys.stdout), ("src",))
+    monkeypatch.setattr(check, "pages_graph", lambda root: Graph(root, [made]))
+    assert check.check(tmp_path) == 1
+    printed = capsys.readouterr().out
+    assert "its process ended early" in printed
+    assert printed.splitlines()[-1] == "findings unknown"
 
 
 def test_a_file_that_is_not_text_is_found_at_its_line(tmp_path: Path) -> None:
