@@ -8,12 +8,12 @@ class DirController;
 class DirSensor;
 class SteeringDevice;
 
-/// @brief Command of the second timer: measures, controls and moves the steering at each tick.
+/// @brief Command of the second timer: measures and moves the steering at each tick, and controls
+/// the steering when a measurement has ended.
 ///
 /// @function Lets the sensor take a sample. When this sample ends a measurement, passes the state
 /// of the motor to the controller and lets the controller run. Then lets the motor run. Timer,
-/// controller and sensor do not
-/// depend on each other.
+/// controller and sensor do not depend on each other.
 ///
 /// @secret The sequence of sensor, controller and motor in a tick, and the rule that the controller
 /// runs only when a measurement has ended.
