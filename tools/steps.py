@@ -19,6 +19,7 @@ from typing import Any, TextIO, TypeVar
 from weeding_robot_client.exit_codes import FAILED, MISSING, USAGE
 
 TAIL_LINES = 30
+REPEAT = 0.001  # [s] delay of an interrupt that Python ignored
 Result = TypeVar("Result")
 
 
@@ -88,10 +89,22 @@ def heed_interrupts() -> None:
 
     A shell ignores SIGINT for a command in the background. A time limit sends SIGTERM. A pool ends
     its processes with SIGTERM, so a process that was forked ends without an exception.
+
+    Python ignores an exception in the callback of a weak reference, for example during an import.
+    An interrupt that is ignored there is repeated by a timer.
     """
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
         signal.signal(number, signal.default_int_handler)
     os.register_at_fork(after_in_child=lambda: signal.signal(signal.SIGTERM, signal.SIG_DFL))
+    usual = sys.unraisablehook
+
+    def repeat_interrupt(ignored: sys.UnraisableHookArgs) -> None:
+        if issubclass(ignored.exc_type, KeyboardInterrupt):
+            signal.setitimer(signal.ITIMER_REAL, REPEAT)
+        else:
+            usual(ignored)
+
+    sys.unraisablehook = repeat_interrupt
 
 
 @contextmanager

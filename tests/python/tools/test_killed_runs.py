@@ -33,6 +33,20 @@ try:
 except KeyboardInterrupt:
     sys.exit(130)
 """
+# A command that is interrupted in the callback of a weak reference: Python ignores exceptions there.
+IN_CALLBACK = """
+import signal, sys, time, weakref
+from tools.steps import heed_interrupts
+class Thing: ...
+heed_interrupts()
+thing = Thing()
+reference = weakref.ref(thing, lambda _reference: signal.raise_signal(signal.SIGINT))
+try:
+    del thing
+    time.sleep(10)
+except KeyboardInterrupt:
+    sys.exit(130)
+"""
 KILLS = 8  # for each signal
 SEED = int(os.environ.get("WR_SEED", "1"))
 
@@ -100,6 +114,13 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         write_sources(tmp_path, f"text {turn}")
         run(tmp_path)
     assert ended > KILLS // 3, "most signals came when the run had ended"
+
+
+def test_an_interrupt_during_a_callback_is_not_lost() -> None:
+    program = subprocess.run(
+        [sys.executable, "-c", IN_CALLBACK], capture_output=True, text=True, cwd=SOURCE, check=False
+    )
+    assert (program.returncode, program.stderr) == (INTERRUPTED, "")
 
 
 def test_the_next_command_ends_the_programs_that_a_killed_one_left(tmp_path: Path) -> None:
