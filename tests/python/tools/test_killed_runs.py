@@ -33,7 +33,7 @@ try:
 except KeyboardInterrupt:
     sys.exit(130)
 """
-# A command that is interrupted in the callback of a weak reference: Python ignores exceptions there.
+# A command that is interrupted in the callback of a weak reference, where Python ignores errors.
 IN_CALLBACK = """
 import signal, sys, time, weakref
 from tools.steps import heed_interrupts
