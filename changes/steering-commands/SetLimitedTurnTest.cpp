@@ -52,8 +52,8 @@ int angleAfterOneSecond(const char* image) {
   return robot.report().steering;
 }
 
-/// @brief In the same second the robot of the kit turns by less than half of the angle of the
-/// unchanged robot.
+/// @brief In 1 s the changed robot turns its steering by less than half the angle of the unchanged
+/// robot.
 TEST(SetLimitedTurnOnBoard, SteeringTurnsSlower) {
   const int before = angleAfterOneSecond(kUnchanged);
   EXPECT_GT(before, 1000);

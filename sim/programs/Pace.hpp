@@ -27,7 +27,7 @@ class Pace final {
   /// @param time since the start of the robot
   void waitFor(Clock::duration time);
 
-  /// @brief Returns how long the robot's time stood still.
+  /// @brief Returns the duration in which the simulated time did not advance.
   [[nodiscard]] Clock::duration lost() const { return lost_; }
 
  private:
@@ -39,7 +39,7 @@ class Pace final {
   Clock::duration lost_{};
 };
 
-/// @brief Prints how long the robot's time stood still, if it did.
+/// @brief Prints the duration in which the simulated time did not advance. Prints nothing for 0.
 /// @param pace pace of the ended run
 /// @param output receives the text
 void printLost(const Pace& pace, std::FILE* output);

@@ -39,7 +39,7 @@ def _unknown_tags(facts: Facts) -> list[Finding]:
 
 
 def not_text(root: Path) -> list[Finding]:
-    """The first line of each source that is not UTF-8."""
+    """Returns a finding for each source that is not UTF-8, at the line of its first wrong byte."""
     findings: list[Finding] = []
     for path in files_below(root, READ):
         data = path.read_bytes()

@@ -14,7 +14,7 @@ from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-# Besides C++: texts on folders, and inputs of the linker and of the build for the K64.
+# Files that are not C++: texts about folders, and inputs of the linker and of the K64 build.
 OTHERS = ("module.dox", "CMakeLists.txt")
 OTHER_ENDINGS = (".ld", ".cmake")
 NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header

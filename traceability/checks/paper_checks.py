@@ -187,7 +187,7 @@ def _returned(method: str, facts: Facts) -> Iterator[str]:
 
 
 def _name_here(target: str, model: Model) -> str:
-    """Returns the name that an element has here: an application by its title."""
+    """Returns the name of an element in this project; of an application, its title."""
     kind, _, name = target.partition(":")
     application = model.patterns.get(name) if kind == "pattern" else None
     return application.title if application else name

@@ -511,7 +511,7 @@ def passes_steps_on(shape: Shape, builder: str) -> bool:
 
 
 def builder_parts(shape: Shape) -> Broken:
-    """Finds parts of builders that other modules construct."""
+    """Finds the parts of a builder that a module other than a builder constructs."""
     builders = shape.playing("Concrete Builder")
     for part in sorted(parts_of(shape, builders)):
         for place, maker in makers(shape, part):

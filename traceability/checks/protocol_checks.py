@@ -83,5 +83,5 @@ def _crc(data: bytes) -> int:
 
 
 def _stuffed(data: bytes) -> bytes:
-    """Returns fewer than 254 bytes in the code COBS."""
+    """Encodes at most 253 bytes with COBS."""
     return b"".join(bytes([len(part) + 1]) + part for part in data.split(b"\0"))

@@ -170,8 +170,8 @@ class Times:
         return longest + UNALIGNED * (count // 4 + 2)
 
     def _home(self, symbol: str) -> str:
-        """Returns the symbol with the code. A veneer jumps to another symbol, and equal functions
-        share a symbol.
+        """Returns the symbol that contains the code of a symbol. A veneer jumps to another symbol,
+        and equal functions share a symbol.
         """
         veneer = VENEER.match(symbol)
         name = veneer["name"] if veneer else symbol

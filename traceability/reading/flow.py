@@ -126,7 +126,7 @@ class FlowReader:
         self.add(self.node(member.referenced), self.sources(value) or ["value"], place)
 
     def arguments(self, call: Cursor, target: Cursor, place: Place) -> list[list[str]]:
-        """Returns the places in the arguments of a call; the parameters refer to them."""
+        """Records the sources of each parameter, and returns the sources of each argument."""
         named = [self.sources(value) for value in call.get_arguments()]
         for number, sources in enumerate(named):
             self.add(f"param {self.function(target)} {number}", sources, place)

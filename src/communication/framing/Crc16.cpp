@@ -27,7 +27,7 @@ consteval Table remainders() {
 
 constexpr Table kRemainders = remainders();
 
-// Returns the remainders for bytes that one more byte follows than in another table.
+// Returns the remainders of bytes that n + 1 bytes follow. In the other table, n bytes follow.
 consteval Table beforeByte(const Table& other) {
   Table table{};
   for (std::size_t byte = 0; byte < kBytes; ++byte) {

@@ -261,7 +261,7 @@ TEST_F(PcConnectionTest, FR246_AHelloOfAnotherVersionIsAnswered) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief A Hello is answered with or without a payload.
+/// @brief The firmware answers a Hello with a payload, and a Hello without a payload.
 /// @verifies FR-246
 TEST_F(PcConnectionTest, FR246_AHelloNeedsNoPayload) {
   send(kHello);
@@ -803,8 +803,8 @@ TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   EXPECT_TRUE(port.received.empty());
 }
 
-/// @brief Each read of a cycle, except the last read, ends a frame or fills the storage of a frame:
-/// short reads do not make the cycle longer. The proven bound of the cycle counts on this.
+/// @brief In a cycle, each read except the last ends a frame or fills the storage of a frame. The
+/// proven bound of the cycle needs this limit of the number of reads.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheReadsOfOneCycleAreBounded) {
   constexpr std::size_t kBytes = 1216;
@@ -1015,8 +1015,8 @@ TEST_F(PcConnectionTest, FR40_TheConnectionAcceptsEachExample) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief After the start of the example with a fault, the firmware sends the Welcome of this
-/// example.
+/// @brief In one example, the robot starts after a fault. With the data of this start, the firmware
+/// sends the Welcome of the example.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   start = {ResetCause::Software, FaultKind::Assertion, 3, 0x4A6E};

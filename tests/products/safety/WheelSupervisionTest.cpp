@@ -54,7 +54,7 @@ class SupervisedWheel : public testing::Test {
   StopCause cause = StopCause::None;
 };
 
-/// @brief A wheel at 150 rpm whose voltage, velocity and current match is plausible.
+/// @brief A wheel at 150 rpm is plausible when its voltage, velocity and current agree.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_MatchingMeasurementsArePlausible) {
   EXPECT_EQ(firstCause(100, measured(150, 1), 9.354, 150), 0);
@@ -347,8 +347,8 @@ TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, -1.001)), StopCause::Tracking);
 }
 
-/// @brief A measurement that is missing in two cycles is permitted; the third missing measurement
-/// is a cause.
+/// @brief A measurement may be missing in two cycles. In the third cycle it causes a protective
+/// stop.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   WheelMeasurements missing;
