@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import functools
-import math
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -104,21 +102,16 @@ def _remarks(path: Path, text: str) -> str:
     except ClassNotFound:
         return ""
     return "".join(
-        part
-        if len(part) >= (least := _least_words(kind)) and len(part.split()) >= least
-        else "\n".join("\0" * len(line) for line in part.split("\n"))
-        for _, kind, part in tokens
+        part if _is_prose(kind, part) else re.sub(r"[^\n]", "\0", part) for _, kind, part in tokens
     )
 
 
-@functools.cache
-def _least_words(kind: _TokenType) -> float:
-    """Returns the least number of words of a token that is prose."""
+def _is_prose(kind: _TokenType, part: str) -> bool:
     if is_token_subtype(kind, Comment.Preproc) or is_token_subtype(kind, Comment.PreprocFile):
-        return math.inf
+        return False
     if is_token_subtype(kind, Comment) or is_token_subtype(kind, Literal.String.Doc):
-        return 0
-    return LEAST_WORDS if is_token_subtype(kind, Literal.String) else math.inf
+        return True
+    return is_token_subtype(kind, Literal.String) and len(part.split()) >= LEAST_WORDS
 
 
 def lint_prose(root: Path) -> list[ProseFinding]:

@@ -7,8 +7,8 @@ namespace wr {
 
 /// @brief Keeps the stop of a source during a reset.
 ///
-/// @function Stores the stop of the wrapped mode in every cycle. A stop that was in force before a reset
-/// stays in force until the source orders neutral set-points without a stop.
+/// @function Stores the stop of the wrapped mode in every cycle. A stop that was in force before a
+/// reset stays in force until the source orders neutral set-points without a stop.
 ///
 /// @secret The event that ends a stop that was stored before a reset.
 ///

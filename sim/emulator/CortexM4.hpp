@@ -157,11 +157,12 @@ class CortexM4 {
   /// then returns 0, a store has no effect
   void onUnmodelled(std::function<bool(const std::string& what)> call);
 
-  /// @brief Sets the callback that runs after a reset and after each branch, before the next instruction.
+  /// @brief Sets the callback that runs after a reset and after each branch, before the next
+  /// instruction.
   void onBlock(std::function<void(std::uint32_t address)> call);
 
-  /// @brief Sets the callback that runs before each instruction. A debugger uses it. The callback may
-  /// change the registers, and memory with load().
+  /// @brief Sets the callback that runs before each instruction. A debugger uses it. The callback
+  /// may change the registers, and memory with load().
   void onInstruction(std::function<void()> call) { core_.onInstruction(std::move(call)); }
 
   /// @brief Sets the callback that runs after each load and store of the program; empty: none.

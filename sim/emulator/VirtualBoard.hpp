@@ -67,7 +67,8 @@ class VirtualBoard {
   /// @brief Returns the time since the board was switched on.
   [[nodiscard]] nanoseconds now() const;
 
-  /// @brief Returns the finding that stopped the run. A run that a finding stopped does not continue.
+  /// @brief Returns the finding that stopped the run. A run that a finding stopped does not
+  /// continue.
   [[nodiscard]] const std::optional<Finding>& finding() const;
 
   /// @brief Returns the warnings since the last call: one for each kind of access that is not
@@ -142,11 +143,10 @@ class VirtualBoard {
   /// connected to it. Each conversion returns the voltage of the previous conversion.
   void openAnalog(int converter, int channel);
 
-  /// @brief Sets a callback that runs at each multiple of a period of board
-  /// time. It is called before the
-  /// instructions and events of that time. The first call is at the next multiple. A callback may
-  /// use the board, but not run it. Callbacks for the same time run in the order in which they were
-  /// set.
+  /// @brief Sets a callback that runs at each multiple of a period of board time. It is called
+  /// before the instructions and events of that time. The first call is at the next multiple. A
+  /// callback may use the board, but not run it. Callbacks for the same time run in the order in
+  /// which they were set.
   void onTime(nanoseconds period, std::function<void()> call);
 
   /// @brief Raises an exception by hardware before the next instruction, e.g. 3 HardFault.

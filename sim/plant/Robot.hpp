@@ -178,8 +178,8 @@ class Robot {
   /// @return rpm, positive forwards
   [[nodiscard]] double velocityRpm(std::size_t wheel) const;
 
-  /// @brief Returns the greatest true velocity of any wheel since the start, or since the last call of
-  /// clearGreatestVelocity().
+  /// @brief Returns the greatest true velocity of any wheel since the start, or since the last call
+  /// of clearGreatestVelocity().
   /// @return rpm, of either direction
   [[nodiscard]] double greatestRpm() const { return greatestRpm_; }
 

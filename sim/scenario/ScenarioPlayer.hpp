@@ -36,7 +36,8 @@ class ScenarioPlayer {
   /// @return the result
   [[nodiscard]] Outcome play();
 
-  /// @brief Runs to the next instant at which the PC reads its line or acts, and executes this action.
+  /// @brief Runs to the next instant at which the PC reads its line or acts, and executes this
+  /// action.
   /// @return false when the scenario has ended
   bool step();
 

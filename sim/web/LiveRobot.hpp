@@ -55,7 +55,8 @@ class LiveRobot {
     bool truncated = false;            ///< further calls were not recorded
     std::vector<Switch> switches;      ///< in the order of time
     /// Last call of each function since the start, in the sequence of the functions of the setup.
-    /// Also equal calls of one interrupt are seen.
+    /// It may be a call that is not in `calls`, because equal calls of an interrupt are recorded
+    /// once.
     std::vector<LastCall> lastCalls;
   };
 
@@ -86,8 +87,8 @@ class LiveRobot {
   /// @brief Returns the last control cycle that has ended.
   [[nodiscard]] const Cycle& cycle() const { return cycle_; }
 
-  /// @brief Returns the number of times that each function was entered, in the sequence of the functions of the
-  /// setup. Equal calls of one interrupt count once in a cycle.
+  /// @brief Returns the number of times that each function was entered, in the sequence of the
+  /// functions of the setup. Equal calls of one interrupt count once in a cycle.
   [[nodiscard]] const std::vector<std::uint32_t>& entries() const { return entries_; }
 
   /// @brief Returns the bytes on the line since the last call.

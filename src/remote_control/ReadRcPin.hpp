@@ -14,8 +14,7 @@ namespace wr {
 ///
 /// @patternapp{rc-pin-interrupt, Command, Process the RC pin interruptions}
 /// @why An edge on a pin of the remote control causes an interrupt. The pin executes a command
-/// object, so it
-/// names no module that acts on the edge.
+/// object. Therefore the pin names no module that acts on the edge.
 /// @changes The actions at an edge, or the modules that they affect, may change without change to
 /// the pin.
 class ReadRcPin final : public Command {

@@ -81,8 +81,8 @@ class DirController final {
   DirController(const DirController&) = delete;
   DirController& operator=(const DirController&) = delete;
 
-  /// @brief Reads target and position, lets the state act, and writes the status. It is called when a
-  /// measurement of the position ends, every 8 ms.
+  /// @brief Reads target and position, lets the state act, and writes the status. It is called when
+  /// a measurement of the position ends, every 8 ms.
   /// @param motor state of the motor
   /// @isr{yes}
   /// @satisfies FR-114
@@ -140,8 +140,8 @@ class DirController final {
   [[nodiscard]] bool stalled();
 
   /// @brief Returns the turn towards the target. States call it.
-  /// @return rate of the algorithm [steps/s], -500 to 500; 0 without an order to follow, while the motor is not
-  /// ready, and towards an end stop that is reached
+  /// @return rate of the algorithm [steps/s], -500 to 500; 0 without an order to follow, while the
+  /// motor is not ready, and towards an end stop that is reached
   /// @pre The position is not lost.
   /// @isr{yes}
   /// @satisfies FR-101
