@@ -50,7 +50,7 @@ class Handler(SimpleHTTPRequestHandler):
         super().end_headers()
 
     # The base class defines the name of the parameter.
-    def log_message(self, format: str, *args: object) -> None:  # noqa: A002
+    def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - http.server names it
         """Prints nothing for each page."""
 
 

@@ -87,7 +87,7 @@ class McapFile:
         )
 
     def close(self) -> None:
-        self._writer.finish()  # type: ignore[no-untyped-call]
+        self._writer.finish()  # type: ignore[no-untyped-call]  # mcap has no types
         self._file.close()
 
 

@@ -63,7 +63,7 @@ def load(app: Sphinx) -> None:
     for kind, targets in json.loads(links.read_text(encoding="utf-8")).items():
         app.add_role(kind, NameRole(targets), override=True)
     # Only builders of HTML have this attribute, and no other builder is used.
-    app.builder.search = False  # type: ignore[attr-defined]
+    app.builder.search = False  # type: ignore[attr-defined]  # of the HTML builder
 
 
 def hand_written(app: Sphinx, env: BuildEnvironment, *_changed: set[str]) -> list[str]:

@@ -85,7 +85,7 @@ def run_on_dask(
     """
     from distributed import Client, as_completed
 
-    with Client(scheduler, timeout="20s") as client:  # type: ignore[no-untyped-call]
+    with Client(scheduler, timeout="20s") as client:  # type: ignore[no-untyped-call]  # no types
         contents = client.scatter(
             {file.name: (root / file).read_bytes() for file in kind.files}, broadcast=True
         )
@@ -101,6 +101,6 @@ def run_on_dask(
             ): chunk
             for chunk in chunks
         }
-        for future in as_completed(list(futures)):  # type: ignore[no-untyped-call]
+        for future in as_completed(list(futures)):  # type: ignore[no-untyped-call]  # no types
             yield futures[future], future.result()
             future.release()

@@ -39,7 +39,7 @@ class Problem:
         """Returns the greatest cost of a path; nothing when it has no bound, or no path has an
         end.
         """
-        solver = highspy.Highs()  # type: ignore[no-untyped-call]
+        solver = highspy.Highs()  # type: ignore[no-untyped-call]  # highspy has no types
         solver.silent()
         entry = next(iter(self.code.blocks))
         ways = {(-1, entry): solver.addVariable(lb=1, ub=1)}

@@ -811,7 +811,7 @@ def _library() -> Any:
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
         # The id of this function; a function is prepared only once.
-        _library.bound = True  # type: ignore[attr-defined]
+        _library.bound = True  # type: ignore[attr-defined]  # a mark on the function
     return library
 
 

@@ -288,7 +288,7 @@ def test_the_index_of_the_trees_leads_to_each_tree(portal: Portal, pages: dict[s
 
 def test_a_tree_has_the_modules_of_its_nodes_as_filter(portal: Portal) -> None:
     facets = trees(portal)["facets"]
-    nodes = portal.flat(portal.model.requirements["FR-15"].tree)  # type: ignore[arg-type]
+    nodes = portal.flat(portal.model.requirements["FR-15"].tree)  # type: ignore[arg-type]  # it has a tree
     assert set(facets["FR-15"]["module"]) <= {node.module for _, node in nodes}
     assert facets["FR-15"]["module"]
 
@@ -320,11 +320,11 @@ def test_the_page_of_robustness_shows_the_inputs_of_each_fuzzer_of_a_record(
 def test_a_change_that_an_extension_makes_names_two_products(portal: Portal) -> None:
     change = next(iter(portal.model.changes.values()))
     bluetooth = replace(portal.model.modules["RC"], name="Bluetooth", logic="extensions/bluetooth")
-    portal.model.modules["Bluetooth"] = bluetooth  # type: ignore[index]
+    portal.model.modules["Bluetooth"] = bluetooth  # type: ignore[index]  # frozen
     try:
         found = compared(portal, replace(change, examples=["Bluetooth"], made=None))
     finally:
-        del portal.model.modules["Bluetooth"]  # type: ignore[attr-defined]
+        del portal.model.modules["Bluetooth"]  # type: ignore[attr-defined]  # frozen
     assert found
     assert (found.before, found.after) == ("weeding_robot_pc", "weeding_robot_pc_bluetooth")
     assert compared(portal, replace(change, examples=[], made=None)) is None
