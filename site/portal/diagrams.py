@@ -25,7 +25,7 @@ from traceability.schema import Module, PatternApplication, StateMachine, Transi
 DIAGRAMS = "diagrams"  # folder of the sources of the diagrams in the site
 SVG = "{http://www.w3.org/2000/svg}"
 XLINK = "{http://www.w3.org/1999/xlink}"
-FORMAT = "10"  # part of the cache key: increase it when the processing of the SVG changes
+FORMAT = "11"  # part of the cache key: increase it when the processing of the SVG changes
 
 FAMILIES = {
     "Decorator": "decorator",
@@ -79,6 +79,9 @@ LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
 
 EDGE = 4  # space below the lowest label
 
+SHORT_LABEL = (
+    40  # largest number of characters in a line of a label in a drawing from left to right
+)
 LONG_LABEL = 12  # the action of a transition goes below a longer event
 
 # (role of one end, role of the other end, arrow): the arrow is drawn when the first end uses the
@@ -255,6 +258,8 @@ def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram
         target = f"[[{link}]] " if link else ""
         fill, line = MARKERS[f"fsm-{hue}-fill"], MARKERS[f"fsm-{hue}"]
         lines.append(f"state {name} {target}{fill} ##{line[1:]}")
+    if is_narrow(machine):
+        lines.append("left to right direction")
     lines.append(f"[*] --> {machine.initial}")
     edges = merged_transitions(machine)
     for (source, target), steps in edges.items():
@@ -269,6 +274,13 @@ def machine_diagram(machine: StateMachine, links: Links, stale: bool) -> Diagram
     return Diagram(f"machine-{machine.id}", label, "\n".join(lines), edges)
 
 
+def is_narrow(machine: StateMachine) -> bool:
+    """Returns whether a page is wide enough for the states and the labels in one row."""
+    return all(
+        len(line) <= SHORT_LABEL for step in machine.transitions for line in label_lines(step)
+    )
+
+
 def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
     """Merges the transitions between the same two states into a single edge."""
     merged: dict[tuple[str, str], list[Transition]] = {}
@@ -278,11 +290,14 @@ def merged_transitions(machine: StateMachine) -> dict[tuple[str, str], list[Tran
 
 
 def label_lines(step: Transition) -> list[str]:
+    """Returns the label of a transition: its event, guard, action and requirements."""
     label = f"{step.event} [{step.guard}]" if step.guard else step.event
+    requirements = [", ".join(step.requirements)] if step.requirements else []
     if not step.action:
-        return [label]
+        return [label, *requirements]
     action = f"/ {step.action}"
-    return [label, action] if len(label) > LONG_LABEL else [f"{label} {action}"]
+    event = [label, action] if len(label) > LONG_LABEL else [f"{label} {action}"]
+    return [*event, *requirements]
 
 
 def located(svg: str, requirement: str) -> str:
