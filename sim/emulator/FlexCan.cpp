@@ -8,7 +8,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40024000: K64P144M120SF5RM, CAN memory map.
+// Offsets from 0x40024000 (K64P144M120SF5RM, CAN memory map).
 constexpr std::uint32_t kMcr = 0x00;
 constexpr std::uint32_t kCtrl1 = 0x04;
 constexpr std::uint32_t kTimer = 0x08;

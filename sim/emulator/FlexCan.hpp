@@ -12,7 +12,7 @@
 namespace wr::emulator {
 
 /// @brief The CAN controller 0, and a bus with one other node that acknowledges each frame.
-/// K64P144M120SF5RM, chapter CAN (FlexCAN). Registers and codes agree with the driver of Linux
+/// See K64P144M120SF5RM, chapter CAN (FlexCAN). Registers and codes agree with the driver of Linux
 /// (drivers/net/can/flexcan).
 ///
 /// Modelled: the modes disabled, freeze and normal; the bit timing; message buffers that send and

@@ -7,7 +7,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from the base of a timer: K64P144M120SF5RM, FTM memory map.
+// Offsets from the base of a timer (K64P144M120SF5RM, FTM memory map).
 constexpr std::uint32_t kSc = 0x00;
 constexpr std::uint32_t kCnt = 0x04;
 constexpr std::uint32_t kMod = 0x08;

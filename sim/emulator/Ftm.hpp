@@ -12,7 +12,7 @@ namespace wr::emulator {
 
 /// @brief A timer that generates pulses of a width: edge-aligned pulse-width modulation on its
 /// channels, counted with the bus clock.
-/// K64P144M120SF5RM, chapter FlexTimer Module (FTM).
+/// See K64P144M120SF5RM, chapter FlexTimer Module (FTM).
 ///
 /// Not modelled: all other modes, interrupts, the flags of channels (they read 0), and MODE.FTMEN
 /// with the registers that it enables. These registers can only be written with their values after

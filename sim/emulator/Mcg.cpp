@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Offsets from 0x40064000: K64P144M120SF5RM, MCG memory map.
+// Offsets from 0x40064000 (K64P144M120SF5RM, MCG memory map).
 constexpr std::uint32_t kC1 = 0x0;
 constexpr std::uint32_t kC2 = 0x1;
 constexpr std::uint32_t kC3 = 0x2;

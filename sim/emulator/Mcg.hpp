@@ -7,7 +7,7 @@
 namespace wr::emulator {
 
 /// @brief Clock generator with an external clock of 50 MHz at EXTAL.
-/// K64P144M120SF5RM, chapter Multipurpose Clock Generator (MCG).
+/// See K64P144M120SF5RM, chapter Multipurpose Clock Generator (MCG).
 class Mcg final : public Peripheral {
  public:
   static constexpr std::uint64_t kExternalHz = 50'000'000;

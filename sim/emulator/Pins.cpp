@@ -7,7 +7,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from the base of a port: K64P144M120SF5RM, PORT memory map.
+// Offsets from the base of a port (K64P144M120SF5RM, PORT memory map).
 constexpr std::uint32_t kPcrEnd = 0x80;
 constexpr std::uint32_t kGpclr = 0x80;
 constexpr std::uint32_t kGpchr = 0x84;
@@ -27,7 +27,7 @@ constexpr std::uint32_t kFields = 0x000F8777;
 
 constexpr unsigned kFirstLine = 59;
 
-// Offsets from the base of a port's GPIO: K64P144M120SF5RM, GPIO memory map.
+// Offsets from the base of a port's GPIO (K64P144M120SF5RM, GPIO memory map).
 constexpr std::uint32_t kPdor = 0x00;
 constexpr std::uint32_t kPsor = 0x04;
 constexpr std::uint32_t kPcor = 0x08;

@@ -46,7 +46,7 @@ struct PinState {
 };
 
 /// @brief Pin control and interrupts of one port.
-/// K64P144M120SF5RM, chapter Port Control and Interrupts (PORT).
+/// See K64P144M120SF5RM, chapter Port Control and Interrupts (PORT).
 ///
 /// Only port D has digital filters, with the bus clock. The filtered level is 0 when the filter is
 /// switched on. It changes to the level of the pin when this level has differed for the width plus
@@ -86,7 +86,7 @@ class Port final : public Peripheral {
 };
 
 /// @brief Digital inputs and outputs of one port.
-/// K64P144M120SF5RM, chapter General-Purpose Input/Output (GPIO).
+/// See K64P144M120SF5RM, chapter General-Purpose Input/Output (GPIO).
 class Gpio final : public Peripheral {
  public:
   Gpio(Microcontroller& board, PinState& pins, Port& port)

@@ -6,7 +6,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40037000: K64P144M120SF5RM, PIT memory map.
+// Offsets from 0x40037000 (K64P144M120SF5RM, PIT memory map).
 constexpr std::uint32_t kMcr = 0x000;
 constexpr std::uint32_t kFirstChannel = 0x100;
 constexpr std::uint32_t kEnd = 0x140;

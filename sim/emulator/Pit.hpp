@@ -8,7 +8,7 @@
 namespace wr::emulator {
 
 /// @brief Four timers that count down with the bus clock, on the interrupt lines 48 to 51.
-/// K64P144M120SF5RM, chapter Periodic Interrupt Timer (PIT).
+/// See K64P144M120SF5RM, chapter Periodic Interrupt Timer (PIT).
 class Pit final : public Peripheral {
  public:
   explicit Pit(Microcontroller& board) : Peripheral(board) {}

@@ -4,7 +4,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x4007F000: K64P144M120SF5RM, RCM memory map.
+// Offsets from 0x4007F000 (K64P144M120SF5RM, RCM memory map).
 constexpr std::uint32_t kSrs0 = 0;
 constexpr std::uint32_t kSrs1 = 1;
 constexpr std::uint32_t kRpfc = 4;

@@ -8,7 +8,7 @@
 namespace wr::emulator {
 
 /// @brief Reset control: stores the cause of the last reset.
-/// K64P144M120SF5RM, chapter Reset Control Module (RCM).
+/// See K64P144M120SF5RM, chapter Reset Control Module (RCM).
 class Rcm final : public Peripheral {
  public:
   explicit Rcm(Microcontroller& board) : Peripheral(board) {}

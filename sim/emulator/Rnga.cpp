@@ -4,7 +4,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40029000: K64P144M120SF5RM, RNGA memory map.
+// Offsets from 0x40029000 (K64P144M120SF5RM, RNGA memory map).
 constexpr std::uint32_t kControl = 0x0;  // CR
 constexpr std::uint32_t kStatus = 0x4;   // SR
 constexpr std::uint32_t kEntropy = 0x8;

@@ -8,7 +8,7 @@ namespace wr::emulator {
 
 /// @brief Random number generator. The numbers are equal in each run, so that a run can be
 /// repeated.
-/// K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers and bits agree
+/// See K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers and bits agree
 /// with the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
 class Rnga final : public Peripheral {
  public:

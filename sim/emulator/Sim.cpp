@@ -6,7 +6,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40047000: K64P144M120SF5RM, SIM memory map.
+// Offsets from 0x40047000 (K64P144M120SF5RM, SIM memory map).
 constexpr std::uint32_t kSopt1 = 0x0000;
 constexpr std::uint32_t kSopt2 = 0x1004;
 constexpr std::uint32_t kSopt4 = 0x100C;

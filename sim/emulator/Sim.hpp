@@ -8,7 +8,7 @@
 namespace wr::emulator {
 
 /// @brief System integration module: clock gates and clock dividers.
-/// K64P144M120SF5RM, chapter System Integration Module (SIM).
+/// See K64P144M120SF5RM, chapter System Integration Module (SIM).
 class Sim final : public Peripheral {
  public:
   /// @brief Divisors of the clock generator's output for the core and the buses.

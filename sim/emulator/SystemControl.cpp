@@ -13,7 +13,7 @@ constexpr std::uint32_t kSpace = 0xE000E000;
 constexpr unsigned kPendSv = 14;
 constexpr unsigned kSysTick = 15;
 
-// Offsets from 0xE000E000: ARMv7-M ARM, table B3-4 (SCB), B3-7 (SysTick).
+// Offsets from 0xE000E000 (ARMv7-M ARM, table B3-4 (SCB), B3-7 (SysTick)).
 constexpr std::uint32_t kIctr = 0x004;
 constexpr std::uint32_t kActlr = 0x008;
 constexpr std::uint32_t kTickControl = 0x010;

@@ -8,7 +8,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from the base of a UART: K64P144M120SF5RM, UART memory map.
+// Offsets from the base of a UART (K64P144M120SF5RM, UART memory map).
 constexpr std::uint32_t kBdh = 0x00;
 constexpr std::uint32_t kBdl = 0x01;
 constexpr std::uint32_t kC1 = 0x02;

@@ -11,7 +11,7 @@
 namespace wr::emulator {
 
 /// @brief A UART with the line at its pins.
-/// K64P144M120SF5RM, chapter Universal Asynchronous Receiver/Transmitter (UART).
+/// See K64P144M120SF5RM, chapter Universal Asynchronous Receiver/Transmitter (UART).
 ///
 /// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO.
 /// PFIFO is written only while receiver and transmitter are off. S1[RDRF] is set while at least

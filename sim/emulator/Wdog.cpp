@@ -8,7 +8,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40052000: K64P144M120SF5RM, WDOG memory map.
+// Offsets from 0x40052000 (K64P144M120SF5RM, WDOG memory map).
 constexpr std::uint32_t kStctrlh = 0x0;
 constexpr std::uint32_t kStctrll = 0x2;
 constexpr std::uint32_t kTovalh = 0x4;
