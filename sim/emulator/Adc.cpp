@@ -263,7 +263,7 @@ void Adc::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     return;
   }
   if (doing_ == Doing::Calibrates || (doing_ == Doing::Converts && offset != kSc1a)) {
-    misuse(name_ + " + " + hexText(offset) + " written while it " +
+    misuse(name_ + " + " + hexText(offset) + " was written while it " +
            (doing_ == Doing::Converts ? "converts" : "is calibrated"));
   }
   switch (offset) {

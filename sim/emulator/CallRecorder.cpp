@@ -39,7 +39,7 @@ void CallRecorder::leave() {
 }
 
 void CallRecorder::block(std::uint32_t address, std::uint32_t stack, std::uint32_t link) {
-  // A function has returned when the block after its call begins with the stack pointer of the
+  // A function has returned when a block begins at its return address with the stack pointer of its
   // call.
   while (!calls_.empty() && calls_.back().returnsTo == address && calls_.back().stack <= stack) {
     leave();

@@ -37,14 +37,14 @@ class CallRecorder {
   /// @brief Reports that an exception was left.
   void exceptionLeft();
 
-  /// @brief Reports that the processor was reset: no function is active any more.
+  /// @brief Reports that the processor was reset. No function is active after a reset.
   void reset();
 
-  /// @brief Clears the events; open calls stay open.
+  /// @brief Clears the events. Functions that were entered and not left stay active.
   void clear();
 
-  /// @brief Sets the callback of each function that is entered or left; the callback also receives
-  /// events that are not recorded.
+  /// @brief Sets the callback for each function that is entered or left. The callback also receives
+  /// the events that are not recorded.
   void onCall(std::function<void(std::uint32_t function, bool left)> call) {
     call_ = std::move(call);
   }

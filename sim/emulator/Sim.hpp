@@ -7,8 +7,8 @@
 
 namespace wr::emulator {
 
-/// @brief System integration module: clock gates and clock dividers.
-/// See K64P144M120SF5RM, chapter System Integration Module (SIM).
+/// @brief The clock gates and clock dividers of the system integration module. See
+/// K64P144M120SF5RM, chapter System Integration Module (SIM).
 class Sim final : public Peripheral {
  public:
   /// @brief Divisors of the clock generator's output for the core and the buses.
@@ -19,7 +19,8 @@ class Sim final : public Peripheral {
     unsigned flash;
   };
 
-  /// @param fastBoot bit LPBOOT of the flash option byte: the core starts without division
+  /// @param fastBoot bit LPBOOT of the flash option byte; if it is set, the core clock is not
+  /// divided at the start
   Sim(Microcontroller& board, bool fastBoot) : Peripheral(board), fastBoot_(fastBoot) {}
 
   void reset(Reset cause) override;

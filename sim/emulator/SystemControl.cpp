@@ -305,7 +305,8 @@ SystemControl::Written SystemControl::writeBlock(std::uint32_t offset, unsigned 
       return Written::Done;
     case kVtor:
       vectors_ = value & 0xFFFFFF80U;
-      // The table is aligned to its size, rounded up to a power of two: B3.2.5 and B1.5.3.
+      // The size of the vector table is rounded up to a power of two. The address of the table must
+      // be a multiple of this size (B3.2.5 and B1.5.3).
       return (vectors_ & 0x1FFU) == 0 || nvic_.lines() <= 16 ? Written::Done : Written::Misused;
     case kAircr:
       if (value >> 16 != 0x05FA) {
