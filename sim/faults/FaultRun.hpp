@@ -33,7 +33,7 @@ class FaultRun {
   static constexpr int kFirst = 1500;  ///< ms of the drive before the first fault
   static constexpr int kLast = 6500;   ///< ms of the drive before the last fault
 
-  /// @brief Runs the drive without a fault. Throws std::runtime_error when the robot does not drive.
+  /// @brief Runs the drive without a fault. Throws std::runtime_error if the robot does not drive.
   /// @param image content of the flash
   /// @param elf file of the image with its symbols
   /// @param seed chooses the drive

@@ -2,19 +2,20 @@
 
 namespace wr::plant {
 
-/// @brief The steering device: a stepper motor with its gear, end stops and switches.
+/// @brief The steering device with its stepper motor, gear, end stops and switches.
 class SteeringGear {
  public:
-  static constexpr double kStep = 0.05;    ///< degrees
-  static constexpr int kLastStep = 680;    ///< mechanical limit of the steering: 34 degrees
+  static constexpr double kStep = 0.05;  ///< degrees
+  static constexpr int kLastStep =
+      680;  ///< last step before the mechanical limit of the steering, at 34 degrees
   static constexpr double kSwitch = 33.5;  ///< angle at which the switch of an end closes, degrees
 
   /// @brief Switches the current of the motor.
   /// @param enabled false: steps are lost
   void enable(bool enabled) { enabled_ = enabled; }
 
-  /// @brief Lets the motor stall: each step is lost.
-  /// @param stalled true from now on
+  /// @brief Stalls the motor or releases it. A stalled motor loses all steps.
+  /// @param stalled true: the motor is stalled from now on
   void stall(bool stalled) { stalled_ = stalled; }
 
   /// @brief Executes one step pulse.
