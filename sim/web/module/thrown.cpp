@@ -1,4 +1,5 @@
-// WebAssembly without exceptions: throw ends the module, and the page then reads the text.
+// This WebAssembly module has no exceptions. A throw ends the module, and the page then reads the
+// text of the exception.
 #include "sim/web/module/thrown.hpp"
 
 #include <cstddef>
