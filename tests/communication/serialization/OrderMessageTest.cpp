@@ -67,7 +67,8 @@ TEST(OrderMessage, FR46_AnUnknownQuantityIsOutOfRange) {
   EXPECT_FALSE(withWheel(3, static_cast<WheelQuantity>(255), 0).inRange());
 }
 
-/// @brief Bit 0 of the commands stops, bit 1 acknowledges. With any other bit the order is out of range.
+/// @brief In the commands, bit 0 is the stop, and bit 1 is the acknowledgement. With any other bit,
+/// the order is out of range.
 /// @verifies FR-46
 TEST(OrderMessage, FR46_OnlyTheTwoCommandsAreInRange) {
   for (int commands = 0; commands < 256; ++commands) {
@@ -131,7 +132,7 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
 /// @verifies FR-45
 TEST(OrderMessage, AnIncompleteOrderIsNotRead) {
   SerialReader reader;
-  reader.readU8({FieldName::Commands});  // one byte less is left
+  reader.readU8({FieldName::Commands});  // one byte fewer is left
   OrderMessage order;
   EXPECT_FALSE(order.readFrom(reader));
 }
