@@ -17,7 +17,7 @@ using emulator::VirtualBoard;
 struct Mistake {
   std::string program;
   std::string id;
-  std::string what;  // a part of it
+  std::string what;  // part of the description of the finding
 
   friend std::ostream& operator<<(std::ostream& stream, const Mistake& mistake) {
     return stream << mistake.program;
@@ -26,7 +26,7 @@ struct Mistake {
 
 class FindingOfBoard : public testing::TestWithParam<Mistake> {};
 
-/// @brief Each mistake of a program stops the run, and the finding names it.
+/// @brief Each mistake of a program stops the run. The finding describes the mistake.
 TEST_P(FindingOfBoard, NamesWhatTheProgramDid) {
   const Mistake& mistake = GetParam();
   Guest guest(mistake.program);
@@ -110,7 +110,7 @@ const std::array kMistakes{
 INSTANTIATE_TEST_SUITE_P(Mistakes, FindingOfBoard, testing::ValuesIn(kMistakes),
                          [](const auto& each) { return each.param.program; });
 
-/// @brief A program without mistake gives no finding.
+/// @brief A program without a mistake causes no finding.
 TEST(FindingOfBoardAlone, EmptyProgramGivesNone) {
   VirtualBoard board(Guest("emptyProgram").image());
   EXPECT_TRUE(board.runUntil(10s));
@@ -127,7 +127,7 @@ TEST(FindingOfBoardAlone, MemoryUpToTheBorderGivesNone) {
   EXPECT_EQ(told(board, 2), 0x12U);
 }
 
-/// @brief A finding contains the function and the line of the instruction, and the time.
+/// @brief A finding contains the time, and the function and the line of its instruction.
 TEST(FindingOfBoardAlone, NamesFunctionLineAndTime) {
   VirtualBoard board(Guest("usesPortBehindClosedGate").image(), {.elf = Guest::elf()});
   EXPECT_FALSE(board.runUntil(1s));
@@ -147,7 +147,7 @@ TEST(FindingOfBoardAlone, EndsTheRun) {
   EXPECT_EQ(board.now(), stoppedAt);
 }
 
-/// @brief An interrupt without vector is a finding when it is entered.
+/// @brief The entry of an interrupt without a vector causes a finding.
 TEST(FindingOfBoardAlone, MissingVector) {
   VirtualBoard board(Guest("startsTimer").image());
   EXPECT_FALSE(board.runUntil(1s));
@@ -155,8 +155,8 @@ TEST(FindingOfBoardAlone, MissingVector) {
   EXPECT_EQ(board.finding()->id, "vector-missing");
 }
 
-/// @brief A byte that arrives before the previous byte was read is an overrun; a single byte is
-/// not.
+/// @brief A byte that arrives before the previous byte was read causes an overrun finding. A single
+/// byte causes no finding.
 TEST(FindingOfBoardAlone, Overrun) {
   VirtualBoard board(Guest("readsNoByte").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -168,7 +168,7 @@ TEST(FindingOfBoardAlone, Overrun) {
   EXPECT_EQ(board.finding()->id, "uart-overrun");
 }
 
-/// @brief A byte that arrives while the receiver has another speed is a finding.
+/// @brief A byte that arrives while the receiver has another baud rate causes a finding.
 TEST(FindingOfBoardAlone, ReceiverAtWrongBaud) {
   VirtualBoard board(Guest("receivesAtWrongBaud").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -188,7 +188,7 @@ TEST(FindingOfBoardAlone, Lockup) {
   EXPECT_EQ(board.finding()->id, "lockup");
 }
 
-/// @brief A watchdog that is not refreshed in time is a finding at its time-out.
+/// @brief A watchdog that is not refreshed in time causes a finding at its time-out.
 TEST(FindingOfBoardAlone, MissedWatchdogAtItsTimeOut) {
   VirtualBoard board(Guest("refreshesNever").image());
   EXPECT_TRUE(board.runUntil(299ms));
