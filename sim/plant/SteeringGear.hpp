@@ -8,7 +8,8 @@ class SteeringGear {
   static constexpr double kStep = 0.05;  ///< degrees
   static constexpr int kLastStep =
       680;  ///< last step before the mechanical limit of the steering, at 34 degrees
-  static constexpr double kSwitch = 33.5;  ///< angle at which the switch of an end closes, degrees
+  static constexpr double kSwitch =
+      33.5;  ///< angle at which the switch of an end operates, degrees
 
   /// @brief Switches the current of the motor.
   /// @param enabled false: steps are lost
@@ -26,10 +27,10 @@ class SteeringGear {
   /// @return degrees, positive to the left
   [[nodiscard]] double degrees() const { return steps_ * kStep; }
 
-  /// @brief Returns whether the switch of the left end is closed.
+  /// @brief Returns whether the left end is reached.
   [[nodiscard]] bool leftEnd() const { return degrees() >= kSwitch; }
 
-  /// @brief Returns whether the switch of the right end is closed.
+  /// @brief Returns whether the right end is reached.
   [[nodiscard]] bool rightEnd() const { return degrees() <= -kSwitch; }
 
  private:

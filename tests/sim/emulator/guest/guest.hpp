@@ -1,5 +1,5 @@
-// The common part of the programs. They name registers by their addresses, so that they share no
-// mistake with the drivers or with the models of the registers.
+// The common part of the programs. The programs use the addresses of registers. They therefore
+// share no mistake with the drivers or with the models of the registers.
 
 #pragma once
 
@@ -98,7 +98,8 @@ inline void openTimer() {
   wordAt(0x4004B004) = 0x400;
 }
 
-/// Lets channel 0 of FTM0 be high for a part of 1000 bus clocks.
+/// Starts pulses at channel 0 of FTM0. The channel is high for a part of each period of 1000 bus
+/// clocks.
 inline void startPulses(std::uint32_t width) {
   openTimer();
   wordAt(0x40038008) = 999;
@@ -115,7 +116,7 @@ inline void openConverter() {
 }
 
 /// Calibrates ADC0 and sets its gains from the results.
-/// @return whether it succeeded
+/// @return true if the calibration succeeded
 inline bool calibrateConverter() {
   wordAt(0x4003B024) = 0x87;
   while ((wordAt(0x4003B024) & 0x80) != 0) {
