@@ -98,8 +98,8 @@ TEST_F(BuilderTest, FR17_ModesSucceedEachOther) {
   EXPECT_EQ(controller.getMode().id(), ModeId::RC);
 }
 
-/// @brief The constructed robot runs no cycle before its start. After its start, it runs a cycle for
-/// each pulse of its timer.
+/// @brief The constructed robot runs no cycle before its start. After its start, it runs a cycle
+/// for each pulse of its timer.
 /// @verifies FR-1
 TEST_F(BuilderTest, FR1_StartStartsControllerAndTimer) {
   director.construct();

@@ -169,7 +169,8 @@ TEST(K64AdcOnBoard, FR143_AfterAFailedCalibrationThereAreNoValues) {
 constexpr std::uint16_t kAllCurrents = 0b010'010'010'010;  // bits of scenario::PcReport::measured
 constexpr std::uint16_t kSteeringPosition = 1U << 12U;
 
-/// @brief The reports of a robot at rest have the currents of all wheels and the angle of the steering.
+/// @brief The reports of a robot at rest have the currents of all wheels and the angle of the
+/// steering.
 /// @verifies FR-142
 TEST(K64AdcInTheRobot, FR142_ReportsHaveTheCurrentsAndTheAngle) {
   BoardRobot robot;

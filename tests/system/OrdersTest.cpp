@@ -115,7 +115,8 @@ TEST_F(OrdersOfRobot, FR243_AnOrderThatIsRepeatedIsStale) {
   EXPECT_EQ(robot.report().staleOrders, 1);
 }
 
-/// @brief A stop acts before the PC is connected, and the report of the connection shows its source.
+/// @brief A stop acts before the PC is connected, and the report of the connection shows its
+/// source.
 /// @verifies FR-240
 /// @verifies FR-242
 TEST_F(OrdersOfRobot, FR240_StopActsWithoutConnection) {

@@ -62,7 +62,7 @@ static_assert(sizeof(Record) == 24);
 inline constexpr std::uint32_t kSeedAddress = 0xC0;
 inline constexpr std::uint32_t kActionsAddress = 0xC4;
 
-/// @brief Memory that the program uses, besides the vectors and code at 0.
+/// @brief Memory of the program, besides the vectors and the code at address 0.
 inline constexpr std::uint32_t kCodeSize = 0x10000;
 inline constexpr std::uint32_t kRamStart = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x80000;

@@ -38,7 +38,8 @@ constexpr std::uint8_t kReport = 0x82;
 
 /// @brief A connection whose PC is the test.
 struct PcConnectionTest : testing::Test {
-  /// @brief Puts bytes on the line at the present time, and serves the link. The clock pulse has the same time.
+  /// @brief Puts bytes on the line at the present time, and serves the link. The clock pulse has
+  /// the same time.
   void receive(const Bytes& line) {
     arrive(line);
     service();
@@ -88,7 +89,8 @@ struct PcConnectionTest : testing::Test {
 
   [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
 
-  /// @brief Executes an action. Checks that the action changes only one count, and returns this count.
+  /// @brief Executes an action. Checks that the action changes only one count, and returns this
+  /// count.
   template <class Action>
   void expectCounted(std::uint16_t LinkCounts::*count, int times, Action action) {
     LinkCounts expected = connection.counts();
@@ -144,8 +146,8 @@ TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
               testing::MatchesRegex("[0-9a-f]+"));
 }
 
-/// @brief The Welcome contains the cause of the reset and the kind, number and address of the fault.
-/// Each Welcome of a start has the same content.
+/// @brief The Welcome contains the cause of the reset and the kind, number and address of the
+/// fault. Each Welcome of a start has the same content.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   start = {ResetCause::Software, FaultKind::UnexpectedInterrupt, 0x0150, 0x89ABCDEF};
@@ -686,7 +688,8 @@ TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A longer payload is accepted, up to 200 bytes, and bytes after the known fields are ignored.
+/// @brief A longer payload is accepted, up to 200 bytes, and bytes after the known fields are
+/// ignored.
 /// @verifies FR-248
 TEST_F(PcConnectionTest, FR248_LongerPayloadsAreAccepted) {
   const auto longer = [](Bytes payload, std::size_t size) {

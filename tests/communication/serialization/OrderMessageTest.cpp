@@ -41,7 +41,8 @@ TEST(OrderMessage, FR46_SteeringIsInRangeUpToTheLimit) {
   EXPECT_FALSE(withSteering(-3201).inRange());
 }
 
-/// @brief The value of each wheel is in range up to the limit of its quantity, forwards and backwards.
+/// @brief The value of each wheel is in range up to the limit of its quantity, forwards and
+/// backwards.
 /// @verifies FR-46
 /// @verifies FR-178
 TEST(OrderMessage, FR46_EachWheelIsInRangeUpToTheLimitOfItsQuantity) {

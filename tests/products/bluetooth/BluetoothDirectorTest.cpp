@@ -88,7 +88,8 @@ TEST_F(BluetoothRobot, FR150_ModesFollowEachOtherWithoutOrders) {
   EXPECT_EQ(cycleWithPc().mode, kBluetooth);
 }
 
-/// @brief An order of the device reaches the set-points, and the report shows Bluetooth as its source.
+/// @brief An order of the device reaches the set-points, and the report shows Bluetooth as its
+/// source.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
   waitForMode(kBluetooth);

@@ -109,7 +109,8 @@ class PersistentStopTest : public ControllerFixture {
   SourceMode source;
 };
 
-/// @brief The stop of the source is stored. When the source releases it, the stored stop is cleared.
+/// @brief The stop of the source is stored. When the source releases it, the stored stop is
+/// cleared.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_TheStopIsStored) {
   PersistentStop mode(source, memory);

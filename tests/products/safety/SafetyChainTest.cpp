@@ -90,7 +90,8 @@ TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   EXPECT_EQ(second.calls, kAcknowledged);
 }
 
-/// @brief The robot with safety functions is one control system: each of its orders reaches the first stage.
+/// @brief The robot with safety functions is one control system: each of its orders reaches the
+/// first stage.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_TheRobotIsOneControlSystem) {
   SafeSystem whole(robot);
@@ -170,7 +171,8 @@ TEST_F(ProtectiveStopTest, FR271_TheEmergencyStopIsACause) {
   expectLatched(StopCause::EmergencyStop, Protection::kNoWheel);
 }
 
-/// @brief After a reset the protective stop is latched again with its cause and its wheel, until it is acknowledged.
+/// @brief After a reset the protective stop is latched again with its cause and its wheel, until it
+/// is acknowledged.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AProtectiveStopOutlivesAReset) {
   memory.save({.cause = StopCause::Overspeed, .wheel = 2});
@@ -510,7 +512,8 @@ TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementRestartTheCount) {
   EXPECT_TRUE(protection(arming).armed);
 }
 
-/// @brief While a protective stop is latched the robot is not armed, and the report keeps the cause.
+/// @brief While a protective stop is latched the robot is not armed, and the report keeps the
+/// cause.
 /// @verifies FR-281
 TEST_F(ArmingTest, FR281_AProtectiveStopIsReportedFirst) {
   FakeEdgeInput contact;

@@ -55,7 +55,8 @@ TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(director.enablePin()), "assertion 1 failed");
 }
 
-/// @brief A robot with a PC and a remote control sends a Welcome and reports to the PC. It begins in the mode RC.
+/// @brief A robot with a PC and a remote control sends a Welcome and reports to the PC. It begins
+/// in the mode RC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   begin(director);
@@ -65,7 +66,8 @@ TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief A robot that receives orders only from the PC welcomes the PC and reports; its mode is PC.
+/// @brief A robot that receives orders only from the PC welcomes the PC and reports; its mode is
+/// PC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotForThePcReports) {
   begin(pcDirector);

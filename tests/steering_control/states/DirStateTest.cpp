@@ -28,8 +28,8 @@ TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief An order to follow a set-point switches the motor on, even when the steering has the right
-/// angle. The motor stays on.
+/// @brief An order to follow a set-point switches the motor on, even when the steering has the
+/// right angle. The motor stays on.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
   for (int i = 0; i < 2; ++i) {
