@@ -52,7 +52,7 @@ class CallRecorder {
   /// @brief Returns the events, oldest first.
   [[nodiscard]] const std::vector<std::uint64_t>& events() const { return events_; }
 
-  /// @brief Returns whether events were dropped.
+  /// @brief Returns whether events were not recorded because the maximum number was reached.
   [[nodiscard]] bool truncated() const { return truncated_; }
 
   /// @brief Writes the events to a file.

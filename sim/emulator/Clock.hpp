@@ -9,7 +9,7 @@ namespace wr::emulator {
 /// @brief Time on the board. A resolution of a picosecond distinguishes the edges of each clock.
 using Time = std::chrono::duration<std::int64_t, std::pico>;
 
-/// @brief A time that never comes.
+/// @brief A time that is never reached.
 inline constexpr Time kNever = Time::max();
 
 /// @brief A clock signal whose frequency can change. The object counts the edges since the board

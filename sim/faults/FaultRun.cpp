@@ -21,8 +21,8 @@ using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-constexpr int kOrderPeriod = 100;  // ms
-constexpr int kFirstOrder = 60;  // ms; the first order comes at least 30 ms before the clock pulse
+constexpr int kOrderPeriod = 100;   // ms
+constexpr int kFirstOrder = 60;     // ms; the first order is at least 30 ms before the clock pulse
 constexpr int kNeutralOrders = 10;  // number of neutral orders that arm the robot
 constexpr int kStateEach = 100;     // ms
 constexpr int kEnd = FaultRun::kLast + kLongestWindow + 200;  // ms
@@ -168,8 +168,8 @@ class FaultRun::Robot {
     return all;
   }
 
-  /// Returns a hash of the state that determines the next steps of the firmware: memory, registers,
-  /// and the plant.
+  /// Returns a hash of the state that determines the next steps of the firmware. This state
+  /// consists of memory, registers and the plant.
   [[nodiscard]] std::uint64_t state(const Places& places) {
     Hash hash;
     const emulator::VirtualBoard& board = session.board;

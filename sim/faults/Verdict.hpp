@@ -31,10 +31,11 @@ struct Observation {
 /// @brief Class of a fault.
 enum class Outcome : std::uint8_t {
   Harmless,  ///< the outputs are not wrong, in comparison with the run without the fault
-  Detected,  ///< a reset or a report came in time, and no output was wrong afterwards
-  Late,    ///< a reset or a report came, but the outputs were wrong for too long or after the reset
-  Silent,  ///< the outputs were wrong, and neither a reset nor a report came
-  Hung,    ///< no report, no answer and no reset came
+  Detected,  ///< a reset or a report was in time, and no output was wrong afterwards
+  Late,    ///< there was a reset or a report, but the outputs were wrong for too long or after the
+           ///< reset
+  Silent,  ///< the outputs were wrong, and there was neither a reset nor a report
+  Hung,    ///< there was no report, no answer and no reset
   Stopped  ///< the virtual board cannot continue, so the behaviour of a real board is unknown
 };
 

@@ -87,7 +87,7 @@ void Commands::glance() {
 
 void Commands::serve(const std::string& why) {
   why_ = "T" + why;
-  static_cast<void>(stream_.takeInterrupt());  // discards a request that came too late
+  static_cast<void>(stream_.takeInterrupt());  // discards a request that arrived too late
   const Owed owed = std::exchange(owed_, Owed::Nothing);
   if (owed != Owed::Nothing) {
     stream_.send(owed == Owed::Stop ? why_ : hexOf(std::string_view(timeText())));

@@ -250,7 +250,7 @@ emulator::Options boardOptions(const Settings& settings) {
           .unmodelledIsFinding = settings.unmodelled == "stop"};
 }
 
-/// @brief The running board: alone, or in the robot.
+/// @brief The running board, which is alone or in the robot.
 class Machine {
  public:
   explicit Machine(const Settings& settings) {

@@ -20,7 +20,8 @@ namespace {
 constexpr unsigned kPulse = 16 + 48;
 constexpr unsigned kHallEdges = 16 + 62;
 constexpr unsigned kMainThread = 16 + 64;
-constexpr int kCyclesToArm = 15;  // the PC takes the command, and its neutral orders arm the robot
+constexpr int kCyclesToArm =
+    15;  // the PC becomes the source of orders, and its neutral orders arm the robot
 
 /// A connected robot that drives, and the measurements of some cycles.
 struct Drive {

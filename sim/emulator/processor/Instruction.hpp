@@ -22,13 +22,14 @@ struct Instruction {
   static constexpr std::uint8_t kInBlock = 8;
   static constexpr std::uint8_t kPlace = kDecoded | kInBlock;
 
-  /// @brief Returns the value of form & kPlace after decoding for a given alignment.
+  /// @brief Returns the value of form & kPlace after decoding inside or outside of an IT block.
   /// @param inBlock true if the instruction is in an IT block
   [[nodiscard]] static constexpr std::uint8_t place(bool inBlock) {
     return inBlock ? kPlace : kDecoded;
   }
 
-  /// @brief Returns whether the instruction was decoded for its alignment.
+  /// @brief Returns whether the instruction was decoded for its position inside or outside of an IT
+  /// block.
   [[nodiscard]] bool isDecoded(bool inBlock) const { return (form & kPlace) == place(inBlock); }
   [[nodiscard]] bool isWide() const { return (form & 4U) != 0; }
   [[nodiscard]] std::uint32_t bytes() const { return form & 6U; }

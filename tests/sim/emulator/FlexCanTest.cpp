@@ -9,7 +9,7 @@
 namespace wr::emulator {
 namespace {
 
-// The addresses and bits of this test come from the memory map and the register descriptions of the
+// The addresses and bits of this test are from the memory map and the register descriptions of the
 // reference manual K64P144M120SF5RM, chapter CAN (FlexCAN).
 constexpr std::uint32_t kMcr = 0x00;
 constexpr std::uint32_t kCtrl1 = 0x04;

@@ -73,7 +73,7 @@ inline void openPorts() {
   wordAt(0x40048038) |= 0x3E00;
 }
 
-/// Opens the gate of the PIT and lets its timers run.
+/// Opens the clock gate of the PIT and starts its timers.
 inline void openPit() {
   wordAt(0x4004803C) |= 1U << 23;
   [[maybe_unused]] const std::uint32_t control = wordAt(0x40037000);

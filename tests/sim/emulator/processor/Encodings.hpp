@@ -9,8 +9,8 @@ namespace wr::emulator::reference {
 ///
 /// Each letter is a field with random bits. `d`, `e`, `n`, `m` and `a` are core registers, except
 /// the stack pointer and the program counter. `b` is a register that points to memory. `i` is a
-/// register with a small number. `x` stands for any bits. `v` stands for the bits of a list of at
-/// least two registers.
+/// register with a small number. `x` are any bits. `v` are the bits of a list of at least
+/// two registers.
 struct Encoding {
   std::string_view name;
   std::string_view bits;

@@ -146,7 +146,7 @@ TEST_F(FaultTest, ConversionFromFixedPointRoundsToNearest) {
 /// @brief SMLAD sets Q when the whole sum is too large. It does not set Q when only the sum of the
 /// products is too large (A7.7.144). Unicorn sets Q in both cases.
 TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
-  core_.registers.r[1] = 0x80008000;  // the products make 2^31
+  core_.registers.r[1] = 0x80008000;  // the sum of the products is 2^31
   core_.registers.r[2] = 0xFFFFFFFF;
   EXPECT_EQ(execute({0xFB21, 0x2001}), Trap::None);  // smlad r0, r1, r1, r2
   EXPECT_EQ(core_.registers.r[0], 0x7FFFFFFFU);
