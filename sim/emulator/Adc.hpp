@@ -11,7 +11,7 @@
 namespace wr::emulator {
 
 /// @brief An analog-to-digital converter and the voltages at its inputs. See K64P144M120SF5RM,
-/// chapter Analog-to-Digital Converter (ADC); for the limits of its clock, see data sheet
+/// chapter Analog-to-Digital Converter (ADC). For the limits of the clock, see data sheet
 /// K64P144M120SF5, 16-bit ADC operating conditions.
 ///
 /// A conversion uses the voltage at its beginning. At an open input, the capacitor of the converter

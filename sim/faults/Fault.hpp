@@ -83,7 +83,7 @@ inline constexpr int kLongestWindow = 7000;
 /// @param stack stack pointer at the instant
 [[nodiscard]] Fault choose(Kind kind, Random& random, const Places& places, std::uint32_t stack);
 
-/// @brief Injects a fault now. This function does not inject noise on the line; for noise, see
+/// @brief Injects a fault now. This function does not inject noise on the line. For noise, see
 /// noiseOf().
 void inject(const Fault& fault, board_robot::BoardSession& robot);
 

@@ -41,7 +41,7 @@ class ProductRobot : public SteppedRobot {
   // Returns the fraction of the period in which a wheel has the voltage of the supply.
   [[nodiscard]] double duty(int wheel) const { return line_.board.pwmDuty(kWheelTimer, wheel); }
 
-  // Returns whether the red light of the board is on; its pin is then low.
+  // Returns whether the red light of the board is on. When it is on, its pin is low.
   [[nodiscard]] bool redLight() const { return !line_.board.pin('B', 22); }
 
  private:

@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-// The header of the compiler is a C header. The linker defines two symbols; the counters of all
+// The header of the compiler is a C header. The linker defines two symbols. The counters of all
 // units are between these symbols. The function __gcov_init registers a unit in the runtime of the
 // compiler. Without this call, the runtime neither clears the counters nor writes them to a file.
 extern "C" {

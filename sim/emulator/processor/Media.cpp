@@ -246,7 +246,7 @@ void parallel(Core& core, const Instruction& in) {
   std::uint32_t word = 0;
   unsigned ge = 0;
   for (unsigned shift = 0; shift < 32; shift += kBits) {
-    // ASX adds the upper half and subtracts the lower half; SAX does the reverse.
+    // ASX adds the upper half and subtracts the lower half. SAX does the reverse.
     const bool subtracts = kExchanges ? (shift == 0) == (kLanes == Lanes::AddSubtract) : kSubtracts;
     const std::int32_t a = lane(x.r[in.n], shift, kSigned, kBits);
     const std::int32_t b = lane(x.r[in.m], kExchanges ? 16 - shift : shift, kSigned, kBits);

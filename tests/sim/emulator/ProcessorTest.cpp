@@ -42,7 +42,7 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
   ASSERT_EQ(events.size(), 4U);
   EXPECT_EQ(events[1].kind, Event::Kind::ExceptionLeft);
   EXPECT_EQ(events[2].kind, Event::Kind::ExceptionEntered);
-  // The change takes 6 cycles; a return and an entry would take 22 cycles.
+  // The change takes 6 cycles. A return and an entry would take 22 cycles.
   EXPECT_LE(events[2].at - events[1].at, 6 * 48ns);
 }
 

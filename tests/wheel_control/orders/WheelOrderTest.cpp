@@ -163,8 +163,8 @@ TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief A halt does not release the trip, even when the wheel is at rest for a long time; the
-/// order to release does.
+/// @brief A halt does not release the trip, even when the wheel is at rest for a long time. The
+/// order to release ends the trip.
 /// @verifies FR-89
 TEST_F(WheelOrderTest, FR89_OnlyAnAcknowledgementReleases) {
   pass(true, kTooMuch);

@@ -23,7 +23,7 @@ inline volatile std::uint32_t& told(std::uint32_t number) {
   return wordAt(0x20000000 + 4 * number);
 }
 
-/// Appends a number to the results; the first word is their count.
+/// Appends a number to the recorded numbers. The first word is their count.
 inline void note(std::uint32_t number) {
   const std::uint32_t count = wordAt(0x20000100);
   wordAt(0x20000104 + 4 * count) = number;
