@@ -36,17 +36,17 @@ DEFAULT_FOLDER = ROOT / "build" / "bring-up"
 DEFAULT_CONTROL = ROOT / "build" / "sim-control"
 IMAGES = ROOT / "build" / "k64"
 DESCRIPTION = """\
-Guides you through the checks of a new robot, step by step: port, connection, image,
-reset cause, inputs, end stops, remote control, emergency stop. Then it turns one wheel at a
-time with 1 V, finds swapped motor leads and Hall sensors, and tries the stop while a wheel turns.
-Each step states the action and the expected result; 's' and Enter skips a step that waits for you.
-No motor is switched on before the step for the emergency stop has passed, and you have confirmed
-that the wheels are off the ground. Ctrl-C stops the robot. The result is written to a record of
-this date, in JSON and Markdown.
+Guides you step by step through the checks of a new robot: port, connection, image, reset cause,
+inputs, end stops, remote control, emergency stop. Then it turns one wheel at a time with 1 V,
+detects swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each step
+states the action and the expected result. To skip a step that waits for you, press 's' and Enter.
+No motor is switched on until the step for the emergency stop has passed and you have confirmed
+that the wheels are off the ground. Ctrl-C stops the robot. The program writes the result to a
+record with the present date, in JSON and in Markdown.
 
 Exit code 1: a step failed or was skipped."""
 
-PROBE_VENDOR = 0x0D28  # USB vendor of the debug probe of the board, which has the serial port
+PROBE_VENDOR = 0x0D28  # USB vendor of the board's debug probe; the probe has the serial port
 SUPPLY_VOLTS = (21.0, 29.0)
 REST_AMPERES = 0.5
 ANGLE_DEGREES = 33.0
@@ -59,7 +59,7 @@ CYCLE_S = 0.1  # longest time from a stop to its report
 WHEEL_VOLTS = 1.0
 WHEEL_S = 1.0
 COUNTS_LEAST = 3  # smallest number of Hall edges that shows a motion
-CURRENT_LEAST_AMPERES = 0.15  # below this current the sign is only noise
+CURRENT_LEAST_AMPERES = 0.15  # below this current, the sign is only noise
 STOP_WITHIN_S = 1.0
 REST_RPM = 3.0
 GOOD_RESETS = ("power on", "reset pin", "debugger", "software", "unknown cause")
@@ -69,8 +69,8 @@ _UNSEEN = (
     "the Hall sensors count, but you did not see this wheel turn",
     "Check that motor and Hall cable belong to the same wheel.",
 )
-# Finding and next action. The key has two parts: whether the Hall count rises, and whether the
-# wheel turned forwards.
+# Finding and next action. The first part of the key is true if the Hall count rises. The second
+# part is true if the wheel turned forwards, and None if it did not turn.
 POLARITY: dict[tuple[bool, bool | None], tuple[str, str] | None] = {
     (True, True): None,
     (True, False): (
@@ -89,7 +89,7 @@ class SkipError(RuntimeError):
 
 
 class FailError(RuntimeError):
-    """A failed step: the observation and the next action."""
+    """A failed step, with the observation and the next action."""
 
     def __init__(self, seen: str, advice: str = "") -> None:
         super().__init__(seen)
@@ -124,7 +124,7 @@ class Record:
         return bool(self.steps) and all(step.verdict == "pass" for step in self.steps)
 
     def write(self, folder: Path) -> Path:
-        """Writes the record as JSON and as Markdown; returns the path of the Markdown file."""
+        """Writes the record as JSON and as Markdown. Returns the path of the Markdown file."""
         folder.mkdir(parents=True, exist_ok=True)
         stem = folder / self.started.replace(":", "-")
         content = {**asdict(self), "passed": self.passed}
@@ -179,7 +179,7 @@ class BringUp:
         wheels = [
             Step(
                 f"wheel {number}, {name}",
-                f"{WHEEL_VOLTS:g} V on this wheel alone turns it forwards, its Hall count rises",
+                f"{WHEEL_VOLTS:g} V on only this wheel turns it forwards, and its Hall count rises",
                 partial(self._wheel, number),
                 safe,
             )
@@ -281,7 +281,7 @@ class BringUp:
         self.orders.service(self._wish)
 
     def _do(self, action: str, instruction: str) -> float:
-        """Asks the operator for an action, and returns the time at which the action began."""
+        """Asks the operator for an action. Returns the time at which the action began."""
         self._operator.perform(action, instruction, self.idle)
         begin = time.monotonic()
         if self._operator.skips():
@@ -291,8 +291,9 @@ class BringUp:
     def _wait(
         self, condition: Callable[[Report], bool], missing: str, advice: str = ""
     ) -> tuple[Report, float]:
-        """Waits for a report, and returns it with its time. Raises FailError when no such report
-        arrives.
+        """Waits for a report that meets the condition. Returns the report and its time.
+
+        Raises FailError when no such report arrives.
         """
         end = time.monotonic() + self._operator.patience_s
         while time.monotonic() < end:
@@ -313,7 +314,7 @@ class BringUp:
         while time.monotonic() < end:
             reports += self.orders.service(wish)
         if not reports:
-            raise FailError("no report came", "Check cable and power.")
+            raise FailError("no report was received", "Check cable and power.")
         return reports
 
     def _arm(self) -> None:
@@ -567,7 +568,7 @@ class BringUp:
 
 @dataclass(frozen=True)
 class Motion:
-    """Reaction of one wheel to a low voltage forwards."""
+    """The reaction of one wheel to a low forward voltage."""
 
     wheel: int
     counts: int
@@ -642,9 +643,7 @@ class Motion:
 
 
 def perform(bring_up: BringUp, record: Record) -> None:
-    """Executes the steps. At the end, even after an error, the robot has received a stop order or
-    neutral orders.
-    """
+    """Executes the steps. At the end, it sends a neutral order, or stop orders after an error."""
     steps = bring_up.steps()
     outcomes = [Outcome(step.name, step.expected) for step in steps]
     record.steps = outcomes
@@ -685,15 +684,16 @@ def now() -> str:
 
 
 def find_port() -> list[Path]:
-    """Returns the serial ports of the boards with this debug probe, by their permanent names."""
+    """Returns the serial ports of all boards with this debug probe, with their permanent names."""
     ports = [Path(port.device) for port in list_ports.comports() if port.vid == PROBE_VENDOR]
     names = {path.resolve(): path for path in sorted(Path("/dev/serial/by-id").glob("*"))}
     return [names.get(port.resolve(), port) for port in ports]
 
 
 def choose_link(link: Path | None) -> Path | None:
-    """Returns the port to use. Returns None and a message when there is no port or more than one
-    port.
+    """Returns the port to use.
+
+    Prints a message and returns None when there is no port or more than one port.
     """
     if link is not None:
         return link
@@ -711,12 +711,12 @@ def choose_link(link: Path | None) -> Path | None:
 
 
 def folder(text: str) -> Path:
-    """Creates the folder first, so that a record can be written at the end. Returns its path."""
+    """Creates the folder for the record before the first step. Returns the path of the folder."""
     path = Path(text)
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise argparse.ArgumentTypeError(f"cannot make {path}: {error.strerror}") from error
+        raise argparse.ArgumentTypeError(f"cannot create {path}: {error.strerror}") from error
     return path
 
 

@@ -19,15 +19,15 @@ DISSECTOR = Path(__file__).with_name("dissector.lua")
 FILTER = "weeding_robot"
 USER0 = 147  # link type for private use
 SECTION, INTERFACE, PACKET = 0x0A0D0D0A, 1, 6  # blocks of a pcapng file
-FLAGS = 2  # number of the option of a packet that gives its direction
+FLAGS = 2  # number of the option of a packet that contains its direction
 RECEIVED, SENT = 1, 2  # values of the direction, as seen from the PC
 MOST = 0xFFFF  # greatest number of bytes of a packet
 
 
 class Capture(AbstractContextManager["Capture"]):
-    """Writes each frame of the line to a pcapng file; without a path it writes nothing.
+    """Writes each frame of the line to a pcapng file. Without a path, it writes nothing.
 
-    A full disk ends the capture, but not the program: the robot continues to drive.
+    A full disk ends the capture. The program does not end, so the robot continues to drive.
     """
 
     def __init__(self, path: Path | None, clock: Callable[[], float] = time.time) -> None:

@@ -1,5 +1,6 @@
--- The lines above contain the frames, generated from design/frames.toml. A packet is one frame as on
--- the line: byte stuffing, body with CRC, a zero at the end. The link type is USER0.
+-- The lines above contain the frames. They are generated from design/frames.toml. A packet is one
+-- frame as on the line, with byte stuffing, a body with its CRC, and a zero at the end. The link
+-- type is USER0.
 
 local proto = Proto("weeding_robot", "Weeding robot PC protocol")
 local HEADER, CRC_BYTES = 3, 2
@@ -56,7 +57,7 @@ for value = 0, 255 do
   crc_of[value] = crc
 end
 
--- CRC-16/CCITT-FALSE of the first bytes of a body.
+-- Returns the CRC-16/CCITT-FALSE of the first bytes of a body.
 local function crc16(body, count)
   local crc = 0xFFFF
   for i = 0, count - 1 do
@@ -65,7 +66,7 @@ local function crc16(body, count)
   return crc
 end
 
--- Body of a frame on the line; nil when its byte stuffing is wrong.
+-- Returns the body of a frame on the line; nil when the byte stuffing is wrong.
 local function unstuffed(bytes)
   local body, at, last = {}, 0, bytes:len()
   if last > 0 and bytes:get_index(last - 1) == 0 then last = last - 1 end

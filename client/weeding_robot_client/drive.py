@@ -127,7 +127,7 @@ def _follow(orders: Orders, script: Script, requests: list[int]) -> int:
 
 
 def _prepare(orders: Orders) -> str | None:
-    """Connects and arms; returns the reason if this failed."""
+    """Connects and arms the robot. Returns the reason if this fails, or None."""
     report = connect(orders)
     if report is None:
         return not_connected(orders.link)
@@ -139,7 +139,7 @@ def _prepare(orders: Orders) -> str | None:
 
 @contextmanager
 def ended_by_signals() -> Iterator[list[int]]:
-    """Collects the requests to end or to suspend, so that the robot is stopped first."""
+    """Collects requests to end or to suspend the program, so that it first stops the robot."""
     requests: list[int] = []
 
     def note(number: int, _frame: FrameType | None) -> None:
@@ -155,7 +155,7 @@ def ended_by_signals() -> Iterator[list[int]]:
 
 
 def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None) -> int:
-    """Drives with the keys. Unless the key q ends the program, it orders the robot to stop."""
+    """Drives with the keys. Orders the robot to stop if the program ends without the key q."""
     orders = Orders(link, recording.add)
     print(keyboard.HELP)
     quits = False
@@ -174,7 +174,7 @@ def by_keyboard(link: Link, recording: Recording, wheels: tuple[int, ...] | None
 
 
 def drop_output() -> None:
-    """Discards the output to a closed terminal: otherwise Python would exit with 120."""
+    """Discards the output to a closed terminal. Otherwise, Python would exit with code 120."""
     if os.isatty(sys.stdin.fileno()):
         return
     nowhere = os.open(os.devnull, os.O_WRONLY)
@@ -243,7 +243,7 @@ class _Driver:
 
 
 def suspend() -> None:
-    """Suspends this program as Ctrl-Z does, and returns when it is continued."""
+    """Suspends this program as Ctrl-Z does. Returns when the program continues."""
     terminal = sys.stdin.fileno()
     handler = signal.signal(signal.SIGTSTP, signal.SIG_DFL)
     print("\r\x1b[Ksuspended: the robot was ordered to stop", flush=True)
@@ -269,8 +269,9 @@ def raw_keys_off(terminal: int) -> Iterator[None]:
 
 
 def show_start(link: Link, before: Welcome | None) -> Welcome | None:
-    """Shows the fault before the last start, once for each connection. Returns the Welcome of the
-    connection.
+    """Shows the fault before the last start, once for each connection.
+
+    Returns the Welcome of the connection.
     """
     welcome = link.welcome
     if welcome and welcome is not before:

@@ -1,4 +1,4 @@
-"""The exit codes of ./wr. ``./wr --help`` shows the comments of this table."""
+"""The exit codes of ./wr. ``./wr --help`` shows the comments in this table."""
 
 DONE = 0  # done
 FAILED = 1  # findings, failed tests, differences, or a failed step

@@ -1,4 +1,7 @@
-"""Frames of the PC protocol: CRC, byte stuffing, and a decoder that resynchronises at each zero."""
+"""Frames of the PC protocol, with CRC, byte stuffing and a decoder.
+
+The decoder resynchronises at each zero.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +36,7 @@ def crc16(data: bytes) -> int:
 
 
 def encode(frame: Frame) -> bytes:
-    """Returns the bytes of a frame on the line."""
+    """Returns the bytes that a frame has on the line."""
     head = bytes([frame.version, frame.kind, frame.sequence]) + frame.payload
     body = head + crc16(head).to_bytes(2, "little")
     if len(body) > MAX_BODY:
@@ -49,7 +52,7 @@ def decode(coded: bytes) -> Frame:
     except cobs.DecodeError as error:
         raise FrameError(f"bad byte stuffing: {error}") from error
     if not MIN_BODY <= len(body) <= MAX_BODY:
-        raise FrameError(f"a body of {len(body)} bytes")
+        raise FrameError(f"the body has {len(body)} bytes, not {MIN_BODY} to {MAX_BODY}")
     if crc16(body[:-2]) != int.from_bytes(body[-2:], "little"):
         raise FrameError("wrong CRC")
     return Frame(body[1], body[2], body[3:-2], body[0])
@@ -57,7 +60,7 @@ def decode(coded: bytes) -> Frame:
 
 @dataclass
 class Decoder:
-    """Splits the bytes of a line into frames. It drops all other bytes and counts them."""
+    """Splits the bytes of a line into frames. Drops other bytes and counts the dropped pieces."""
 
     dropped: int = 0
     _pending: bytearray = field(default_factory=bytearray)

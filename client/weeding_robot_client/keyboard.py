@@ -1,5 +1,7 @@
-"""Keys of a terminal, and the motion that they order. A motion lasts only while the terminal
-repeats its key."""
+"""The keys of a terminal, and the motions that they order.
+
+A motion lasts only while the terminal repeats its key.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +36,7 @@ Keys (keep a motion key pressed: all wheels go to 0 after {DEAD_MAN_S} s without
 
 @contextmanager
 def raw_keys(keyboard: int) -> Iterator[None]:
-    """Delivers each key at once and without echo, while Ctrl-C still interrupts."""
+    """Delivers each key immediately and without echo. Ctrl-C still interrupts the program."""
     before = termios.tcgetattr(keyboard)
     try:
         tty.setcbreak(keyboard)
@@ -44,7 +46,7 @@ def raw_keys(keyboard: int) -> Iterator[None]:
 
 
 def read_keys(keyboard: int) -> list[bytes] | None:
-    """Returns the keys that were pressed; None when the terminal is gone."""
+    """Returns the keys that were pressed. Returns None when the terminal is closed."""
     if not select.select([keyboard], [], [], 0)[0]:
         return []
     try:
@@ -78,7 +80,7 @@ class Hand:
     _acknowledged_at: float = float("-inf")
 
     def press(self, key: bytes, now: float) -> None:
-        """Processes a key. Keys without a meaning change nothing."""
+        """Processes a key. A key without a meaning has no effect."""
         if key in (FORWARD, BACKWARD):
             self._direction = 1 if key == FORWARD else -1
             self._moved_at = now
@@ -109,7 +111,7 @@ class Hand:
             self._moved_at = float("-inf")
 
     def wish(self, now: float) -> Wish:
-        """Returns the present order: neutral unless a motion key was repeated recently."""
+        """Returns the present order. It is neutral if no motion key was repeated recently."""
         acknowledges = now - self._acknowledged_at < ACKNOWLEDGE_S
         moves = self._moves(now) and not self.stop and not acknowledges
         velocity = self._direction * self.speed_rpm if moves else 0.0

@@ -1,4 +1,4 @@
-"""Frames of the PC protocol, read from ``design/frames.toml``. All programs use this table."""
+"""Reads the frames of the PC protocol from ``design/frames.toml``. All programs use this table."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CODES = {
     "i32": "i",
     "char8": "8s",
 }
-# Unit -> ending of the name of a value with this unit.
+# For each unit, the ending of the name of a value with this unit.
 ENDS = {
     "degree": "_degrees",
     "rpm": "_rpm",
@@ -35,12 +35,12 @@ BY_QUANTITY = "quantity"  # the unit of a set-point depends on its quantity
 
 
 class LayoutError(ValueError):
-    """The table of frames cannot be used, or values do not fit a frame."""
+    """The table of frames cannot be used, or values do not match a frame."""
 
 
 @dataclass(frozen=True)
 class Entry:
-    """Value of an enumeration."""
+    """A value of an enumeration."""
 
     number: int
     name: str
@@ -55,7 +55,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Enumeration:
-    """Numbers of a field and their names."""
+    """The numbers of a field and their names."""
 
     name: str
     page: str  # label of the section that explains the values
@@ -66,7 +66,7 @@ class Enumeration:
         return next((entry for entry in self.entries if entry.number == number), None)
 
     def shown(self, number: int) -> str:
-        """Returns the text of a number, or the number itself when it has no text."""
+        """Returns the text for a number. If the number has no text, returns the number itself."""
         entry = self.find(number)
         return entry.shown if entry else f"{self.name} {number}"
 
@@ -80,7 +80,7 @@ class Bit:
 
 @dataclass(frozen=True)
 class Field:
-    """Field of a frame, at its offset in the payload."""
+    """A field of a frame, with its offset in the payload."""
 
     name: str
     type: str
@@ -102,26 +102,27 @@ class Field:
         return struct.calcsize(f"<{CODES[self.type]}")
 
     def number(self, **bits: bool) -> int:
-        """Returns the number of the field with these bits."""
+        """Returns the number of the field in which these bits are set."""
         numbers = {bit.name: bit.number for bit in self.bits}
         return sum(is_set << numbers[name] for name, is_set in bits.items())
 
     @property
     def counts(self) -> bool:
-        """Returns whether the field counts events of the link or of the cycle, not events of a
-        wheel.
+        """Returns whether the field counts events of the link or of the cycle.
+
+        Returns False for a field that counts events of a wheel.
         """
         return self.counter and self.wheel is None
 
     @property
     def stem(self) -> str:
-        """Returns the name without the number of the wheel."""
+        """Returns the name of the field without the number of its wheel."""
         return self.name if self.wheel is None else self.name.removesuffix(str(self.wheel))
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Fields of the payload of a frame type, in their order on the line."""
+    """The payload fields of a frame type, in their order on the line."""
 
     name: str
     kind: int
@@ -153,13 +154,13 @@ class Layout:
         return self.form.pack(*(values[name] for name in self.names))
 
     def unpack(self, payload: bytes) -> dict[str, int]:
-        """Returns the numbers of a payload; bytes after the known fields are ignored."""
+        """Returns the numbers of a payload. Ignores the bytes after the known fields."""
         return dict(zip(self.names, self.form.unpack_from(payload), strict=True))
 
     def decode(self, payload: bytes) -> dict[str, Any]:
-        """Returns the values of a payload in their units, with the texts of enumerations.
+        """Returns the values of a payload, in their units and with the texts of enumerations.
 
-        A field of bits has a value for each bit. A value that is not valid is None.
+        A field of bits has one value for each bit. The value of an invalid field is None.
         """
         numbers = self.unpack(payload)
         missing = {
@@ -196,14 +197,17 @@ class Layout:
 
 
 def scale_of(quantity: Field, numbers: Mapping[str, int]) -> float:
-    """Returns the scale of a quantity, or 1 for an unknown quantity."""
+    """Returns the scale of a quantity. Returns 1 for an unknown quantity."""
     assert quantity.values
     entry = quantity.values.find(numbers[quantity.name])
     return entry.scale if entry else 1
 
 
 def scaled(number: int, scale: float) -> int | float:
-    """Returns the value in its unit. A division returns the number nearest to the decimal value."""
+    """Returns the value in its unit.
+
+    It divides, because a quotient is the number that is nearest to the decimal value.
+    """
     return number if scale == 1 else number / round(1 / scale)
 
 
@@ -213,7 +217,7 @@ def text_of(raw: Any) -> str:
 
 
 def value_name(one: Field) -> str:
-    """Returns the name of a value with its unit, as in velocity0_rpm."""
+    """Returns the name of a value with its unit, for example velocity0_rpm."""
     end = ENDS.get(one.unit, "")
     return one.name if one.name.endswith(end) else one.name + end
 
@@ -227,7 +231,7 @@ class FrameTable:
 
     @property
     def schema(self) -> str:
-        """Returns the text whose CRC-32 is the schema hash. It has a line for each field."""
+        """Returns the text whose CRC-32 is the schema hash. The text has a line for each field."""
         return "".join(
             f"{frame.name} {one.name} {one.type} {one.offset}\n"
             for frame in self.frames.values()
@@ -281,7 +285,7 @@ def _layout(item: dict[str, Any], enumerations: Mapping[str, Enumeration]) -> La
 
 
 def _in_order(items: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], int | None]]:
-    """Yields the fields in their order on the line. A group of fields for the wheels repeats."""
+    """Yields the fields in their order on the line. A group of wheel fields repeats per wheel."""
     group: list[dict[str, Any]] = []
     for one in [*items, None]:
         if one is not None and "each" in one:

@@ -1,4 +1,7 @@
-"""Serial line to the robot: handshake, keep-alive, and a new handshake when the robot is silent."""
+"""The serial line to the robot, with handshake and keep-alive.
+
+When the robot is silent, the line begins a new handshake.
+"""
 
 from __future__ import annotations
 
@@ -42,8 +45,10 @@ class BusyError(OSError):
 
 
 def open_line(path: Path) -> serial.Serial:
-    """Opens a serial port or pseudo-terminal for this program alone: 115200 baud, without waiting
-    for data."""
+    """Opens a serial port or pseudo-terminal for exclusive use, with 115200 baud.
+
+    Reads do not wait for data.
+    """
     if not path.exists():
         raise FileNotFoundError(errno.ENOENT, "there is no such file", str(path))
     try:
@@ -57,7 +62,7 @@ def open_line(path: Path) -> serial.Serial:
 
 
 def clock_ms(seconds: float) -> int:
-    """Returns a time of this computer in ms, as sent in orders."""
+    """Returns a time of this computer in ms, in the form of the orders."""
     return int(seconds * 1000) % CLOCK_MS
 
 
@@ -66,8 +71,8 @@ class Link:
 
     ``connected`` is true from the first report after a handshake until the robot is silent for a
     second. Reports of a connection that another program began are ignored. A line that disappeared
-    is opened again as soon as its path exists. ``incompatible`` is the reason why a robot that
-    answers cannot be connected: it uses another version of the protocol.
+    is opened again as soon as its path exists. When the robot answers with another version of the
+    protocol, no connection is possible, and ``incompatible`` contains this reason.
     """
 
     def __init__(self, path: Path, clock: Callable[[], float] = time.monotonic) -> None:
@@ -100,8 +105,7 @@ class Link:
         self.connected = False
 
     def service(self, timeout_s: float = 0.0) -> list[Report]:
-        """Waits for bytes for at most the given time, answers the frames, and returns the
-        reports."""
+        """Waits for bytes for at most the given time. Answers the frames. Returns the reports."""
         reports = []
         for message in self._receive(timeout_s):
             if isinstance(message, Welcome):
@@ -114,7 +118,7 @@ class Link:
         return reports
 
     def send(self, order: Order) -> bool:
-        """Sends an order with the present time, and returns whether it could be sent.
+        """Sends an order with the present time. Returns whether the order could be sent.
 
         A stop is also sent without a connection, because the robot executes it in every state.
         """
@@ -123,8 +127,9 @@ class Link:
         return self._send(replace(order, sent_at_ms=clock_ms(self._clock())))
 
     def reports(self, timeout_s: float | None = None) -> Iterator[Report]:
-        """Yields all reports, also across lost connections, until no report arrives for the given
-        time.
+        """Yields all reports until no report arrives for the given time.
+
+        The reports continue after a lost connection.
         """
         last = self._clock()
         while timeout_s is None or self._clock() - last < timeout_s:
@@ -142,8 +147,9 @@ class Link:
             self._send(Confirm(welcome.session))
 
     def _timed(self, report: Report) -> Report:
-        """Returns the report with the round trip of its order, if the robot read an order of this
-        connection.
+        """Returns the report with the round trip of its order.
+
+        The round trip is only added if the robot has read an order of the PC in this cycle.
         """
         if not (report.order_read and report.source == "PC"):
             return report
@@ -160,7 +166,7 @@ class Link:
         self.welcome = None
 
     def _keep_up(self) -> None:
-        """Opens the line again, begins a handshake, or sends a keep-alive, each when it is due."""
+        """Opens the line again, begins a handshake, or sends a keep-alive, when this is due."""
         now = self._clock()
         if self._line is None:
             try:
@@ -191,8 +197,9 @@ class Link:
         return sent
 
     def _write(self, data: bytes) -> bool:
-        """Sends the bytes, or stores them while the line is slow. Returns false when the store is
-        full.
+        """Sends the bytes. Stores the bytes that the line does not accept yet.
+
+        Returns false when too many bytes are stored.
         """
         if self._line is None or len(self._unsent) > READ_BYTES:
             return False

@@ -1,6 +1,4 @@
-"""Writes reports as messages of an MCAP file: JSON, with a schema that has the unit of each
-value.
-"""
+"""Writes reports as JSON messages of an MCAP file. The schema contains the unit of each value."""
 
 from __future__ import annotations
 
@@ -19,8 +17,8 @@ from weeding_robot_client.messages import Report
 TOPIC = "/report"
 SCHEMA_NAME = "weeding_robot.Report"
 ROUND_TRIP = "round_trip_ms"
-CHUNK = 1 << 16  # greatest number of bytes that an interrupted run loses: reports of a few seconds
-NANOSECONDS = 1_000_000  # of a ms
+CHUNK = 1 << 16  # greatest number of bytes that an interrupted run loses; these are a few seconds
+NANOSECONDS = 1_000_000  # in one ms
 
 
 def schema_of(layout: Layout) -> dict[str, Any]:
@@ -59,8 +57,11 @@ def _type_of(one: Field) -> str:
 
 
 class McapFile:
-    """Writes reports to a file. The time of a message is the time of this computer; its publish
-    time is the time of the robot's clock."""
+    """Writes reports to a file.
+
+    The log time of a message is the time of this computer. Its publish time is the time of the
+    robot's clock.
+    """
 
     def __init__(self, path: Path) -> None:
         self._file = path.open("wb")

@@ -1,4 +1,4 @@
-"""Messages of the PC protocol, with values in SI or everyday units."""
+"""Messages of the PC protocol, with values in SI units or in common units."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class MessageError(ValueError):
 
 
 class Quantity(Enum):
-    """Quantity of a set-point: number on the line, unit, steps of a unit, and limit."""
+    """The quantity of a set-point, with its number on the line, unit, steps per unit, and limit."""
 
     VELOCITY = "Velocity"
     TENSION = "Tension"
@@ -38,7 +38,7 @@ class Quantity(Enum):
 
 @dataclass(frozen=True)
 class WheelSetPoint:
-    """Value in the unit of the quantity; velocity is measured at the motor shaft."""
+    """A value in the unit of its quantity. The velocity is measured at the motor shaft."""
 
     quantity: Quantity
     value: float
@@ -46,7 +46,7 @@ class WheelSetPoint:
     def __post_init__(self) -> None:
         if not abs(self.value) <= self.quantity.limit:
             raise MessageError(
-                f"{self.value} {self.quantity.unit}: not within "
+                f"{self.value} {self.quantity.unit} is not within "
                 f"-{self.quantity.limit} to {self.quantity.limit}"
             )
 
@@ -59,7 +59,7 @@ class WheelSetPoint:
 
 @dataclass(frozen=True)
 class ReportedSetPoint:
-    """Set-point in a report. Its number and its quantity may be out of range or unknown."""
+    """A set-point in a report. Its number may be out of range, and its quantity may be unknown."""
 
     value: float
     unit: str
@@ -70,7 +70,7 @@ class ReportedSetPoint:
 
 @dataclass(frozen=True)
 class Hello:
-    """Request for a connection, with the versions and the layout that this client has."""
+    """A request for a connection, with the versions and the layout of this client."""
 
     version: int = VERSION  # version of the frame
     kind: ClassVar[int] = LAYOUTS["Hello"].kind
@@ -102,7 +102,7 @@ class KeepAlive:
 
 @dataclass(frozen=True)
 class Order:
-    """One complete set of set-points; ``sent_at_ms`` is the clock of this computer."""
+    """One complete set of set-points. ``sent_at_ms`` is a time of this computer's clock."""
 
     order_id: int
     steering_degrees: float  # positive to the left
@@ -117,10 +117,10 @@ class Order:
         if not abs(self.steering_degrees) <= self.steering_limit_degrees:
             limit = self.steering_limit_degrees
             raise MessageError(
-                f"{self.steering_degrees} degrees: not within -{limit:g} to {limit:g}"
+                f"{self.steering_degrees} degrees is not within -{limit:g} to {limit:g}"
             )
         if not 0 <= self.order_id <= 0xFFFF:
-            raise MessageError(f"order id {self.order_id}: not within 0 to 65535")
+            raise MessageError(f"order id {self.order_id} is not within 0 to 65535")
 
     def payload(self) -> bytes:
         wheels: dict[str, int] = {}
@@ -138,7 +138,7 @@ class Order:
 
 @dataclass(frozen=True)
 class Start:
-    """The cause of the start, and the fault before the start, as numbers of the protocol."""
+    """The cause of the start and the fault before the start, as numbers of the protocol."""
 
     cause: int
     fault: int = 0
@@ -175,8 +175,10 @@ class Welcome:
 
     @classmethod
     def from_payload(cls, payload: bytes, frame_version: int = VERSION) -> Welcome:
-        """Reads a Welcome; a Welcome of version 1 does not contain the versions that the robot
-        supports."""
+        """Reads a Welcome.
+
+        A Welcome of version 1 does not contain the versions that the robot supports.
+        """
         short = len(payload) < cls.layout.size
         fields = cls.layout.unpack(payload + bytes(cls.appended))
         lowest, highest = fields["lowest_version"], fields["highest_version"]
@@ -198,8 +200,9 @@ class Welcome:
 
     @property
     def incompatible(self) -> str | None:
-        """Returns the reason why no connection is possible and the next action, or None when it is
-        possible.
+        """Returns the reason why no connection is possible, and the next action.
+
+        Returns None when a connection is possible.
         """
         lowest, highest = self.protocol_versions
         if lowest <= VERSION <= highest:
@@ -207,14 +210,15 @@ class Welcome:
         spoken = f"version {lowest}" if lowest == highest else f"versions {lowest} to {highest}"
         action = "Update this client" if lowest > VERSION else "Flash the robot (./wr flash)"
         return (
-            f"The robot uses {spoken} of the PC protocol, this client uses version {VERSION}. "
+            f"The robot uses {spoken} of the PC protocol. This client uses version {VERSION}. "
             f"{action}, and connect again."
         )
 
     @property
     def schema_note(self) -> str | None:
-        """Returns the difference of the layouts within a version of the protocol, or None when they
-        are equal.
+        """Returns a text about the difference between the layouts of the robot and this client.
+
+        Returns None when the layouts are equal.
         """
         if self.incompatible or self.schema_hash in (SCHEMA_HASH, None):
             return None
@@ -227,7 +231,7 @@ class Welcome:
 
 @dataclass(frozen=True)
 class WheelReport:
-    """Set-point, measured values and output of one wheel; None where a value is missing."""
+    """The set-point, the measured values and the output of one wheel. A missing value is None."""
 
     set_point: ReportedSetPoint
     velocity_rpm: float | None
@@ -259,7 +263,7 @@ class Report:
     time_ms: int
     state: str
     mode: str
-    source: str | None  # None: no order was read since start
+    source: str | None  # None: no order was read since the start
     stop: bool
     order_read: bool
     held: bool
@@ -267,10 +271,10 @@ class Report:
     armed: bool
     inhibit: str  # reason why the robot does not follow its set-points
     stop_cause: str  # cause of the latched protective stop
-    stop_wheel: int | None  # wheel that the cause concerns
+    stop_wheel: int | None  # wheel of the cause
     stop_sources: tuple[str, ...]  # sources that order stop
     order_id: int
-    sent_at_ms: int  # echo of the order in force
+    sent_at_ms: int  # time of the order in force, as in the order
     steering_set_point_degrees: float
     steering_degrees: float | None
     turn: int | None  # -1 right, 0 none, 1 left
@@ -290,7 +294,7 @@ class Report:
 
     @classmethod
     def from_payload(cls, payload: bytes) -> Report:
-        """Reads a report. An unknown number is shown as a number."""
+        """Reads a report. The text for an unknown number contains the number."""
         values = cls.layout.decode(payload)
         front_left, front_right, rear_left, rear_right = (
             WheelReport.from_values(values, wheel) for wheel in range(len(WHEELS))
@@ -323,8 +327,8 @@ def to_frame(message: ToMcu, sequence: int) -> Frame:
 def from_frame(frame: Frame) -> FromMcu:
     """Returns the message of the MCU in a frame.
 
-    A longer payload than expected is accepted, a shorter payload is not. A Welcome of another
-    version is accepted, because it names the versions that the robot supports.
+    A payload may be longer than expected, but not shorter. A Welcome of another version is
+    accepted, because it contains the versions that the robot supports.
     """
     if frame.kind == Welcome.kind:
         others = frame.version != VERSION

@@ -1,4 +1,4 @@
-"""Shows the reports of the robot, live."""
+"""Shows the reports of the robot as they arrive."""
 
 from __future__ import annotations
 
@@ -13,10 +13,11 @@ from weeding_robot_client.options import add_link, open_capture, open_link, open
 from weeding_robot_client.reasons import conditions, faults
 
 DESCRIPTION = """\
-Connects to the robot and shows its reports: in a terminal as a table that is updated, otherwise one
-line for each report. It shows why the robot does not move, the source of a stop, and the round trip
-from an order to its report. A value that is missing or stale is shown as '-'. Ctrl-C ends it. Only
-one program can use the line at a time; ./wr drive shows the reports too."""
+Connects to the robot and shows its reports. In a terminal, it shows a table that is updated.
+Otherwise, it prints one line for each report. It shows the reason why the robot does not move, the
+source of a stop, and the round trip from an order to its report. A value that is missing or stale
+is shown as '-'. Ctrl-C ends the program. Only one program can use the line at a time. ./wr drive
+also shows the reports."""
 EPILOG = ""
 MISSING = "-"
 CLEAR = "\x1b[H\x1b[J"

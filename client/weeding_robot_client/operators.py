@@ -1,4 +1,4 @@
-"""The operator of a bring-up: a person at a terminal, or the simulated operator."""
+"""The operator of a bring-up, which is a person at a terminal or the simulated operator."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Idle = Callable[[], None]
 
 
 class OperatorError(RuntimeError):
-    """An operator who cannot act."""
+    """The operator cannot execute an action."""
 
 
 class Operator(Protocol):
@@ -43,13 +43,11 @@ class Operator(Protocol):
         """
 
     def number(self, question: str, idle: Idle) -> float | None:
-        """Asks for a measured number. Returns None when it was not measured."""
+        """Asks for a measured number. Returns None when the number was not measured."""
 
 
 class Person:
-    """A person at the terminal. Every question needs an answer: no question has a default
-    answer.
-    """
+    """A person at the terminal. Every question needs an answer. No question has a default."""
 
     reaction_s = 0.5
     patience_s = 60.0
@@ -133,13 +131,13 @@ class Control:
         self._folder.cleanup()
 
     def do(self, action: str) -> None:
-        """Executes an action of a scenario. Raises OperatorError when it is refused."""
+        """Executes an action of a scenario. Raises OperatorError when the simulator rejects it."""
         reply = self._request(action)
         if reply != "ok":
             raise OperatorError(f"the simulator refused '{action}': {reply}")
 
     def holds(self, expectation: str) -> bool:
-        """Returns whether an expectation about the simulated robot holds."""
+        """Returns whether an expectation about the simulated robot is met."""
         return self._request(f"expect {expectation}") == "ok"
 
     def _request(self, words: str) -> str:
@@ -150,7 +148,7 @@ class Control:
             raise OperatorError(f"the simulator does not answer '{words}'") from error
 
 
-# Action of the bring-up -> actions of a scenario.
+# Actions of the bring-up, each with the actions of a scenario that simulate it.
 ACTIONS = {
     "left end press": ("fault left-end",),
     "left end release": ("repair left-end",),
@@ -170,9 +168,7 @@ TURNS_MOST = 100_000
 
 
 class SimulatedOperator:
-    """A simulated operator for the simulated robot. It refuses every line that is not a
-    pseudo-terminal.
-    """
+    """A simulated operator for the simulated robot."""
 
     reaction_s = 0.0
     patience_s = 5.0
@@ -197,7 +193,7 @@ class SimulatedOperator:
         return True
 
     def watch(self, wheel: int) -> None:
-        """Returns how a wheel turns now."""
+        """Stores the present direction of rotation of a wheel."""
         field = f"true_velocity{wheel} between"
         self._forward[wheel] = None
         if self._control.holds(f"{field} {TURNS_LEAST} {TURNS_MOST}"):

@@ -1,4 +1,4 @@
-"""Options that the commands of the client share."""
+"""The common options of the client's commands."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def add_link(parser: argparse.ArgumentParser) -> None:
 def positive(text: str) -> int:
     number = int(text)
     if number < 1:
-        raise argparse.ArgumentTypeError(f"{number} is not 1 or more")
+        raise argparse.ArgumentTypeError(f"{number} is less than 1")
     return number
 
 
@@ -48,7 +48,7 @@ def wheel(text: str) -> int:
 
 
 def open_link(path: Path) -> Link | int:
-    """Returns the link, or the exit code after a message with the reason."""
+    """Returns the link. If it cannot be opened, prints the reason and returns the exit code."""
     try:
         return Link(path)
     except BusyError:
@@ -62,7 +62,7 @@ def open_link(path: Path) -> Link | int:
 
 
 def open_recording(options: argparse.Namespace) -> Recording | None:
-    """Returns the recording, or None after a message with the reason."""
+    """Returns the recording. If it cannot be opened, prints the reason and returns None."""
     try:
         return Recording(options.csv, options.mcap)
     except OSError as error:
@@ -73,7 +73,7 @@ def open_recording(options: argparse.Namespace) -> Recording | None:
 
 
 def open_capture(path: Path | None) -> Capture | None:
-    """Returns the capture, or None after a message with the reason."""
+    """Returns the capture. If it cannot be opened, prints the reason and returns None."""
     try:
         capture = Capture(path)
         if path is not None:

@@ -1,4 +1,4 @@
-"""Sends an order in each cycle. Contains the procedures that consist of orders: arm, stop, end."""
+"""Sends an order in each cycle. Contains the procedures arm, stop and end."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from weeding_robot_client.script import Wish
 ORDER_EVERY_S = 0.1
 CONNECT_WITHIN_S = 5.0
 ARM_WITHIN_S = 5.0
-ACKNOWLEDGE_S = 0.3  # three cycles of 100 ms: the robot reads the order at least once
+ACKNOWLEDGE_S = 0.3  # three cycles of 100 ms, so that the robot reads the order at least once
 STOP_ORDERS = 3
 STOP_EVERY_S = 0.05
 
@@ -22,12 +22,12 @@ Observer = Callable[[Report], None]
 
 
 def order_ids() -> Iterator[int]:
-    """Yields 1 to 65535, then again from 1. The id 0 means an order of the remote control."""
+    """Yields 1 to 65535, and then starts again at 1. Id 0 means an order of the remote control."""
     return itertools.cycle(range(1, 0x10000))
 
 
 class Orders:
-    """Sends the present order every 100 ms, because an order is valid for 200 ms only."""
+    """Sends the present order every 100 ms, because an order is valid for only 200 ms."""
 
     def __init__(self, link: Link, observe: Observer = lambda _report: None) -> None:
         self.link = link
@@ -37,7 +37,7 @@ class Orders:
         self._due = time.monotonic()
 
     def send(self, wish: Wish) -> bool:
-        """Sends an order at once."""
+        """Sends an order immediately."""
         return self.link.send(wish.order(next(self._ids)))
 
     def service(self, wish: Wish | None, timeout_s: float = 0.02) -> list[Report]:
@@ -68,13 +68,13 @@ class Orders:
             self.link.service(STOP_EVERY_S)
 
     def end(self, wish: Wish) -> None:
-        """Sends the last order: all wheels at 0. A stop stays in force."""
+        """Sends the last order, with all wheels at 0. A stop remains in force."""
         self.send(wish.neutral())
         self.link.service()
 
 
 def connect(orders: Orders) -> Report | None:
-    """Returns the first report, or None when no report came in time or the versions differ."""
+    """Returns the first report, or None if no report arrives in time or the versions differ."""
     end = time.monotonic() + CONNECT_WITHIN_S
     while time.monotonic() < end and orders.link.incompatible is None:
         if reports := orders.service(None):
@@ -83,7 +83,7 @@ def connect(orders: Orders) -> Report | None:
 
 
 def not_connected(link: Link) -> str:
-    """Prints the reason for the missing connection, and the next action."""
+    """Returns the reason for the missing connection, and the next action."""
     if link.incompatible:
         return link.incompatible
     return (
@@ -98,7 +98,7 @@ def arm(
     within_s: float | None = None,
     progress: Callable[[str], None] = lambda _words: None,
 ) -> str | None:
-    """Orders neutral until the robot is armed. Returns None, or the reason why it is not armed."""
+    """Sends neutral orders until the robot is armed. Returns None, or the reason for a failure."""
     neutral = (wish or Wish()).neutral()
     reason: str | None = None
     end = time.monotonic() + (ARM_WITHIN_S if within_s is None else within_s)

@@ -13,14 +13,15 @@ from weeding_robot_client.orders import Orders, connect, not_connected
 from weeding_robot_client.script import Wish
 
 ARM = """\
-Sends neutral orders (all wheels at 0) until the robot reports that it is armed, and shows why it is
-not armed yet. A stop that the PC ordered before is released. The robot needs neutral orders for 0.5
-s. A program that drives must then send orders: without orders the robot is soon not armed.
+Sends neutral orders (all wheels at 0) until the robot reports that it is armed. Shows the reason
+while the robot is not armed. Releases an earlier stop of the PC. The robot needs neutral orders
+for 0.5 s. A program that drives must then send orders, because the robot does not stay armed
+without orders.
 
 Exit code 1: not armed, or no connection."""
 ACKNOWLEDGE = """\
-Acknowledges the latched protective stop: the robot is at rest and releases its faults. Remove the
-cause first. Then arms the robot, as ./wr arm does.
+Acknowledges the latched protective stop. The robot is at rest and releases its faults. Remove the
+cause first. After the acknowledgement, the program arms the robot, as ./wr arm does.
 
 Exit code 1: not armed, or no connection."""
 

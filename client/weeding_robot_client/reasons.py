@@ -1,4 +1,4 @@
-"""The reasons and conditions of a report in words, with the next action of the user."""
+"""Texts for the reasons and conditions of a report, with the next action of the user."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ RELEASES = {
 
 
 def cause(report: Report) -> str:
-    """Returns the cause of the protective stop, with its wheel."""
+    """Returns the text for the cause of the protective stop, with the wheel of the cause."""
     if report.stop_wheel is None:
         wheel = ""
     elif report.stop_wheel < len(WHEELS):
@@ -41,8 +41,9 @@ def cause(report: Report) -> str:
 
 
 def inhibited(report: Report) -> str | None:
-    """Returns the reason why the robot does not move and the next action, or None when it follows
-    orders.
+    """Returns the reason why the robot does not move, and the next action.
+
+    Returns None when the robot follows orders.
     """
     if report.inhibit == "none":
         return None
@@ -76,6 +77,6 @@ def faults(report: Report) -> list[str]:
 
 
 def conditions(report: Report) -> list[str]:
-    """Returns the reason why the robot does not move, then its faults."""
+    """Returns the reason why the robot does not move, and then its faults."""
     reason = inhibited(report)
     return [*([reason] if reason else []), *faults(report)]

@@ -1,4 +1,4 @@
-"""Recordings of reports: a CSV file, in which an empty cell is a missing value, or an MCAP file."""
+"""Records reports in a CSV file or in an MCAP file. In the CSV file, a missing value is empty."""
 
 from __future__ import annotations
 
@@ -52,9 +52,9 @@ class CsvFile:
 
 
 class Recording(AbstractContextManager["Recording"]):
-    """Writes reports to files as they arrive; without a path it writes nothing.
+    """Writes reports to files as they arrive. Without a path, it writes nothing.
 
-    A full disk ends the recording, but not the program: the robot continues to drive.
+    A full disk ends the recording. The program does not end, so the robot continues to drive.
     """
 
     def __init__(self, table: Path | None, mcap: Path | None = None) -> None:

@@ -19,13 +19,14 @@ MISSING = "NaN: missing or stale"
 
 
 def messages() -> dict[str, str]:
-    """Returns the definition of each frame with fields, by the name of its file."""
+    """Returns the definition of each frame that has fields. The key is the name of its file."""
     return {f"{frame.name}.msg": message(frame) for frame in FRAMES.frames.values() if frame.fields}
 
 
 def message(frame: Layout) -> str:
-    """Returns the definition of a message. Enumerations are numbers with constants. A value that
-    may be missing is a float64.
+    """Returns the definition of a message.
+
+    Enumerations are numbers with constants. A value that may be missing is a float64.
     """
     missing = {name for field in frame.fields for name in field.valid}
     lines = [f"# {frame.name}: {frame.use}. Made from design/frames.toml."]

@@ -1,4 +1,4 @@
-"""Scripts: files of orders with their times."""
+"""Scripts, which are files with orders and their times."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from weeding_robot_client.messages import (
 )
 
 HELP = """\
-A script has one line for each change, with times that do not decrease:
+A script has one line for each change. The times of the lines must not decrease:
 
   # comment
   at 0s velocity 0 rpm
@@ -30,12 +30,13 @@ A script has one line for each change, with times that do not decrease:
   at 8s acknowledge
   at 9s end
 
-Time starts when the robot is armed. `velocity`, `tension` and `current` are for all four wheels,
-or, after 'wheel N', for wheel N alone: 0 front left, 1 front right, 2 rear left, 3 rear right.
-`tension` is the voltage of the motor; velocity is measured at the motor shaft. Steering is positive
-to the left. A line changes only the values that it names. 'stop' orders stop, also after the end of
-the script, until 'release'. 'acknowledge' releases a protective stop. 'release' and 'acknowledge'
-set all wheels to 0. Keep them at 0 for 0.5 s: this arms the robot again. The last line is 'end'."""
+The time starts when the robot is armed. `velocity`, `tension` and `current` apply to all four
+wheels. After 'wheel N', they apply only to wheel N: 0 front left, 1 front right, 2 rear left,
+3 rear right. `tension` is the voltage of the motor. The velocity is measured at the motor shaft.
+Steering is positive to the left. A line changes only the values that it contains. 'stop' orders a
+stop until 'release', also after the end of the script. 'acknowledge' releases a protective stop.
+'release' and 'acknowledge' set all wheels to 0. To arm the robot again, keep all wheels at 0 for
+0.5 s. The last line is 'end'."""
 
 WORDS = re.compile(
     r"\s*(?:(stop|release|acknowledge|end)\b|(?:wheel\s+(\S+)\s+)?(\w+)\s+(\S+)\s+(\w+))\s*"
@@ -48,12 +49,12 @@ STILL: Points = all_wheels(Quantity.VELOCITY, 0.0)
 
 
 class ScriptError(ValueError):
-    """A script that has a line with an error."""
+    """A line of a script has an error."""
 
 
 @dataclass(frozen=True)
 class Wish:
-    """Values of the next order."""
+    """The values of the next order."""
 
     wheels: Points = STILL
     steering_degrees: float = 0.0
@@ -68,8 +69,9 @@ class Wish:
         steering_degrees: float = 0.0,
         wheels: Iterable[int] | None = None,
     ) -> Wish:
-        """Returns an order with a value for some wheels, or for all. The other wheels are at
-        rest.
+        """Returns an order with a value for some wheels or for all wheels.
+
+        The other wheels have velocity 0.
         """
         chosen = range(len(WHEELS)) if wheels is None else wheels
         wish = cls(steering_degrees=steering_degrees)
@@ -84,7 +86,7 @@ class Wish:
         return replace(self, wheels=(front_left, front_right, rear_left, rear_right))
 
     def neutral(self) -> Wish:
-        """Returns the same steering and stop, with all wheels at 0."""
+        """Returns these values with all wheels at 0 and without an acknowledgement."""
         return replace(self, wheels=STILL, acknowledge=False)
 
     def order(self, order_id: int) -> Order:
@@ -93,14 +95,15 @@ class Wish:
 
 @dataclass(frozen=True)
 class Script:
-    """Orders, each with the time from which it applies [s]. The last time ends the script."""
+    """Orders, each with the time from which on it applies [s]. The script ends at ``end_s``."""
 
     wishes: tuple[tuple[float, Wish], ...]
     end_s: float
 
     def at(self, seconds: float) -> Wish | None:
-        """Returns the orders that are in force at a time, or None before the first line of the
-        script.
+        """Returns the order that is in force at a time.
+
+        Returns None before the first line of the script.
         """
         earlier = [(start, wish) for start, wish in self.wishes if start <= seconds]
         if not earlier:
@@ -114,7 +117,7 @@ def load(path: Path) -> Script:
     try:
         return parse(path.read_text(encoding="utf-8"), str(path))
     except UnicodeDecodeError as error:
-        raise ScriptError(f"{path}: this is not a text in UTF-8") from error
+        raise ScriptError(f"{path}: the file is not a text in UTF-8") from error
 
 
 def parse(text: str, name: str = "script") -> Script:
@@ -131,7 +134,7 @@ def parse(text: str, name: str = "script") -> Script:
                 raise ScriptError("nothing may follow 'end'")
             start, rest = _time(content)
             if start < time_s:
-                raise ScriptError(f"{start:g} s is before the line above it")
+                raise ScriptError(f"{start:g} s is before the time of the previous line")
             time_s = start
             wish, ended = _change(wish, rest)
             wish.order(0)
@@ -152,15 +155,15 @@ def _time(content: str) -> tuple[float, str]:
 
 
 def _change(wish: Wish, rest: str) -> tuple[Wish, bool]:
-    """Returns the order after the words of one line, and whether the words end the script."""
+    """Applies the words of one line. Returns the new order, and whether the script has ended."""
     if not rest:
-        raise ScriptError("the time has no values after it")
+        raise ScriptError("there are no values after the time")
     wish = replace(wish, acknowledge=False)
     position = 0
     while position < len(rest):
         match = WORDS.match(rest, position)
         if not match:
-            raise ScriptError(f"cannot understand '{rest[position:]}'")
+            raise ScriptError(f"'{rest[position:]}' is not valid here")
         position = match.end()
         if match[1] == "end":
             if position < len(rest) or match.start() > 0:

@@ -13,7 +13,7 @@ using std::chrono::nanoseconds;
 
 constexpr std::uint32_t kExceptionOfFirstInterrupt = 16;
 constexpr milliseconds kPeriod{100};
-// Each start and each control cycle takes less time than this limit.
+// Every start and every control cycle is shorter than this limit.
 constexpr milliseconds kLongest{1000};
 // One start bit, eight data bits and one stop bit at 115200 baud.
 constexpr nanoseconds kByte{86'806};
@@ -44,7 +44,7 @@ void BoardSession::send(std::span<const std::uint8_t> bytes) {
 
 void BoardSession::sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) {
   if (pulses_.empty()) {
-    throw std::logic_error("no clock pulse has come yet");
+    throw std::logic_error("there has been no clock pulse yet");
   }
   const nanoseconds end = pulses_.back() + kPeriod - before;
   board.receiveAt(end - kByte * static_cast<std::int64_t>(bytes.size()), bytes);
@@ -61,15 +61,15 @@ bool BoardSession::runUntil(Time instant) {
 bool BoardSession::runThroughPulse() {
   if (!board.runToInterrupt(kPulseInterrupt, board.now() + kLongest)) {
     if (!board.finding()) {
-      throw std::runtime_error("no clock pulse in 1 s");
+      throw std::runtime_error("there was no clock pulse in 1 s");
     }
     return false;
   }
   return settle();
 }
 
-// The cycle has ended when the processor sleeps, and its report has been sent when the line is
-// idle.
+// When the processor sleeps, the cycle has ended. When the line is idle, the report of the cycle
+// has been sent.
 bool BoardSession::settle() {
   const nanoseconds limit = pulses_.back() + kPeriod;
   if (!board.runToSleep(limit)) {

@@ -11,10 +11,11 @@
 
 namespace wr::board_robot {
 
-/// @brief The image of the firmware on the virtual K64 in the simulated robot. Its line has 115200 baud.
+/// @brief The firmware image on the virtual K64 in the simulated robot. The line to the PC has
+/// 115200 baud.
 class BoardSession final : public scenario::RobotSession {
  public:
-  /// @brief Interrupt of the timer that generates the clock pulses: channel 0 of the PIT.
+  /// @brief Interrupt of channel 0 of the PIT, which generates the clock pulses.
   static constexpr int kPulseInterrupt = 48;
 
   /// @brief Switches the board on.
@@ -38,8 +39,8 @@ class BoardSession final : public scenario::RobotSession {
   /// @param call the callback
   void onEvent(std::function<void(const emulator::Event&)> call);
 
-  /// @brief Returns the times of the clock pulses, in their order.
-  /// @return time at which the handler of each pulse was entered, since the board was switched on
+  /// @brief Returns the times of the clock pulses, oldest first.
+  /// @return time from power-on to the entry of the handler, for each pulse
   [[nodiscard]] const std::vector<std::chrono::nanoseconds>& pulses() const { return pulses_; }
 
   emulator::VirtualBoard board;

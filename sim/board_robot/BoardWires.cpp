@@ -21,7 +21,7 @@ struct Input {
   int channel;
 };
 
-// The wires between board and robot, as listed on the page about bring-up.
+// The wires between the board and the robot. The page about bring-up lists the same wires.
 struct WheelWires {
   int pwm;  // channel of FTM0
   Pin orientation;

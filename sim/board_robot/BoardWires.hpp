@@ -9,9 +9,9 @@ namespace wr::board_robot {
 /// @brief The robot's physics on the pins of the virtual K64.
 class BoardWires {
  public:
-  /// @brief Connects pins and physics. From now on the physics advance by a step at each ms of
-  /// board time.
-  /// @param board the board; it exists as long as the wires
+  /// @brief Connects the pins to the physics. From then on, the physics advance by one step in each
+  /// ms of board time.
+  /// @param board the board; it must outlive the wires
   explicit BoardWires(emulator::VirtualBoard& board);
   BoardWires(const BoardWires&) = delete;
   BoardWires& operator=(const BoardWires&) = delete;

@@ -10,10 +10,10 @@
 
 namespace wr::board_robot {
 
-/// @brief Writes the calls and the events of a part of a run, with their times.
+/// @brief Writes the calls and the events of a part of a run, each with its time.
 ///
-/// A line has the time in ns, the name of the event, its number and its value. A call has the
-/// address of the function as its number; an exception has its priority as its value.
+/// Each line has the time in ns, the name of the event, a number and a value. For a call, the
+/// number is the address of the function. For an exception, the value is its priority.
 class CallTimeline {
  public:
   /// @brief A part of a run, in time of the board.
@@ -22,11 +22,12 @@ class CallTimeline {
     std::chrono::nanoseconds to;
   };
 
-  /// @brief Replaces the observer of the line. Construct it before the first run.
-  /// @param robot the image in its robot; it exists as long as the timeline
+  /// @brief Replaces the observer of the line. The timeline must be constructed before the first
+  /// run.
+  /// @param robot the image in its robot; it must outlive the timeline
   /// @param elf file of the image with its symbols
   /// @param window the recorded part of the run
-  /// @param output receives the lines; it exists as long as the timeline
+  /// @param output receives the lines; it must outlive the timeline
   CallTimeline(BoardSession& robot, const std::filesystem::path& elf, Window window,
                std::ostream& output);
   CallTimeline(const CallTimeline&) = delete;

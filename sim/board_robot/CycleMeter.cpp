@@ -9,12 +9,12 @@ namespace {
 
 constexpr unsigned kFirstInterrupt = 16;
 constexpr unsigned kPulse = kFirstInterrupt + BoardSession::kPulseInterrupt;
-// The software interrupt, on which the main thread runs.
+// The main thread runs in this software interrupt.
 constexpr unsigned kMainThread = kFirstInterrupt + 64;
-// Data register of the port to the PC.
+// Data register of the serial port to the PC.
 constexpr std::uint32_t kUart0Data = 0x4006A007;
-// The image has its stack at the start of the RAM; the first word of the flash is the end address
-// of the stack.
+// The stack of the image begins at the start of the RAM. The first word of the flash is the end
+// address of the stack.
 constexpr std::uint32_t kStack = 0x1FFF0000;
 constexpr std::uint32_t kWord = 4;
 

@@ -17,9 +17,9 @@ namespace wr::board_robot {
 /// @brief Measures the control cycles of an image on the virtual K64.
 ///
 /// A control cycle lasts from one clock pulse to the next. The clock pulse is the instant at which
-/// the timer raises its interrupt line. The report is handed over when all of it is in the send
-/// buffer of the serial port and its first byte is written to the port. The count of the control
-/// cycle includes its interrupts.
+/// the timer raises its interrupt line. The report is handed over when the whole report is in the
+/// send buffer of the serial port and its first byte is written to the port. The costs of a control
+/// cycle include its interrupts.
 class CycleMeter {
  public:
   /// Number of control cycles that are measured.
@@ -41,41 +41,43 @@ class CycleMeter {
     bool reported = false;         ///< a report was handed over
   };
 
-  /// @brief Costs of one exception in all measured control cycles; 0: outside of exceptions.
+  /// @brief Costs of one exception in all measured control cycles. Exception 0 is the code outside
+  /// of exceptions.
   struct Exception {
-    unsigned priority = 0;            ///< 0 to 15; 0 is the highest
-    std::uint64_t entries = 0;        ///< number of entries
-    Cost whole;                       ///< costs without the costs of the interrupts that preempt it
-    Cost toReport;                    ///< part of the costs from the clock pulses to the reports
-    std::uint64_t requests = 0;       ///< number of times that a device raised its line
-    std::uint64_t worstLatency = 0;   ///< greatest number of cycles from a request to its first
-                                      ///< instruction
+    unsigned priority = 0;       ///< 0 to 15; 0 is the highest
+    std::uint64_t entries = 0;   ///< number of entries
+    Cost whole;                  ///< costs, without the interrupts that preempt the exception
+    Cost toReport;               ///< costs between the clock pulses and the reports
+    std::uint64_t requests = 0;  ///< number of times that a device raised the line
+    std::uint64_t worstLatency =
+        0;  ///< greatest number of cycles from a request to the first instruction of the handler
     std::optional<std::uint64_t> at;  ///< cycle of a pending request
   };
 
   /// @brief Replaces the observer of the line and the observer of the board's writes.
-  /// @param robot the image in its robot; it exists as long as the meter
-  /// @param from time of the beginning; the next clock pulse begins the first control cycle
+  /// @param robot the image in its robot; it must outlive the meter
+  /// @param from start of the measurement; the first control cycle begins at the next clock pulse
   /// @param profiled true to count the executions of each instruction
   CycleMeter(BoardSession& robot, std::chrono::nanoseconds from, bool profiled);
   CycleMeter(const CycleMeter&) = delete;
   CycleMeter& operator=(const CycleMeter&) = delete;
 
-  /// @brief Returns the measurement of each control cycle, at most kCycles.
+  /// @brief Returns the measurements of the control cycles, at most kCycles.
   [[nodiscard]] const std::vector<Cycle>& cycles() const { return cycles_; }
 
-  /// @brief Returns the measurement of each exception by its number.
+  /// @brief Returns the measurements of the exceptions. The key is the number of the exception.
   [[nodiscard]] const std::map<unsigned, Exception>& exceptions() const { return exceptions_; }
 
   /// @brief Returns the number of executions of an instruction.
   /// @param address its address
-  /// @param toReport true: between the clock pulses and the reports; false: at other times
+  /// @param toReport true for the executions between a clock pulse and its report, false for all
+  /// others
   [[nodiscard]] std::uint64_t timesOf(std::uint32_t address, bool toReport) const {
     return profile_[toReport ? 1 : 0].timesOf(address);
   }
 
-  /// @brief Returns the greatest depth of the stack since the board was switched on: down to the
-  /// lowest word that has changed since the meter was constructed.
+  /// @brief Returns the greatest depth of the stack since the board was switched on. The depth
+  /// reaches down to the lowest word that has changed since the meter was constructed.
   /// @return bytes of the stack
   [[nodiscard]] std::size_t stackBytes() const;
 
@@ -111,9 +113,9 @@ class CycleMeter {
   std::vector<unsigned> active_;
   std::vector<Cycle> cycles_;
   std::map<unsigned, Exception> exceptions_;
-  std::array<emulator::ExecutedCode, 2> profile_;  ///< executions at other times, and between clock
-                                                   ///< pulse and report
-  emulator::ExecutedCode rest_;                    ///< executions after the measured cycles
+  std::array<emulator::ExecutedCode, 2>
+      profile_;  ///< [0]: executions at other times; [1]: between a clock pulse and its report
+  emulator::ExecutedCode rest_;  ///< executions after the measured cycles
 };
 
 }  // namespace wr::board_robot

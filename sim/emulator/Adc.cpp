@@ -10,7 +10,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from the base of a converter: K64P144M120SF5RM, ADC memory map.
+// Offsets from the base of a converter (K64P144M120SF5RM, ADC memory map).
 constexpr std::uint32_t kSc1a = 0x00;
 constexpr std::uint32_t kSc1b = 0x04;
 constexpr std::uint32_t kCfg1 = 0x08;
@@ -93,7 +93,8 @@ std::uint32_t Adc::busClocksOfClock() const {
   return 1U << (at(kCfg1) >> 5 & 3U);
 }
 
-// Chapter ADC, section Sample time and total conversion time, without the 5 bus clocks.
+// Returns the ADCK clocks of a conversion, without the additional 5 bus clocks (chapter ADC,
+// section Sample time and total conversion time).
 std::uint32_t Adc::clocksOfConversion() const {
   constexpr std::array<std::uint32_t, 4> kBase{17, 20, 20, 25};  // MODE: 8, 12, 10, 16 bits
   constexpr std::array<std::uint32_t, 4> kLong{20, 12, 6, 2};    // ADLSTS
@@ -104,7 +105,7 @@ std::uint32_t Adc::clocksOfConversion() const {
   return (longSample ? 3 : 5) + times * each;
 }
 
-// Returns the correct value of PG or MG: half the sum of six results of the calibration.
+// Returns the correct value of PG or MG, which is half the sum of six results of the calibration.
 std::uint32_t Adc::gain(std::uint32_t firstResult) const {
   std::uint32_t sum = 0;
   for (std::uint32_t i = 0; i < 6; ++i) {
@@ -161,7 +162,7 @@ void Adc::begin(Doing doing, std::uint64_t busClocks) {
   at(kSc2) |= kActive;
 }
 
-// A write of SC1A ends the running conversion and starts a new conversion.
+// Writing SC1A ends the running conversion and starts a new conversion.
 void Adc::start(std::uint32_t value) {
   doing_ = Doing::Nothing;
   at(kSc1a) = value & (kInterrupt | kOff);
@@ -192,7 +193,7 @@ void Adc::calibrate() {
   checkClock(1'000'000, 4'000'000, "calibrates");
   at(kSc1a) &= ~kComplete;
   update();
-  // The longest time in the manual: 14000 clocks of the conversion and 100 of the bus.
+  // The longest time in the manual is 14000 ADCK clocks and 100 bus clocks.
   begin(Doing::Calibrates, 100 + std::uint64_t{14'000} * busClocksOfClock());
 }
 
@@ -202,7 +203,7 @@ void Adc::finish() {
   } else {
     calibrated_ = calibrates_;
     at(kSc3) = (at(kSc3) & ~kCalibrates) | (calibrates_ ? 0 : kFailed);
-    // These results differ a little from the reset values of the registers.
+    // These results differ slightly from the reset values of the registers.
     at(kClps) = 0x24;
     at(kClms) = 0x22;
   }
@@ -262,7 +263,7 @@ void Adc::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     return;
   }
   if (doing_ == Doing::Calibrates || (doing_ == Doing::Converts && offset != kSc1a)) {
-    misuse(name_ + " + " + hexText(offset) + " written while it " +
+    misuse(name_ + " + " + hexText(offset) + " was written while it " +
            (doing_ == Doing::Converts ? "converts" : "is calibrated"));
   }
   switch (offset) {

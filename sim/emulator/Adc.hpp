@@ -10,21 +10,21 @@
 
 namespace wr::emulator {
 
-/// @brief An analog-to-digital converter with the voltages at its inputs.
-/// K64P144M120SF5RM, chapter Analog-to-Digital Converter (ADC); limits of its clock: data sheet
+/// @brief An analog-to-digital converter and the voltages at its inputs. See K64P144M120SF5RM,
+/// chapter Analog-to-Digital Converter (ADC). For the limits of the clock, see data sheet
 /// K64P144M120SF5, 16-bit ADC operating conditions.
 ///
-/// A conversion uses the voltage at its beginning. An open input keeps the charge of the previous
-/// conversion on the capacitor of the converter. Modelled: single-ended conversions that the
-/// program starts, and the calibration. Not modelled: hardware triggers, differential inputs,
-/// continuous conversions, the compare function, DMA, other clocks than the bus clock.
+/// A conversion uses the voltage at its beginning. At an open input, the capacitor of the converter
+/// keeps the charge of the previous conversion. The model has the single-ended conversions that the
+/// program starts, and the calibration. It has no hardware triggers, differential inputs,
+/// continuous conversions, compare function, DMA, or other clocks than the bus clock.
 class Adc final : public Peripheral {
  public:
   /// @brief State of the pin of a channel.
   enum class Input { None, Digital, Analog };
 
   /// @param number 0 or 1
-  /// @param calibrates whether the calibration succeeds
+  /// @param calibrates true if the calibration succeeds
   Adc(Microcontroller& board, unsigned number, bool calibrates);
 
   /// @brief Sets the function that returns the pin of a channel.
@@ -33,8 +33,8 @@ class Adc final : public Peripheral {
   /// @brief Puts a voltage on an input.
   void setVolts(unsigned channel, double volts) { volts_.at(channel) = volts; }
 
-  /// @brief Opens an input. An open input has the voltage of the previous conversion, which is left
-  /// on the capacitor.
+  /// @brief Opens an input. A conversion of an open input returns the voltage of the previous
+  /// conversion, because the capacitor keeps this voltage.
   void open(unsigned channel) { volts_.at(channel).reset(); }
 
   void reset(Reset cause) override;

@@ -10,14 +10,14 @@ namespace wr::emulator {
 struct Block {
   std::string_view name;
   std::uint32_t base;
-  unsigned gateGroup;  ///< number of the register SCGC, 0 without a gate
+  unsigned gateGroup;  ///< number of the register SCGC; 0 if the block has no gate
   unsigned gateBit;
 };
 
 inline constexpr std::uint32_t kBlockSize = 0x1000;
 
-/// @brief The blocks of the K64: K64P144M120SF5RM, chapters Memory Map (peripheral bridge memory
-/// maps) and SIM (SCGC1 to SCGC7). The second half of SIM and the ports of GPIO have no row.
+/// @brief The blocks of the K64. See K64P144M120SF5RM, chapters Memory Map (peripheral bridge
+/// memory maps) and SIM (SCGC1 to SCGC7). The second half of SIM and the GPIO ports have no row.
 inline constexpr auto kBlocks = std::to_array<Block>({
     {"DMA", 0x40008000, 7, 1},    {"DMA_TCD", 0x40009000, 7, 1}, {"FB", 0x4000C000, 7, 0},
     {"SYSMPU", 0x4000D000, 7, 2}, {"FMC", 0x4001F000, 6, 0},     {"FTFE", 0x40020000, 6, 0},

@@ -39,7 +39,7 @@ void CallRecorder::leave() {
 }
 
 void CallRecorder::block(std::uint32_t address, std::uint32_t stack, std::uint32_t link) {
-  // A function has returned when the block after its call begins with the stack pointer of the
+  // A function has returned when a block begins at its return address with the stack pointer of its
   // call.
   while (!calls_.empty() && calls_.back().returnsTo == address && calls_.back().stack <= stack) {
     leave();
@@ -54,7 +54,7 @@ void CallRecorder::exceptionEntered(std::uint32_t handler, std::uint32_t stack) 
 }
 
 void CallRecorder::exceptionLeft() {
-  // Ends the handler, and the calls that the handler left by jumps before its return.
+  // Ends the handler. Also ends the calls that the handler has left by a jump instead of a return.
   while (!calls_.empty()) {
     const bool handler = calls_.back().returnsTo == 0;
     const std::size_t begin = calls_.back().begin;
@@ -66,7 +66,8 @@ void CallRecorder::exceptionLeft() {
   }
 }
 
-// The interrupts of fast timers repeat the same calls, which are recorded once.
+// The interrupts of fast timers repeat the same calls. A repeated sequence of calls is recorded
+// only once.
 void CallRecorder::forgetRepeated(std::size_t begin) {
   const auto first = events_.begin() + static_cast<std::ptrdiff_t>(begin);
   if (!truncated_ && !handled_.emplace(first, events_.end()).second) {

@@ -10,22 +10,22 @@
 
 namespace wr::emulator {
 
-/// @brief Records the entries and exits of the functions of an image. An interrupt with the same
-/// calls as an earlier interrupt is not recorded again.
+/// @brief Records the entries and exits of the functions of an image. If an interrupt has the same
+/// calls as an earlier interrupt, its calls are not recorded.
 ///
-/// The file has one little-endian number of 64 bits for each event: the address of the function,
-/// with bit 63 set when the function is left. The traces of the tests on the host have the same
-/// format.
+/// The file has one little-endian 64-bit number for each event. The number is the address of the
+/// function. Bit 63 is set when the function is left. The traces of the tests on the host have the
+/// same format.
 class CallRecorder {
  public:
-  /// @brief Reads the addresses of the functions.
+  /// @brief Records the calls of all functions in an ELF file.
   /// @param elf file of the image with its symbols
-  /// @param most greatest number of recorded events
+  /// @param most maximum number of recorded events
   explicit CallRecorder(const std::filesystem::path& elf, std::size_t most = 30000);
 
   /// @brief Records the calls of some functions.
   /// @param functions addresses of the functions
-  /// @param most greatest number of recorded events
+  /// @param most maximum number of recorded events
   CallRecorder(std::vector<std::uint32_t> functions, std::size_t most);
 
   /// @brief Reports the beginning of a block of instructions.
@@ -37,14 +37,14 @@ class CallRecorder {
   /// @brief Reports that an exception was left.
   void exceptionLeft();
 
-  /// @brief Reports that the processor was reset: no function is active any more.
+  /// @brief Reports that the processor was reset. No function is active after a reset.
   void reset();
 
-  /// @brief Clears the events; open calls stay open.
+  /// @brief Clears the events. Functions that were entered and not left stay active.
   void clear();
 
-  /// @brief Sets the callback of each function that is entered or left; the callback also receives
-  /// events that are not recorded.
+  /// @brief Sets the callback for each function that is entered or left. The callback also receives
+  /// the events that are not recorded.
   void onCall(std::function<void(std::uint32_t function, bool left)> call) {
     call_ = std::move(call);
   }
@@ -52,7 +52,7 @@ class CallRecorder {
   /// @brief Returns the events, oldest first.
   [[nodiscard]] const std::vector<std::uint64_t>& events() const { return events_; }
 
-  /// @brief Returns whether events were dropped.
+  /// @brief Returns whether events were not recorded because the maximum number was reached.
   [[nodiscard]] bool truncated() const { return truncated_; }
 
   /// @brief Writes the events to a file.

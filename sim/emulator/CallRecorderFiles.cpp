@@ -1,4 +1,5 @@
-// The files of the recorder: the symbols that it reads, and the events that it writes.
+// The recorder's access to files. The recorder reads symbols from a file, and writes its events to
+// a file.
 #include <fstream>
 
 #include "sim/emulator/CallRecorder.hpp"

@@ -9,11 +9,11 @@ namespace wr::emulator {
 /// @brief Time on the board. A resolution of a picosecond distinguishes the edges of each clock.
 using Time = std::chrono::duration<std::int64_t, std::pico>;
 
-/// @brief A time that never comes.
+/// @brief A time that is never reached.
 inline constexpr Time kNever = Time::max();
 
-/// @brief A clock signal whose frequency can change; it counts its edges since the board was
-/// switched on.
+/// @brief A clock signal whose frequency can change. The object counts the edges since the board
+/// was switched on.
 class Clock {
  public:
   /// @brief Changes the frequency. The count continues.
@@ -36,7 +36,7 @@ class Clock {
            scale(static_cast<std::uint64_t>((time - from_).count()), edges_, 0, picoseconds_);
   }
 
-  /// @brief Returns the first time at which a count has been reached.
+  /// @brief Returns the earliest time at which a count is reached.
   [[nodiscard]] Time at(std::uint64_t count) const {
     if (count <= count_) {
       return from_;
@@ -49,7 +49,7 @@ class Clock {
     return passed >= most ? kNever : from_ + Time(static_cast<std::int64_t>(passed));
   }
 
-  /// @brief Returns the first count whose time is at or after the given time.
+  /// @brief Returns the smallest count that is reached at or after the given time.
   [[nodiscard]] std::uint64_t reach(Time time) const {
     if (time <= from_) {
       return count_;
@@ -62,8 +62,8 @@ class Clock {
   __extension__ using Wide = unsigned __int128;
   static constexpr std::uint64_t kSecond = 1'000'000'000'000;
 
-  // Returns (value * factor + more) / divisor. A product of up to 64 bits is divided with 64 bits,
-  // which is much faster.
+  // Returns (value * factor + more) / divisor. A product that fits into 64 bits is divided with
+  // 64-bit arithmetic, which is much faster.
   static std::uint64_t scale(std::uint64_t value, std::uint64_t factor, std::uint64_t more,
                              std::uint64_t divisor) {
     std::uint64_t product = 0;
@@ -79,7 +79,8 @@ class Clock {
   Time from_{0};
   std::uint64_t count_ = 0;
   std::uint64_t hz_ = 0;
-  // The frequency as a fraction in its lowest terms: a number of edges in a number of picoseconds.
+  // The frequency as a reduced fraction. The fraction is a number of edges in a number of
+  // picoseconds.
   std::uint64_t edges_ = 0;
   std::uint64_t picoseconds_ = 1;
 };

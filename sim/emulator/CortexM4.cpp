@@ -18,7 +18,8 @@ constexpr unsigned kUsageFault = 6;
 constexpr unsigned kSupervisorCall = 11;
 constexpr unsigned kFirstLine = 16;
 
-// An interrupt that is entered this often for one rise of its line counts as endless.
+// An interrupt counts as endless when it is entered this number of times after one rise of its
+// line.
 constexpr unsigned kStorm = 1000;
 
 constexpr std::uint32_t kAlignedBit = 1U << 9;
@@ -81,7 +82,7 @@ void CortexM4::writeSystem(std::uint32_t address, unsigned size, std::uint32_t v
   reevaluate();
 }
 
-// Passes to the core the values of system control that it needs.
+// Passes the values of system control to the core, as far as the core needs them.
 void CortexM4::systemChanged() {
   core_.fpu = {
       .on = system_.fpuOn(), .activates = system_.fpuStacks(), .defaults = system_.fpDefaults()};
@@ -282,7 +283,8 @@ void CortexM4::takePending() {
     deliver(exception, pc());
     return;
   }
-  // After an entry another exception may preempt before the first instruction: late arrival.
+  // After an entry, another exception may preempt the handler before its first instruction. The
+  // manual calls this late arrival.
   while (enterNext()) {
   }
 }
@@ -298,7 +300,7 @@ bool CortexM4::enterNext() {
     return false;  // the exception waits until an exception returns or a register of the NVIC is
                    // written
   }
-  // WFI ends also for an interrupt that only PRIMASK blocks: ARMv7-M ARM, B1.5.18.
+  // WFI also ends when only PRIMASK blocks the interrupt (ARMv7-M ARM, B1.5.18).
   if (sleeping_) {
     sleeping_ = wanted >= executionPriority(false);
   }
@@ -375,7 +377,7 @@ void CortexM4::breakpoint() {
   fault(kHardFault, 0, at, "unhandled-fault", "breakpoint");
 }
 
-// Raises the faults that an instruction causes by its kind or its address: ARMv7-M ARM, B1.5.14.
+// Raises the faults that the kind or the address of an instruction causes (ARMv7-M ARM, B1.5.14).
 void CortexM4::instructionFault(Trap trap) {
   const std::uint32_t at = core_.at();
   const auto usage = [this](std::uint32_t status, std::uint32_t pc, const char* id,
@@ -415,7 +417,7 @@ void CortexM4::instructionFault(Trap trap) {
   }
 }
 
-// Raises precise bus faults, which loads and stores cause.
+// Raises the precise bus faults of loads and stores.
 void CortexM4::accessFault(Trap trap) {
   const std::string address = hex(core_.trapAddress());
   const auto refused = std::exchange(refused_, std::nullopt);
@@ -448,8 +450,8 @@ void CortexM4::fault(unsigned exception, std::uint32_t status, std::uint32_t pc,
   deliver(exception, pc);
 }
 
-// ARMv7-M ARM, B1.5.14: a fault that cannot be entered becomes a HardFault; a HardFault that cannot
-// be entered locks up the processor.
+// A fault that cannot be entered becomes a HardFault. A HardFault that cannot be entered locks up
+// the processor (ARMv7-M ARM, B1.5.14).
 void CortexM4::deliver(unsigned exception, std::uint32_t pc) {
   const int running = executionPriority();
   unsigned taken = exception;
@@ -475,7 +477,7 @@ void CortexM4::lockUp(std::uint32_t pc) {
   }
 }
 
-// ARMv7-M ARM, B1.5.6: PushStack. The floating-point registers are stacked at once.
+// PushStack of ARMv7-M ARM, B1.5.6. The floating-point registers are stacked immediately.
 bool CortexM4::stack(std::uint32_t returnsTo, std::uint32_t& link) {
   Registers& x = core_.registers;
   const std::uint32_t before = x.r[Registers::kStack];
@@ -517,8 +519,8 @@ void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
       report("unmapped-memory", what);
       return;
     }
-    // A fault during stacking is entered instead of the exception, which stays pending. A handler
-    // of faults runs although the frame of its entry is lost (ARM DDI 0337E, 5.12.1).
+    // A fault during stacking is entered instead of the exception. The exception stays pending. The
+    // handler of the fault runs although its stack frame is lost (ARM DDI 0337E, 5.12.1).
     const int running = executionPriority();
     const bool bus = nvic_.isEnabled(kBusFault) &&
                      nvic_.group(nvic_.priority(kBusFault)) < running &&
@@ -537,7 +539,7 @@ void CortexM4::enter(unsigned exception, std::uint32_t returnsTo) {
   vector(exception, link);
 }
 
-// ARMv7-M ARM, B1.5.6: ExceptionTaken.
+// ExceptionTaken of ARMv7-M ARM, B1.5.6.
 void CortexM4::vector(unsigned exception, std::uint32_t link) {
   Registers& x = core_.registers;
   const std::uint32_t place = system_.vectors() + 4 * exception;
@@ -604,7 +606,7 @@ void CortexM4::exceptionReturn(std::uint32_t link) {
   unstack(link);
 }
 
-// ARMv7-M ARM, B1.5.8: PopStack.
+// PopStack of ARMv7-M ARM, B1.5.8.
 void CortexM4::unstack(std::uint32_t link) {
   Registers& x = core_.registers;
   const bool toThread = (link & 8U) != 0;

@@ -14,20 +14,21 @@
 
 namespace wr::emulator {
 
-/// @brief A Cortex-M4F: the core that executes the instructions, with its exceptions, interrupt
-/// controller and system control.
+/// @brief A Cortex-M4F with its core, exceptions, interrupt controller and system control.
 ///
-/// Time is counted in cycles, according to Timing. All runs of a program are equal.
+/// Time is counted in cycles, according to Timing. A program with the same inputs always runs in
+/// the same way.
 ///
-/// Not modelled: bit-banding, the memory protection unit, lazy stacking of the floating-point
-/// registers (they are stacked at entry), and interrupts during LDM and STM.
+/// The model has no bit-banding, no memory protection unit and no interrupts during LDM and STM.
+/// The floating-point registers are stacked at the entry of an exception. There is no lazy
+/// stacking.
 class CortexM4 {
  public:
   using Access = Memory::Access;
   using Read = Memory::Read;
   using Write = Memory::Write;
 
-  /// @brief Action of the program that stopped the processor.
+  /// @brief Description of the action of the program that stopped the processor.
   struct Problem {
     std::string id;        ///< kind of finding
     std::string what;      ///< description
@@ -60,22 +61,23 @@ class CortexM4 {
   /// @param access access of the program
   void mapMemory(std::uint32_t address, std::uint32_t size, Access access);
 
-  /// @brief Adds a range of addresses whose accesses are calls.
+  /// @brief Adds a range of addresses. Each access to this range calls a function.
   /// @param address first address, a multiple of 4096
   /// @param size bytes, a multiple of 4096
   /// @param read returns the value that the program reads
   /// @param write receives the value that the program writes
   void mapWindow(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Writes memory from outside, even where the program may not write.
+  /// @brief Writes memory from outside of the program, also memory that the program may not write.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
-  /// @brief Reads a word of memory from outside.
+  /// @brief Reads a word of memory from outside of the program.
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const {
     return core_.memory.read<std::uint32_t>(address);
   }
 
-  /// @brief Resets the processor: stack pointer and start from the vectors at address 0.
+  /// @brief Resets the processor. The stack pointer and the start address are read from the vectors
+  /// at address 0.
   void reset();
 
   /// @brief Runs the program.
@@ -83,10 +85,10 @@ class CortexM4 {
   /// @return reason of the return
   Stop run(std::uint64_t limit);
 
-  /// @brief Makes run() return at a cycle earlier than its limit. The calls of windows use it.
+  /// @brief Makes run() return at a cycle before its limit. The functions of windows call it.
   void limitTo(std::uint64_t cycle);
 
-  /// @brief Makes run() return before the next instruction. The calls of windows use it.
+  /// @brief Makes run() return before the next instruction. The functions of windows call it.
   void stop() { limitTo(0); }
 
   /// @brief Makes run() return Stop::Exit before the next instruction.
@@ -95,53 +97,54 @@ class CortexM4 {
   /// @brief Lets time pass without an instruction, as during sleep.
   void skipTo(std::uint64_t cycle);
 
-  /// @brief Returns the cycles since construction; a reset does not clear them.
+  /// @brief Returns the number of cycles since construction. A reset does not clear this number.
   [[nodiscard]] std::uint64_t cycles() const { return core_.cycles(); }
 
-  /// @brief Returns the instructions since construction.
+  /// @brief Returns the number of instructions since construction.
   [[nodiscard]] std::uint64_t instructions() const { return core_.instructions(); }
 
-  /// @brief Returns the instruction that runs, or the next instruction.
+  /// @brief Returns the address of the running or of the next instruction.
   [[nodiscard]] std::uint32_t pc() const;
 
   /// @brief Returns a core register, 0 to 15.
   [[nodiscard]] std::uint32_t core(unsigned number) const;
   void setCore(unsigned number, std::uint32_t value);
 
-  /// @brief Returns the number of the exception that runs, 0 in thread mode.
+  /// @brief Returns the number of the running exception; 0 in thread mode.
   [[nodiscard]] unsigned exception() const { return core_.registers.exception; }
 
-  /// @brief Returns the priority of an exception, as in its register.
+  /// @brief Returns the priority of an exception, as its register contains it.
   [[nodiscard]] int priority(unsigned exception) const { return nvic_.priority(exception); }
 
   /// @brief Sets the level of an interrupt line.
   void setLine(unsigned line, bool high);
 
-  /// @brief Triggers an exception as the hardware does; a fault is entered at the next instruction.
+  /// @brief Triggers an exception as the hardware does. A fault is entered before the next
+  /// instruction.
   /// @param exception number, 2 NMI, 3 HardFault, ... 16 interrupt line 0
   void raise(unsigned exception);
 
-  /// @brief Rejects the present access to a window with a bus fault, or with a problem if faults
-  /// are problems.
+  /// @brief Rejects the present access to a window. The access causes a bus fault, or a problem if
+  /// faults are problems.
   /// @param id kind of finding
   /// @param event description
   void refuse(std::uint32_t address, std::string id, std::string event);
 
-  /// @brief Stops the program with a problem, independent of the handling of faults.
+  /// @brief Stops the program with a problem, also when faults are passed to handlers.
   void report(std::string id, std::string what);
 
   /// @brief Returns the problem that stopped the program.
   [[nodiscard]] const std::optional<Problem>& problem() const;
 
-  /// @brief Sets whether faults stop the program as problems (true), or are passed to its handlers
-  /// (false, at first).
+  /// @brief Sets the handling of faults. true: a fault stops the program as a problem. false, the
+  /// initial setting: a fault is passed to its handler.
   void setFaultsAreProblems(bool problems);
 
-  /// @brief Sets the callback at BKPT 0xAB. The call sets register 0, and the program continues
-  /// after it.
+  /// @brief Sets the callback for BKPT 0xAB. The callback sets register 0. Then the program
+  /// continues.
   void onSemihosting(std::function<void(CortexM4&)> call);
 
-  /// @brief Sets the callback for each exception that was entered or left.
+  /// @brief Sets the callback for each entry and each exit of an exception.
   void onException(std::function<void(Step, unsigned exception)> call);
 
   /// @brief Sets the callback for reset requests of the program.
@@ -153,19 +156,20 @@ class CortexM4 {
 
   /// @brief Sets the callback for an access that is not modelled. Without a callback the access is
   /// a problem.
-  /// @param call gets a description of the access; returns true if the program continues: a load
-  /// then returns 0, a store has no effect
+  /// @param call gets a description of the access. It returns true to continue the program. In this
+  /// case a load returns 0, and a store has no effect
   void onUnmodelled(std::function<bool(const std::string& what)> call);
 
-  /// @brief Sets the callback that runs after a reset and after each branch, before the next
-  /// instruction.
+  /// @brief Sets the callback that runs at the start of each block, before the first instruction
+  /// after a reset or after a branch.
   void onBlock(std::function<void(std::uint32_t address)> call);
 
-  /// @brief Sets the callback that runs before each instruction. A debugger uses it. The callback
-  /// may change the registers, and memory with load().
+  /// @brief Sets the callback that runs before each instruction, for a debugger. The callback may
+  /// change the registers. It may change memory with load().
   void onInstruction(std::function<void()> call) { core_.onInstruction(std::move(call)); }
 
-  /// @brief Sets the callback that runs after each load and store of the program; empty: none.
+  /// @brief Sets the callback that runs after each load and store of the program. An empty function
+  /// removes the callback.
   void onAccess(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call) {
     core_.memory.observe(std::move(call));
   }
@@ -176,10 +180,10 @@ class CortexM4 {
   /// @brief Returns the memory, for a debugger.
   [[nodiscard]] const Memory& memory() const { return core_.memory; }
 
-  /// @brief Reads a register of system control without an effect.
+  /// @brief Reads a register of system control without a side effect.
   /// @param address a multiple of 4
   /// @param value receives the content
-  /// @return false if there is no register, or if reading has an effect
+  /// @return false if there is no register, or if reading it has a side effect
   [[nodiscard]] bool inspectSystem(std::uint32_t address, std::uint32_t& value);
 
   /// @brief Records each instruction that is executed from now on.
@@ -231,7 +235,8 @@ class CortexM4 {
   std::uint64_t limit_ = 0;
   bool running_ = false;  ///< the core executes instructions
   bool sleeping_ = false;
-  std::vector<bool> blockWaits_;  ///< for each entered exception: true if it came first in a block
+  std::vector<bool>
+      blockWaits_;  ///< for each entered exception: true if it was entered at the start of a block
   bool exit_ = false;
   bool faultsAreProblems_ = false;
   unsigned raised_ = 0;

@@ -55,8 +55,8 @@ std::uint32_t& special(Registers& x, std::size_t number) {
   }
 }
 
-// Returns the size of the widest access that begins at an address and is not longer than a number
-// of bytes.
+// Returns the size of the widest access that is possible at an address with the remaining number of
+// bytes.
 unsigned widest(std::uint32_t address, std::size_t left) {
   if (address % 4 == 0 && left >= 4) {
     return 4;
@@ -109,8 +109,8 @@ std::optional<std::uint32_t> DebugPort::inspect(std::uint32_t address, unsigned 
   return bus_.read(address, size, value) ? std::optional(value) : std::nullopt;
 }
 
-// The registers of a block differ in size: an access of the wrong size is rejected, and a narrower
-// access is tried.
+// The registers of a block differ in size. When an access is rejected because of its size, a
+// narrower access is tried.
 std::size_t DebugPort::readMemory(std::uint32_t address, std::span<std::uint8_t> bytes) const {
   std::size_t done = 0;
   while (done < bytes.size()) {

@@ -13,8 +13,8 @@ namespace wr::emulator {
 
 class CortexM4;
 
-/// @brief The access of a debugger to the processor and its memory. An access takes no time and is
-/// never a finding.
+/// @brief The access of a debugger to the processor and its memory. An access takes no time and
+/// never causes a finding.
 class DebugPort {
  public:
   /// @brief A register that a debugger sees.
@@ -23,13 +23,13 @@ class DebugPort {
     unsigned bits;          ///< 8, 32 or 64
   };
 
-  /// @brief Accesses of the peripherals, and the time.
+  /// @brief Access to the peripherals and to the time.
   struct Bus {
-    /// Reads 1, 2 or 4 bytes; false if the access is rejected.
+    /// Reads 1, 2 or 4 bytes. Returns false if the access is rejected.
     std::function<bool(std::uint32_t address, unsigned size, std::uint32_t& value)> read;
-    /// Writes 1, 2 or 4 bytes; false if the access is rejected.
+    /// Writes 1, 2 or 4 bytes. Returns false if the access is rejected.
     std::function<bool(std::uint32_t address, unsigned size, std::uint32_t value)> write;
-    /// Time since the board was switched on.
+    /// Returns the time since the board was switched on.
     std::function<std::chrono::nanoseconds()> now;
   };
 
@@ -51,22 +51,24 @@ class DebugPort {
   /// @param number index in registers()
   void write(std::size_t number, std::uint64_t value);
 
-  /// @brief Reads memory and registers of peripherals. A register that changes when it is read is
-  /// not read.
+  /// @brief Reads memory and registers of peripherals. Does not read a register if reading has a
+  /// side effect.
   /// @return number of bytes before the first byte that cannot be read
   [[nodiscard]] std::size_t readMemory(std::uint32_t address, std::span<std::uint8_t> bytes) const;
 
   /// @brief Writes flash, RAM and registers of peripherals, but not registers of the processor.
-  /// @return false when not all bytes could be written
+  /// @return true if all bytes were written
   [[nodiscard]] bool writeMemory(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
-  /// @brief Sets the callback before each instruction. It may read and write registers and memory.
+  /// @brief Sets the callback that runs before each instruction. The callback may read and write
+  /// registers and memory.
   void onInstruction(std::function<void()> call);
 
-  /// @brief Sets the callback that runs after each load and store of the program; empty: none.
+  /// @brief Sets the callback that runs after each load and store of the program. An empty function
+  /// removes the callback.
   void onAccess(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call);
 
-  /// @brief Returns the instructions that were executed since the board was switched on.
+  /// @brief Returns the number of instructions since the board was switched on.
   [[nodiscard]] std::uint64_t instructions() const;
 
   /// @brief Returns the time since the board was switched on.

@@ -5,7 +5,7 @@
 
 namespace wr::emulator {
 
-/// @brief Cause of a reset of the board, from outside or from inside.
+/// @brief Cause of a reset of the board.
 enum class Reset { PowerOn, LowVoltage, Pin, Watchdog, ClockLost, Lockup, Software, LockLost };
 
 /// @brief An event on the board.
@@ -17,7 +17,7 @@ struct Event {
     PinChanged,        ///< number: 32 * port + pin; value: level that the program outputs
     ByteSent,          ///< number: number of the UART; value: the byte, at the end of its stop bit
     PwmChanged,        ///< number: 8 * FTM + channel; value: millionths of the period at high level
-    LineRaised,        ///< number: number of the exception whose interrupt line a device raises
+    LineRaised,        ///< number: number of the exception; a device has raised its interrupt line
     ByteReceived       ///< number: number of the UART; value: the byte, at the end of its stop bit
   };
   Kind kind;

@@ -10,11 +10,13 @@ namespace wr::emulator {
 /// @brief Returns the name of a kind of event in the files.
 [[nodiscard]] const char* nameOf(Event::Kind kind);
 
-/// @brief The events of a virtual board: a line for each event, and a hash of all events.
+/// @brief A trace of the events of a virtual board, with one line for each event and a hash of all
+/// events.
 class EventTrace {
  public:
   /// @brief Begins a trace.
-  /// @param lines receives the events as comma-separated values; null: only the hash is computed
+  /// @param lines receives the events as comma-separated values; if it is null, only the hash is
+  /// computed
   explicit EventTrace(std::ostream* lines = nullptr);
 
   /// @brief Adds an event.
@@ -25,7 +27,7 @@ class EventTrace {
   /// @return the number
   [[nodiscard]] std::uint64_t events() const { return events_; }
 
-  /// @brief Returns the hash of all events by FNV-1a. Runs that differ have different hashes.
+  /// @brief Returns the FNV-1a hash of all events. Different runs have different hashes.
   /// @return the hash
   [[nodiscard]] std::uint64_t hash() const { return hash_; }
 

@@ -7,10 +7,10 @@
 
 namespace wr::emulator {
 
-/// @brief The number of executions of each instruction in flash or in the lower RAM.
+/// @brief The numbers of executions of the instructions in flash and in the lower RAM.
 class ExecutedCode {
  public:
-  /// @brief Counts an instruction; instructions in other memory are not counted.
+  /// @brief Counts one execution of an instruction. Instructions in other memory are not counted.
   /// @param address its first address
   void note(std::uint32_t address) {
     const std::size_t half = halfOf(address);
@@ -28,7 +28,7 @@ class ExecutedCode {
     return half < counts_.size() ? counts_[half] : 0;
   }
 
-  /// @brief Returns the address of a half-word by its number, from 0 to kHalves - 1.
+  /// @brief Returns the address of a half-word. The half-words are numbered from 0 to kHalves - 1.
   [[nodiscard]] static std::uint32_t addressOf(std::size_t half) {
     const auto place = static_cast<std::uint32_t>(2 * half);
     return place < kRamSize ? kRam + place : place - kRamSize;
@@ -37,9 +37,9 @@ class ExecutedCode {
   /// @brief Clears all counts.
   void clear() { std::ranges::fill(counts_, std::uint64_t{0}); }
 
-  /// @brief Returns one bit for each half-word, which is set if the half-word was executed. The
-  /// bits of the lower RAM come first, then the bits of the flash. The lowest bit of a byte comes
-  /// first.
+  /// @brief Returns one bit for each half-word. The bit is set if the half-word was executed. The
+  /// bits of the lower RAM are before the bits of the flash. In each byte, the lowest bit is the
+  /// first bit.
   [[nodiscard]] std::vector<std::uint8_t> bits() const {
     std::vector<std::uint8_t> bits(counts_.size() / 8);
     for (std::size_t half = 0; half < counts_.size(); ++half) {

@@ -8,7 +8,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40024000: K64P144M120SF5RM, CAN memory map.
+// Offsets from 0x40024000 (K64P144M120SF5RM, CAN memory map).
 constexpr std::uint32_t kMcr = 0x00;
 constexpr std::uint32_t kCtrl1 = 0x04;
 constexpr std::uint32_t kTimer = 0x08;
@@ -37,7 +37,7 @@ constexpr std::uint32_t kModelled =
 constexpr std::uint32_t kByBus = 1U << 13;  // CLKSRC: the clock of the peripherals
 constexpr std::uint32_t kTimes = 0xFFFF'0007;
 
-// Codes of a buffer: tables Message Buffer Code for Rx buffers and for Tx buffers.
+// Codes of a buffer (tables Message Buffer Code for Rx buffers and for Tx buffers).
 constexpr unsigned kCodeAt = 24;
 constexpr unsigned kLengthAt = 16;
 constexpr std::uint32_t kFull = 0x2;
@@ -49,8 +49,9 @@ constexpr std::uint32_t kExtendedOrRemote = 3U << 20;
 constexpr unsigned kStandardAt = 18;
 constexpr std::uint32_t kStandard = 0x7FFU << kStandardAt;
 
-// Bits of a data frame with a standard identifier, without data: start, identifier, RTR, IDE, r0,
-// DLC, CRC with delimiter, acknowledgement with delimiter, end, and the intermission.
+// Number of bits of a data frame with a standard identifier, without its data. The terms are start,
+// identifier, RTR, IDE, r0, DLC, CRC with delimiter, acknowledgement with delimiter, end, and
+// intermission.
 constexpr std::uint64_t kFrameBits = 1 + 11 + 1 + 1 + 1 + 4 + 16 + 2 + 7 + 3;
 
 std::uint32_t codeOf(std::uint32_t control) {
@@ -117,7 +118,8 @@ std::uint32_t FlexCan::read(std::uint32_t offset, unsigned size) {
     case kCtrl1:
       return timing_;
     case kTimer:
-      return 0;  // unlocks the buffer that was read; in this model the buffer cannot change before
+      return 0;  // in the real controller, the read unlocks a buffer; this model does not lock
+                 // buffers
     case kRxmgmask:
       return mask_;
     case kImask1:
@@ -155,13 +157,13 @@ void FlexCan::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     case kCtrl1:
     case kRxmgmask:
       if ((value & ~(kTimes | kByBus)) != 0 && offset == kCtrl1) {
-        misuse("CAN0_CTRL1: a function that is not modelled");
+        misuse("CAN0_CTRL1 selects a function that is not modelled");
       } else if (offset == kCtrl1 && ((value ^ timing_) & kByBus) != 0 && enabled()) {
-        misuse("CAN0_CTRL1[CLKSRC] changed while the controller is enabled");
+        misuse("CAN0_CTRL1[CLKSRC] was changed while the controller is enabled");
       } else if (offset == kCtrl1 && ((value ^ timing_) & kTimes) != 0 && !frozen()) {
-        misuse("CAN0_CTRL1: timing changed outside of the freeze mode");
+        misuse("the timing in CAN0_CTRL1 was changed outside of the freeze mode");
       } else if (offset == kRxmgmask && !frozen()) {
-        misuse("CAN0_RXMGMASK written outside of the freeze mode");
+        misuse("CAN0_RXMGMASK was written outside of the freeze mode");
       } else {
         (offset == kCtrl1 ? timing_ : mask_) = value;
       }
@@ -186,12 +188,12 @@ void FlexCan::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
 
 void FlexCan::setMode(std::uint32_t value) {
   if ((value & ~kModelled) != 0) {
-    misuse("CAN0_MCR: a function that is not modelled");
+    misuse("CAN0_MCR selects a function that is not modelled");
     return;
   }
   mcr_ = value & ~kStatus;
   if (enabled() && !frozen() && (timing_ & kByBus) == 0) {
-    misuse("CAN0 runs by the oscillator, which is not modelled as its clock");
+    misuse("CAN0 is clocked by the oscillator, but this clock of CAN0 is not modelled");
     return;
   }
   nextFrame(board_.time());
@@ -200,22 +202,22 @@ void FlexCan::setMode(std::uint32_t value) {
 void FlexCan::writeBuffer(std::uint32_t offset, std::uint32_t value) {
   const std::size_t number = (offset - kFirstBuffer) / kBuffer;
   if (!enabled()) {
-    misuse("a message buffer of CAN0 written while the controller is disabled");
+    misuse("a message buffer of CAN0 was written while the controller is disabled");
     return;
   }
   if (number > (mcr_ & kLastBuffer)) {
-    misuse("a message buffer of CAN0 beyond MCR[MAXMB] written");
+    misuse("a message buffer of CAN0 beyond MCR[MAXMB] was written");
     return;
   }
   Buffer& buffer = buffers_.at(number);
   switch (offset % kBuffer) {
     case 0:
       if ((value & kExtendedOrRemote) != 0) {
-        misuse("CAN0: an extended or remote frame, which is not modelled");
+        misuse("CAN0 uses an extended or remote frame, which is not modelled");
         return;
       }
       if (busy_ && sends_ && sender_ == number) {
-        misuse("CAN0: the control word of a frame on the bus written");
+        misuse("the control word of a CAN0 frame was written while the frame is on the bus");
         return;
       }
       buffer.control = value;
@@ -239,7 +241,8 @@ std::vector<CanFrame> FlexCan::takeSent() {
   return std::exchange(sent_, {});
 }
 
-// When the bus becomes free, the frame with the smaller identifier is sent first.
+// When the bus becomes free, both the controller and the other node may have a frame. The frame
+// with the smaller identifier is sent first.
 void FlexCan::nextFrame(Time from) {
   if (busy_) {
     return;

@@ -12,15 +12,15 @@
 namespace wr::emulator {
 
 /// @brief The CAN controller 0, and a bus with one other node that acknowledges each frame.
-/// K64P144M120SF5RM, chapter CAN (FlexCAN). Registers and codes agree with the driver of Linux
+/// See K64P144M120SF5RM, chapter CAN (FlexCAN). Registers and codes agree with the driver of Linux
 /// (drivers/net/can/flexcan).
 ///
-/// Modelled: the modes disabled, freeze and normal; the bit timing; message buffers that send and
-/// receive data frames with standard identifiers; the global mask; the flags and their interrupt. A
-/// frame takes the bits of ISO 11898-1 without stuff bits.
+/// The model has the modes disabled, freeze and normal, the bit timing, the global mask, and the
+/// flags with their interrupt. Its message buffers send and receive data frames with standard
+/// identifiers. The duration of a frame is its number of bits in ISO 11898-1, without stuff bits.
 ///
-/// Not modelled: the receive FIFO, individual masks, remote and extended frames, errors on the bus,
-/// loop-back, listen-only, wake-up, time stamps. A write of their bits is a finding.
+/// The model has no receive FIFO, individual masks, remote and extended frames, errors on the bus,
+/// loop-back, listen-only mode, wake-up or time stamps. Writing their bits causes a finding.
 class FlexCan final : public Peripheral {
  public:
   explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }
@@ -35,7 +35,7 @@ class FlexCan final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override { return busy_ ? end_ : kNever; }
   void advance() override;
 
-  /// @brief Lets the other node send a frame as soon as the bus is free.
+  /// @brief Makes the other node send a frame as soon as the bus is free.
   void arrive(CanFrame frame);
 
   /// @brief Returns the frames sent since the last call.
@@ -51,7 +51,7 @@ class FlexCan final : public Peripheral {
     std::uint32_t control = 0;  // CODE, SRR, IDE, RTR, DLC, TIME STAMP
     std::uint32_t identifier = 0;
     std::array<std::uint32_t, 2> data{};
-    bool served = false;  // the buffer was read since the last frame
+    bool served = false;  // the program has read the buffer since the last frame
   };
 
   [[nodiscard]] bool enabled() const;

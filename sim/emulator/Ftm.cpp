@@ -7,7 +7,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from the base of a timer: K64P144M120SF5RM, FTM memory map.
+// Offsets from the base of a timer (K64P144M120SF5RM, FTM memory map).
 constexpr std::uint32_t kSc = 0x00;
 constexpr std::uint32_t kCnt = 0x04;
 constexpr std::uint32_t kMod = 0x08;
@@ -68,7 +68,7 @@ void Ftm::reset(Reset /*cause*/) {
   show();
 }
 
-// Returns the bus clocks from one overflow to the next.
+// Returns the number of bus clocks from one overflow to the next.
 std::uint64_t Ftm::length() const {
   return std::uint64_t{period()} << (control_ & 7U);
 }
@@ -86,7 +86,7 @@ void Ftm::startFrom(std::uint32_t value) {
   from_ = bus() - (std::uint64_t{value} << (control_ & 7U));
 }
 
-// Returns the counts of the period in which the output of a channel is high.
+// Returns the number of counts in a period for which the output of a channel is high.
 std::uint32_t Ftm::high(const Channel& channel) const {
   if ((channel.control & kPwm) == 0 || (channel.control & kEdges) == 0) {
     return 0;
@@ -119,7 +119,7 @@ bool Ftm::isProtected(std::uint32_t before, std::uint32_t after, const char* wha
   if (protectionOff_ || before == after) {
     return false;
   }
-  misuse(name_ + "_" + what + " written while MODE.WPDIS is 0");
+  misuse(name_ + "_" + what + " was written while MODE.WPDIS is 0");
   return true;
 }
 
@@ -130,7 +130,8 @@ Ftm::Channel* Ftm::channelAt(std::uint32_t offset) {
              : nullptr;
 }
 
-// MOD and CnV of a running counter take effect when the counter restarts at 0 after MOD.
+// Values that are written to MOD and CnV of a running counter take effect when the counter restarts
+// at 0.
 void Ftm::waitForOverflow() {
   if (!waits_) {
     waits_ = true;
@@ -148,7 +149,7 @@ void Ftm::takeWritten() {
   show();
 }
 
-// A value of MOD + 1 keeps the pin high; greater values are not used.
+// A value of MOD + 1 keeps the pin high. A greater value is a misuse.
 void Ftm::checkValues() {
   for (const Channel& channel : channels_) {
     if (counts() && (channel.control & kPwm) != 0 && channel.value > period()) {
@@ -242,7 +243,7 @@ void Ftm::setMode(std::uint32_t value) {
   if ((value & ~kProtectionOff) != 0) {
     unmodelled(name_ + "_MODE with more than WPDIS", kMode);
   }
-  // Writing 1 sets WPDIS after FMS.WPEN was read as 1; writing 0 has no effect.
+  // Writing 1 sets WPDIS if FMS.WPEN was read as 1 before. Writing 0 has no effect.
   if ((value & kProtectionOff) != 0 && std::exchange(protectionSeen_, false)) {
     protectionOff_ = true;
   }
@@ -278,7 +279,7 @@ void Ftm::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     case kSc:
       setStatus(value);
       break;
-    case kCnt:  // any value makes it 0
+    case kCnt:  // writing any value sets the counter to 0
       overflowsBefore_ = overflows();
       held_ = 0;
       startFrom(0);

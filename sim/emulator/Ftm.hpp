@@ -10,20 +10,19 @@
 
 namespace wr::emulator {
 
-/// @brief A timer that generates pulses of a width: edge-aligned pulse-width modulation on its
-/// channels, counted with the bus clock.
-/// K64P144M120SF5RM, chapter FlexTimer Module (FTM).
+/// @brief A timer with edge-aligned pulse-width modulation on its channels. The bus clock drives
+/// its counter. See K64P144M120SF5RM, chapter FlexTimer Module (FTM).
 ///
-/// Not modelled: all other modes, interrupts, the flags of channels (they read 0), and MODE.FTMEN
-/// with the registers that it enables. These registers can only be written with their values after
-/// a reset.
+/// The model has no other modes, no interrupts, and no flags of channels (they read 0). It does not
+/// have MODE.FTMEN and the registers that MODE.FTMEN enables. The program can write only the reset
+/// values to these registers.
 class Ftm final : public Peripheral {
  public:
   /// @param number 0 to 3
   /// @param channels 8, or 2 for the timers 1 and 2
   Ftm(Microcontroller& board, unsigned number, unsigned channels);
 
-  /// @brief Sets the function that returns whether a pin is connected to a channel.
+  /// @brief Sets the function that returns true if a pin is connected to a channel.
   void connectPins(std::function<bool(unsigned channel)> connected);
 
   void reset(Reset cause) override;
@@ -33,22 +32,23 @@ class Ftm final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief Returns the share of the period in which the pin of a channel is high; 0 for a channel without a
-  /// pin.
+  /// @brief Returns the duty cycle of a channel, as a fraction of the period; 0 for a channel
+  /// without a pin.
   [[nodiscard]] double duty(unsigned channel) const;
 
   /// @brief Returns whether the counter runs.
   [[nodiscard]] bool counts() const { return (control_ >> 3 & 3U) != 0; }
 
-  /// @brief Reports the channels whose duty cycle has changed. The board calls this function when the pins may
-  /// have changed.
+  /// @brief Reports the channels whose duty cycle has changed. The board calls this function when
+  /// the pins may have changed.
   void show();
 
  private:
   struct Channel {
     std::uint32_t control = 0;
-    std::uint32_t value = 0;                 ///< CnV in the comparator
-    std::optional<std::uint32_t> written{};  ///< CnV that takes effect at the end of the period
+    std::uint32_t value = 0;  ///< CnV in the comparator
+    std::optional<std::uint32_t>
+        written{};  ///< written CnV, which takes effect at the end of the period
     std::uint32_t shown = 0;
   };
 

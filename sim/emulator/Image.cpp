@@ -15,7 +15,8 @@ struct Format {
   std::string_view name;
 };
 
-// A raw image begins with the first stack pointer, whose top byte on a K64 is 0x1F or 0x20.
+// A raw image begins with the initial stack pointer. On a K64, the top byte of this pointer is 0x1F
+// or 0x20.
 constexpr std::array<Format, 3> kOtherFormats{{{"\x7f"
                                                 "ELF",
                                                 "an ELF file"},

@@ -6,8 +6,8 @@
 
 namespace wr::emulator {
 
-/// @brief Reads a raw image: the bytes of the flash from address 0. Throws std::runtime_error when
-/// the file cannot be read, is empty, or has another format.
+/// @brief Reads a raw image, which contains the bytes of the flash from address 0. Throws
+/// std::runtime_error when the file cannot be read, is empty, or has another format.
 /// @param file the image
 /// @return its bytes
 [[nodiscard]] std::vector<std::uint8_t> readImage(const std::filesystem::path& file);

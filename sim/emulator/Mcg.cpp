@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Offsets from 0x40064000: K64P144M120SF5RM, MCG memory map.
+// Offsets from 0x40064000 (K64P144M120SF5RM, MCG memory map).
 constexpr std::uint32_t kC1 = 0x0;
 constexpr std::uint32_t kC2 = 0x1;
 constexpr std::uint32_t kC3 = 0x2;
@@ -31,7 +31,7 @@ constexpr unsigned kFromInternal = 1;
 constexpr unsigned kFromExternal = 2;
 constexpr unsigned kFromPll = 3;
 
-// The manual limits these times to a few cycles of the clocks involved.
+// In the manual, these times are at most a few cycles of the clocks that are involved.
 constexpr Time kReferenceDelay = 60us;
 constexpr Time kSwitchDelay = 5us;
 constexpr Time kPllChosenDelay = 5us;
@@ -73,7 +73,7 @@ Mcg::Mode Mcg::mode() const {
   }
 }
 
-// K64P144M120SF5RM, MCG, drawing of the mode state diagram.
+// Returns whether the mode state diagram of K64P144M120SF5RM, chapter MCG, has this change.
 bool Mcg::leadsTo(Mode from, Mode to) {
   using enum Mode;
   constexpr std::array<std::pair<Mode, Mode>, 12> kNeighbours{{{Fei, Fee},
@@ -224,7 +224,7 @@ void Mcg::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
   }
   if (((c5_ ^ c5Before) & 0x1FU) != 0 || ((c6_ ^ c6Before) & 0x1FU) != 0) {
     if (source_.now == kFromPll) {
-      misuse("MCG: divider of the PLL changed while the PLL is the clock");
+      misuse("the divider of the PLL was changed while the PLL is the clock");
     }
     locked_ = {};
   }
@@ -236,11 +236,11 @@ void Mcg::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
 void Mcg::checkChange(Mode before, bool wasSettled) {
   const Mode after = mode();
   if (after == Mode::None || !leadsTo(before, after)) {
-    misuse("MCG: change of mode that the state diagram does not contain");
+    misuse("the program requests a change of the MCG mode that the state diagram does not contain");
   } else if (after != before && !wasSettled) {
-    misuse("MCG: change of mode before the previous change is complete");
+    misuse("the program requests a change of the MCG mode before the previous change is complete");
   } else if (after == Mode::Pee && before == Mode::Pbe && locked_.now == 0) {
-    misuse("MCG: the PLL is chosen before it is locked");
+    misuse("the program selects the PLL as clock before the PLL is locked");
   }
   if (after != before && (after == Mode::Fbe || after == Mode::Fee)) {
     checkFllReference();
@@ -251,35 +251,36 @@ void Mcg::checkChange(Mode before, bool wasSettled) {
 }
 
 void Mcg::checkFllReference() {
-  // C1.FRDIV: the reference of the FLL must be in 31.25 kHz to 39.0625 kHz.
+  // The reference of the FLL (C1.FRDIV) must be between 31.25 kHz and 39.0625 kHz.
   const std::uint64_t reference = kExternalHz / fllDivider();
   if (reference < 31'250 || reference > 39'062) {
-    misuse("MCG: reference of the FLL at " + std::to_string(reference) + " Hz");
+    misuse("the reference clock of the FLL has " + std::to_string(reference) + " Hz");
   }
 }
 
 void Mcg::checkPll() {
-  // C5.PRDIV0: 2 MHz to 4 MHz. Data sheet K64P144M120SF5, PLL: at most 120 MHz.
+  // The reference of the PLL (C5.PRDIV0) must be between 2 MHz and 4 MHz. The output of the PLL is
+  // at most 120 MHz (data sheet K64P144M120SF5, PLL).
   const std::uint64_t reference = kExternalHz / ((c5_ & 0x1FU) + 1);
   const std::uint64_t output = reference * ((c6_ & 0x1FU) + 24);
   if (reference < 2'000'000 || reference > 4'000'000) {
-    misuse("MCG: reference of the PLL at " + std::to_string(reference) + " Hz");
+    misuse("the reference clock of the PLL has " + std::to_string(reference) + " Hz");
   } else if (output > 120'000'000) {
-    misuse("MCG: PLL at " + std::to_string(output) + " Hz");
+    misuse("the output of the PLL has " + std::to_string(output) + " Hz");
   }
 }
 
 void Mcg::follow() {
   const Time now = board_.time();
   const bool wantsInternal = (c1_ & 0x04U) != 0;
-  const bool oscillator = (c2_ & 0x04U) != 0;  // EREFS: there is no crystal
+  const bool oscillator = (c2_ & 0x04U) != 0;  // EREFS selects a crystal, but the board has none
   const bool externalUsable = external_ && !oscillator;
   reference_.ask(wantsInternal ? 1 : 0,
                  wantsInternal || externalUsable ? now + kReferenceDelay : kNever);
   pllChosen_.ask((c6_ & 0x40U) != 0 ? 1 : 0, now + kPllChosenDelay);
 
   if (pllRuns() && externalUsable) {
-    // Data sheet K64P144M120SF5, PLL: lock time 150 us + 1075 periods of the reference.
+    // The lock time is 150 us plus 1075 periods of the reference (data sheet K64P144M120SF5, PLL).
     const auto periods = static_cast<std::int64_t>(1075 * 1'000'000'000'000 / pllReferenceHz());
     locked_.ask(1, failingStep_ == 3 ? kNever : now + 150us + Time(periods));
   } else {
@@ -316,7 +317,7 @@ void Mcg::advance() {
 
 void Mcg::lockIsLost() {
   lostLock_ = true;
-  // C8.LOLRE: the loss of the lock causes a reset.
+  // With C8.LOLRE, the loss of the lock causes a reset.
   if ((c8_ & 0x40U) != 0) {
     board_.requestReset(Reset::LockLost, "reset-request", "the PLL lost its lock");
   }
@@ -331,7 +332,7 @@ void Mcg::loseLock() {
 void Mcg::setExternalClock(bool present) {
   const bool lost = external_ && !present;
   external_ = present;
-  // C6.CME0 with C2.LOCRE0: the loss of the clock causes a reset.
+  // With C6.CME0 and C2.LOCRE0, the loss of the clock causes a reset.
   if (lost && (c6_ & 0x20U) != 0 && (c2_ & 0x80U) != 0) {
     board_.requestReset(Reset::ClockLost, "reset-request", "the external clock was lost");
     return;

@@ -7,14 +7,14 @@
 namespace wr::emulator {
 
 /// @brief Clock generator with an external clock of 50 MHz at EXTAL.
-/// K64P144M120SF5RM, chapter Multipurpose Clock Generator (MCG).
+/// See K64P144M120SF5RM, chapter Multipurpose Clock Generator (MCG).
 class Mcg final : public Peripheral {
  public:
   static constexpr std::uint64_t kExternalHz = 50'000'000;
 
-  /// @param externalClock whether the external clock is present
-  /// @param failingStep step that never ends, 0 for none: 2 the change to the external clock, 3 the lock
-  /// of the PLL, 4 the change to the PLL
+  /// @param externalClock true if the external clock is present
+  /// @param failingStep step that never ends. 0: no step; 2: the change to the external clock; 3:
+  /// the lock of the PLL; 4: the change to the PLL
   Mcg(Microcontroller& board, bool externalClock, unsigned failingStep)
       : Peripheral(board), external_(externalClock), failingStep_(failingStep) {}
 
@@ -30,7 +30,7 @@ class Mcg final : public Peripheral {
   /// @brief Makes the PLL lose its lock.
   void loseLock();
 
-  /// @brief Ends the failure of the step that the options set.
+  /// @brief Ends the failure that failingStep selects.
   void endFailure() { failingStep_ = 0; }
 
   /// @brief Returns the frequency of the output, MCGOUTCLK.

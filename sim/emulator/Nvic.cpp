@@ -8,7 +8,7 @@ namespace {
 
 constexpr unsigned kFirstLine = 16;
 
-// ARMv7-M ARM, B3.4.3, table of the NVIC registers; offsets from 0xE000E000.
+// Offsets from 0xE000E000 (ARMv7-M ARM, B3.4.3, table of the NVIC registers).
 constexpr std::uint32_t kSetEnable = 0x100;  // ISER
 constexpr std::uint32_t kClearEnable = 0x180;
 constexpr std::uint32_t kSetPending = 0x200;  // ISPR
@@ -18,7 +18,7 @@ constexpr std::uint32_t kPriority = 0x400;  // IPR
 constexpr std::uint32_t kPriorityEnd = 0x500;
 constexpr std::uint32_t kTrigger = 0xF00;
 
-// Calls a function with the number of each bit that is set, the lowest first.
+// Calls a function with the number of each bit that is set, in rising order.
 template <std::size_t size, typename Call>
 void forEach(const std::bitset<size>& bits, Call call) {
   constexpr unsigned kWord = 64;
@@ -84,7 +84,7 @@ unsigned Nvic::entriesOfHighLine(unsigned exception) const {
   return level_[exception] ? entries_[exception] : 0;
 }
 
-// Few exceptions are ready at a time.
+// Searches all pending and enabled exceptions. Only a few exceptions are ready at the same time.
 unsigned Nvic::search() const {
   const Bits ready = pending_ & enabled_;
   unsigned best = 0;

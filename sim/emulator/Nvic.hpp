@@ -6,10 +6,11 @@
 
 namespace wr::emulator {
 
-/// @brief State and priorities of the exceptions: which exceptions are enabled, pending and active,
-/// and which exception is next. Registers and order of ARMv7-M ARM, B1.5 and B3.4.
+/// @brief The priorities of the exceptions, and their states: enabled, pending and active. The
+/// registers and the order of the exceptions follow ARMv7-M ARM, B1.5 and B3.4.
 ///
-/// Exceptions are numbered as in the architecture: 2 NMI, 3 HardFault, ... 16 interrupt line 0.
+/// Exceptions have the numbers of the architecture. For example, NMI has number 2, HardFault has
+/// number 3, and interrupt line 0 has number 16.
 class Nvic {
  public:
   /// @brief A priority that is lower than the priority of each exception.
@@ -17,7 +18,7 @@ class Nvic {
 
   Nvic(unsigned lines, unsigned priorityBits);
 
-  /// @brief Disables all exceptions, and ends their pending and active states. The levels of the
+  /// @brief Disables all exceptions, and clears their pending and active states. The levels of the
   /// lines do not change.
   void reset();
 
@@ -31,18 +32,19 @@ class Nvic {
   /// @brief Makes a pending exception active.
   void activate(unsigned exception);
 
-  /// @brief Ends an active exception. A line that is still high triggers it again.
+  /// @brief Ends an active exception. If its line is still high, the line triggers the exception
+  /// again.
   void deactivate(unsigned exception);
 
-  /// @brief Sets the level of an interrupt line. A rising level triggers its exception.
+  /// @brief Sets the level of an interrupt line. A rising edge triggers the exception of the line.
   /// @return true when the exception was triggered.
   bool setLine(unsigned line, bool high);
 
-  /// @brief Returns the number of entries of an interrupt since its line rose.
+  /// @brief Returns the number of entries of an interrupt since the last rise of its line.
   [[nodiscard]] unsigned entriesOfHighLine(unsigned exception) const;
 
-  /// @brief Returns the pending and enabled exception that comes first; 0 when no exception is pending and
-  /// enabled.
+  /// @brief Returns the pending and enabled exception with the highest priority; 0 when no
+  /// exception is pending and enabled.
   [[nodiscard]] unsigned first() const { return (pending_ & enabled_).any() ? search() : 0; }
 
   /// @brief Returns the priority of an exception, -3 to 255.
@@ -50,12 +52,12 @@ class Nvic {
     return exception < 4 ? static_cast<int>(exception) - 4 : priorities_[exception];
   }
 
-  /// @brief Returns the part of a priority that decides on preemption.
+  /// @brief Returns the part of a priority that determines preemption.
   [[nodiscard]] int group(int priority) const {
     return priority < 0 ? priority : priority & ~((2 << priorityGroup_) - 1);
   }
 
-  /// @brief Returns the priority of the running code, from the active exceptions.
+  /// @brief Returns the priority of the running code, which the active exceptions determine.
   [[nodiscard]] int activePriority() const;
 
   void setPriority(unsigned exception, std::uint8_t value);
@@ -69,7 +71,7 @@ class Nvic {
 
   [[nodiscard]] unsigned lines() const { return lines_; }
 
-  /// @brief Returns whether there is a register of the interrupt lines at an offset from 0xE000E000.
+  /// @brief Returns true if an offset from 0xE000E000 belongs to a register of the interrupt lines.
   [[nodiscard]] static bool owns(std::uint32_t offset);
 
   /// @brief Reads a word of the registers at 0xE000E000.

@@ -9,7 +9,7 @@
 
 namespace wr::emulator {
 
-/// @brief The part of the microcontroller that a peripheral can use.
+/// @brief The interface of the microcontroller for its peripherals.
 class Microcontroller {
  public:
   Microcontroller(const Microcontroller&) = delete;
@@ -25,13 +25,13 @@ class Microcontroller {
   /// @brief Raises the non-maskable interrupt.
   virtual void raiseNmi() = 0;
 
-  /// @brief Reports a change of the sources or dividers of the clocks.
+  /// @brief Reports that the source or the divider of a clock has changed.
   virtual void clocksChanged() = 0;
 
   /// @brief Stops the run with a finding.
   virtual void report(std::string id, std::string what) = 0;
 
-  /// @brief Answers the present access with a bus fault.
+  /// @brief Rejects the present access with a bus fault.
   virtual void refuse(std::string id, std::string what) = 0;
 
   /// @brief Resets the microcontroller, or stops the run with a finding if resets are findings.
@@ -45,7 +45,7 @@ class Microcontroller {
   ~Microcontroller() = default;
 };
 
-/// @brief A block of registers and their function.
+/// @brief A block of registers and the function of these registers.
 class Peripheral {
  public:
   Peripheral(const Peripheral&) = delete;
@@ -60,7 +60,8 @@ class Peripheral {
   /// @param size 1, 2 or 4 bytes
   virtual std::uint32_t read(std::uint32_t offset, unsigned size) = 0;
 
-  /// @brief Returns whether reading a register changes the state, so that a debugger must not read it.
+  /// @brief Returns whether reading a register has a side effect. A debugger must not read such a
+  /// register.
   /// @param offset from the base address of the block
   [[nodiscard]] virtual bool readHasEffect(std::uint32_t offset) const {
     static_cast<void>(offset);
@@ -70,7 +71,8 @@ class Peripheral {
   /// @brief Writes a register.
   virtual void write(std::uint32_t offset, unsigned size, std::uint32_t value) = 0;
 
-  /// @brief Returns the time of the next event without an access; kNever when there is no such event.
+  /// @brief Returns the time of the next event that occurs without an access. Returns kNever when
+  /// there is no such event.
   [[nodiscard]] virtual Time nextEvent() const { return kNever; }
 
   /// @brief Updates the state to the present time.
@@ -79,7 +81,8 @@ class Peripheral {
   /// @brief Returns the last result of nextEvent().
   [[nodiscard]] Time due() const { return due_; }
 
-  /// @brief Calls nextEvent() again. The board calls this function after each possible change.
+  /// @brief Updates due(). The board calls this function after each change that may affect the next
+  /// event.
   void renewDue() { due_ = nextEvent(); }
 
  protected:
@@ -88,7 +91,7 @@ class Peripheral {
   /// @brief Reports an access of a register that the model does not have.
   void unmodelled(std::string_view block, std::uint32_t offset);
 
-  /// @brief Reports an access with another size than the register.
+  /// @brief Reports an access whose size differs from the size of the register.
   /// @return true when the size is right.
   bool hasSize(std::string_view block, std::uint32_t offset, unsigned size, unsigned right);
 

@@ -13,8 +13,8 @@ struct PinFunction {
   unsigned channel;
 };
 
-/// @brief The channels of the timers: K64P144M120SF5RM, Signal Multiplexing, and data sheet
-/// K64P144M120SF5, pinouts.
+/// @brief The pins of the timer channels (K64P144M120SF5RM, Signal Multiplexing, and data sheet
+/// K64P144M120SF5, pinouts).
 inline constexpr std::array<PinFunction, 31> kFtmPins{{
     {'A', 3, 3, 0, 0},  {'A', 4, 3, 0, 1},  {'A', 5, 3, 0, 2},  {'A', 0, 3, 0, 5},
     {'A', 1, 3, 0, 6},  {'A', 2, 3, 0, 7},  {'C', 1, 4, 0, 0},  {'C', 2, 4, 0, 1},
@@ -54,8 +54,8 @@ inline constexpr std::array<PinFunction, 4> kCanPins{{
     {'B', 19, 2, 0, kReceive},
 }};
 
-/// @brief The single-ended inputs of the converters, from the same tables. The channels 4 to 7 are
-/// the inputs b.
+/// @brief The single-ended inputs of the converters, from the same tables. Channels 4 to 7 are the
+/// inputs with the suffix b.
 inline constexpr std::array<PinFunction, 21> kAdcPins{{
     {'C', 2, 0, 0, 4},   {'D', 1, 0, 0, 5},  {'D', 5, 0, 0, 6},   {'D', 6, 0, 0, 7},
     {'B', 0, 0, 0, 8},   {'B', 1, 0, 0, 9},  {'B', 2, 0, 0, 12},  {'B', 3, 0, 0, 13},

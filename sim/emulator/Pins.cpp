@@ -7,7 +7,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from the base of a port: K64P144M120SF5RM, PORT memory map.
+// Offsets from the base of a port (K64P144M120SF5RM, PORT memory map).
 constexpr std::uint32_t kPcrEnd = 0x80;
 constexpr std::uint32_t kGpclr = 0x80;
 constexpr std::uint32_t kGpchr = 0x84;
@@ -27,7 +27,7 @@ constexpr std::uint32_t kFields = 0x000F8777;
 
 constexpr unsigned kFirstLine = 59;
 
-// Offsets from the base of a port's GPIO: K64P144M120SF5RM, GPIO memory map.
+// Offsets from the base of a port's GPIO (K64P144M120SF5RM, GPIO memory map).
 constexpr std::uint32_t kPdor = 0x00;
 constexpr std::uint32_t kPsor = 0x04;
 constexpr std::uint32_t kPcor = 0x08;
@@ -42,7 +42,8 @@ constexpr unsigned kNmiPin = 4;  // PTA4, function 7
 void Port::reset(Reset /*cause*/) {
   pins_.control.fill(0);
   if (number_ == 0) {
-    // The pins of the debugger and of NMI: K64P144M120SF5RM, Signal Multiplexing.
+    // After a reset, these pins belong to the debugger and to NMI (K64P144M120SF5RM, Signal
+    // Multiplexing).
     pins_.control[0] = 0x0702;
     pins_.control[1] = 0x0703;
     pins_.control[2] = 0x0703;
@@ -66,7 +67,8 @@ void Port::updateLine() {
   board_.setLine(kFirstLine + number_, flags_ != 0);
 }
 
-// A level that differs from the filtered level must last for some time.
+// A level that differs from the filtered level must last for the width of the filter and the clocks
+// of the synchronizer.
 void Port::passLater(unsigned pin) {
   const std::uint32_t bit = 1U << pin;
   if ((pins_.filters & bit) == 0 || pins_.level(pin) == ((pins_.passed & bit) != 0)) {
@@ -164,7 +166,7 @@ void Port::setControl(unsigned pin, std::uint32_t value) {
   pins_.control[pin] = value & kFields;
   const std::uint32_t bit = 1U << pin;
   if (!was) {
-    // A change of a pin to digital is not an edge.
+    // When a pin becomes digital, the change of its level is not an edge.
     before_ = (before_ & ~bit) | (pins_.seen(pin) ? bit : 0);
   }
   const unsigned kind = pins_.control[pin] >> 16 & 0xFU;
@@ -186,7 +188,7 @@ void Port::setFilter(std::uint32_t offset, std::uint32_t value) {
     return;
   }
   if (offset != kDfer && pins_.filters != 0) {
-    misuse("clock or width of the digital filters written while one is on");
+    misuse("the clock or the width of the digital filters was written while a filter is on");
     return;
   }
   filter_[(offset - kDfer) / 4] = value;

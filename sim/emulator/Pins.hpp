@@ -19,7 +19,8 @@ struct PinState {
   std::uint32_t filters = 0;                ///< pins whose digital filter is on
   std::uint32_t passed = 0;                 ///< levels that the filters have passed
 
-  /// @brief Returns the function of a pin, field MUX: 0 none, 1 digital input or output, 2 to 7 peripherals.
+  /// @brief Returns field MUX of a pin. 0: no function; 1: digital input or output; 2 to 7:
+  /// peripherals.
   [[nodiscard]] unsigned function(unsigned pin) const { return control[pin] >> 8 & 7U; }
 
   /// @brief Returns whether the program drives the pin.
@@ -27,7 +28,8 @@ struct PinState {
     return function(pin) == 1 && (direction >> pin & 1U) != 0;
   }
 
-  /// @brief Returns the level inside the chip: a pin without digital function reads as 0.
+  /// @brief Returns the level of a pin inside the chip. A pin without a digital function reads as
+  /// 0.
   [[nodiscard]] bool seen(unsigned pin) const {
     return function(pin) != 0 &&
            ((filters >> pin & 1U) != 0 ? (passed >> pin & 1U) != 0 : level(pin));
@@ -45,12 +47,13 @@ struct PinState {
   }
 };
 
-/// @brief Pin control and interrupts of one port.
-/// K64P144M120SF5RM, chapter Port Control and Interrupts (PORT).
+/// @brief The pin control registers and the interrupts of one port. See K64P144M120SF5RM, chapter
+/// Port Control and Interrupts (PORT).
 ///
-/// Only port D has digital filters, with the bus clock. The filtered level is 0 when the filter is
-/// switched on. It changes to the level of the pin when this level has differed for the width plus
-/// 3 clocks. The passive filters have no effect in the model.
+/// Only port D has digital filters. Their clock is the bus clock. When a filter is switched on, the
+/// filtered level is 0. When the level of the pin differs from the filtered level for the filter
+/// width plus 3 clocks, the filtered level changes. The passive filters have no effect in the
+/// model.
 class Port final : public Peripheral {
  public:
   /// @param number 0 for port A
@@ -63,7 +66,8 @@ class Port final : public Peripheral {
   [[nodiscard]] Time nextEvent() const override;
   void advance() override;
 
-  /// @brief Reports outputs and raises interrupts after a possible change of levels.
+  /// @brief Reports changed outputs and raises interrupts. It is called when levels may have
+  /// changed.
   /// @param which pins whose levels or control may have changed
   void settle(std::uint32_t which = ~std::uint32_t{0});
 
@@ -86,7 +90,7 @@ class Port final : public Peripheral {
 };
 
 /// @brief Digital inputs and outputs of one port.
-/// K64P144M120SF5RM, chapter General-Purpose Input/Output (GPIO).
+/// See K64P144M120SF5RM, chapter General-Purpose Input/Output (GPIO).
 class Gpio final : public Peripheral {
  public:
   Gpio(Microcontroller& board, PinState& pins, Port& port)

@@ -6,7 +6,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40037000: K64P144M120SF5RM, PIT memory map.
+// Offsets from 0x40037000 (K64P144M120SF5RM, PIT memory map).
 constexpr std::uint32_t kMcr = 0x000;
 constexpr std::uint32_t kFirstChannel = 0x100;
 constexpr std::uint32_t kEnd = 0x140;
@@ -51,7 +51,7 @@ void Pit::update(std::size_t index) {
                  channel.flag && (channel.control & kInterrupt) != 0);
 }
 
-// A channel can be chained to the previous channel; the recursion ends at the last channel.
+// A channel can be chained to the previous channel. The recursion ends at the last channel.
 // NOLINTNEXTLINE(misc-no-recursion)
 void Pit::expire(std::size_t index) {
   Channel& channel = channels_[index];
@@ -149,9 +149,9 @@ void Pit::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     return;
   }
   if (!controlRead_) {
-    // Errata of the K64: a write immediately after the clock gate was opened may be lost; a read of
-    // MCR waits for the clock.
-    misuse("PIT written after its clock gate was opened, before MCR was read");
+    // In the errata of the K64, a write immediately after the opening of the clock gate may be
+    // lost. A read of MCR waits for the clock.
+    misuse("the PIT was written after its clock gate was opened, but before MCR was read");
   }
   if (offset == kMcr) {
     if (((value ^ control_) & kStopped) != 0) {
@@ -165,13 +165,13 @@ void Pit::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     return;
   }
   if ((control_ & kStopped) != 0) {
-    misuse("channel of the PIT set up while MCR.MDIS stops the timers");
+    misuse("a channel of the PIT was set up while MCR.MDIS stops the timers");
   }
   const std::size_t index = (offset - kFirstChannel) / 0x10;
   Channel& channel = channels_[index];
   switch (offset & 0xFU) {
     case kLdval:
-      channel.load = value;  // used at the next start or reload
+      channel.load = value;  // takes effect at the next start or reload
       break;
     case kCval:
       misuse("store to the current value of a PIT channel");

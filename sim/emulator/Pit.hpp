@@ -7,7 +7,7 @@
 
 namespace wr::emulator {
 
-/// @brief Four timers that count down with the bus clock, on the interrupt lines 48 to 51.
+/// @brief Four timers that count down with the bus clock. Their interrupt lines are 48 to 51. See
 /// K64P144M120SF5RM, chapter Periodic Interrupt Timer (PIT).
 class Pit final : public Peripheral {
  public:

@@ -16,7 +16,7 @@ struct PlainRegister {
   std::uint32_t writable;  ///< bits that a write changes
 };
 
-/// @brief A block of such registers.
+/// @brief A block of registers that only store the written values.
 class PlainRegisters final : public Peripheral {
  public:
   /// @param name of the block

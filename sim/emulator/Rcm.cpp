@@ -4,7 +4,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x4007F000: K64P144M120SF5RM, RCM memory map.
+// Offsets from 0x4007F000 (K64P144M120SF5RM, RCM memory map).
 constexpr std::uint32_t kSrs0 = 0;
 constexpr std::uint32_t kSrs1 = 1;
 constexpr std::uint32_t kRpfc = 4;
@@ -14,7 +14,7 @@ constexpr std::uint32_t kMr = 7;
 }  // namespace
 
 void Rcm::reset(Reset cause) {
-  // RCM_SRS0 and RCM_SRS1; a start from power off shows POR and LVD.
+  // Sets RCM_SRS0 and RCM_SRS1. After power-on, both POR and LVD are set.
   switch (cause) {
     case Reset::PowerOn:
       registers_ = {0x82, 0x00};

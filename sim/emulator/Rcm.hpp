@@ -7,8 +7,8 @@
 
 namespace wr::emulator {
 
-/// @brief Reset control: stores the cause of the last reset.
-/// K64P144M120SF5RM, chapter Reset Control Module (RCM).
+/// @brief The reset control module, which stores the cause of the last reset. See K64P144M120SF5RM,
+/// chapter Reset Control Module (RCM).
 class Rcm final : public Peripheral {
  public:
   explicit Rcm(Microcontroller& board) : Peripheral(board) {}

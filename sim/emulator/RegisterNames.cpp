@@ -13,8 +13,8 @@ namespace wr::emulator {
 
 namespace {
 
-/// @brief A register, or an array of registers at equal distances. '#' in a name is the index in
-/// the array.
+/// @brief A register, or an array of registers at equal distances. The character '#' in a name is
+/// replaced by the index in the array.
 struct Row {
   std::string_view kind;  ///< name of the block without its number
   std::uint32_t offset;
@@ -23,8 +23,8 @@ struct Row {
   std::uint32_t stride = 0;
 };
 
-// The registers of blocks without a model, and the most used registers of modelled blocks:
-// K64P144M120SF5RM, the memory map of each chapter.
+// The registers of blocks without a model, and the most used registers of modelled blocks. See the
+// memory maps in K64P144M120SF5RM.
 constexpr auto kRows = std::to_array<Row>({
     {"ADC", 0x00, "SC1A"},
     {"ADC", 0x04, "SC1B"},
@@ -276,7 +276,8 @@ constexpr std::uint32_t kGpioSize = 0x40;
 constexpr std::uint32_t kGpioPorts = 5;
 constexpr std::uint32_t kSimSize = 0x2000;
 
-// UART of UART4 and PORT of PORTA: blocks of one kind differ in their last character.
+// Returns whether a block is of a kind. The name of a block is its kind and, for some kinds, one
+// more character, as in UART4 and PORTA.
 bool isOfKind(std::string_view block, std::string_view kind) {
   return block == kind ||
          (block.starts_with(kind) && block.size() == kind.size() + 1 && block.back() != '_');
@@ -328,7 +329,7 @@ std::string registerName(std::uint32_t address) {
   const std::uint32_t offset = address - block->base;
   for (const Row& row : kRows) {
     if (const auto place = placeIn(row, offset); place && isOfKind(block->name, row.kind)) {
-      // The three comparators share a block, and the descriptors of DMA are in a separate page.
+      // The three comparators share one block. The descriptors of DMA are in a separate page.
       const bool whole = row.kind == "CMP" || row.kind == "DMA_TCD";
       return (whole ? "" : std::string(block->name) + "_") + nameIn(row, *place);
     }

@@ -4,7 +4,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40029000: K64P144M120SF5RM, RNGA memory map.
+// Offsets from 0x40029000 (K64P144M120SF5RM, RNGA memory map).
 constexpr std::uint32_t kControl = 0x0;  // CR
 constexpr std::uint32_t kStatus = 0x4;   // SR
 constexpr std::uint32_t kEntropy = 0x8;
@@ -26,8 +26,8 @@ void Rnga::reset(Reset /*cause*/) {
   underflow_ = false;
 }
 
-// Returns the high half of a number of the generator SplitMix64 (G. Steele, D. Lea, C. Flood,
-// 2014).
+// Returns the upper half of the next number of the generator SplitMix64 (G. Steele, D. Lea, C.
+// Flood, 2014).
 std::uint32_t Rnga::draw() {
   ++drawn_;
   std::uint64_t word = kSeed + drawn_ * 0x9E3779B97F4A7C15;

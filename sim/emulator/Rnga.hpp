@@ -6,10 +6,9 @@
 
 namespace wr::emulator {
 
-/// @brief Random number generator. The numbers are equal in each run, so that a run can be
-/// repeated.
-/// K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers and bits agree
-/// with the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
+/// @brief The random number generator. Each run has the same numbers, so that a run can be
+/// repeated. See K64P144M120SF5RM, chapter Random Number Generator Accelerator (RNGA). Registers
+/// and bits agree with the drivers of RIOT (cpu/kinetis/periph/hwrng.c).
 class Rnga final : public Peripheral {
  public:
   explicit Rnga(Microcontroller& board) : Peripheral(board) {}
@@ -23,8 +22,8 @@ class Rnga final : public Peripheral {
   [[nodiscard]] bool wordIsReady() const;
   [[nodiscard]] std::uint32_t draw();
 
-  std::uint64_t drawn_ = 0;  // number of drawn words; a reset does not clear it, so that the
-                             // numbers continue
+  std::uint64_t drawn_ =
+      0;  // number of drawn words; a reset does not clear this number, so the sequence continues
   std::uint32_t control_ = 0;
   bool underflow_ = false;
   std::uint64_t since_ = 0;  // count of the bus clock at the beginning of the present word

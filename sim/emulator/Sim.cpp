@@ -6,7 +6,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40047000: K64P144M120SF5RM, SIM memory map.
+// Offsets from 0x40047000 (K64P144M120SF5RM, SIM memory map).
 constexpr std::uint32_t kSopt1 = 0x0000;
 constexpr std::uint32_t kSopt2 = 0x1004;
 constexpr std::uint32_t kSopt4 = 0x100C;
@@ -36,7 +36,7 @@ constexpr std::uint32_t bits(std::initializer_list<unsigned> places) {
   return mask;
 }
 
-// Bits of SCGC1, SCGC2, SCGC3, SCGC4, SCGC5, SCGC6 and SCGC7 that are gates.
+// The bits of SCGC1 to SCGC7 that are clock gates.
 constexpr std::array<std::uint32_t, 8> kGates{
     0,
     bits({6, 7, 10, 11}),

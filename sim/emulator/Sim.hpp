@@ -7,7 +7,7 @@
 
 namespace wr::emulator {
 
-/// @brief System integration module: clock gates and clock dividers.
+/// @brief The clock gates and clock dividers of the system integration module. See
 /// K64P144M120SF5RM, chapter System Integration Module (SIM).
 class Sim final : public Peripheral {
  public:
@@ -19,7 +19,8 @@ class Sim final : public Peripheral {
     unsigned flash;
   };
 
-  /// @param fastBoot bit LPBOOT of the flash option byte: the core starts without division
+  /// @param fastBoot bit LPBOOT of the flash option byte; if it is set, the core clock is not
+  /// divided at the start
   Sim(Microcontroller& board, bool fastBoot) : Peripheral(board), fastBoot_(fastBoot) {}
 
   void reset(Reset cause) override;

@@ -7,10 +7,10 @@
 
 namespace wr::emulator {
 
-/// @brief Inputs of the board from its surroundings, each with its time.
+/// @brief The stimuli of the board, which are inputs from outside. Each stimulus has a time.
 class StimulusQueue {
  public:
-  /// @brief A level that is put on a pin at a time.
+  /// @brief A level on a pin, and the time at which the pin gets this level.
   struct Level {
     Time at;
     char port;
@@ -21,17 +21,17 @@ class StimulusQueue {
   /// @brief Sets the function that puts a level on a pin.
   explicit StimulusQueue(std::function<void(const Level&)> drive) : drive_(std::move(drive)) {}
 
-  /// @brief Adds a level. Levels of the same time are applied in the order in which they were
-  /// added.
+  /// @brief Adds a level. Levels with the same time are applied in the order of the calls of add().
   void add(const Level& level);
 
-  /// @brief Adds a call at each multiple of a period after a time.
+  /// @brief Adds a function that is called at each multiple of a period after the present time.
   void every(Time period, Time now, std::function<void()> call);
 
   /// @brief Returns the time of the next stimulus; kNever when there is no stimulus.
   [[nodiscard]] Time next() const { return next_; }
 
-  /// @brief Runs all stimuli up to a time, in order. At equal times, levels come before calls.
+  /// @brief Applies all stimuli up to a time, in order. At equal times, levels are applied before
+  /// functions are called.
   void advance(Time now);
 
  private:
@@ -46,7 +46,7 @@ class StimulusQueue {
 
   std::function<void(const Level&)> drive_;
   std::deque<Level> levels_;
-  std::deque<Call> calls_;  // a call may add calls; the existing calls do not move
+  std::deque<Call> calls_;  // a function may add functions, and a deque does not move its elements
   Time next_ = kNever;
 };
 

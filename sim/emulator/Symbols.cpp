@@ -17,7 +17,7 @@ namespace wr::emulator {
 
 namespace {
 
-/// @brief Returns the place of a section of the file, with its type.
+/// @brief Returns a part of the file as an object of a type.
 template <typename Part>
 Part partAt(const std::vector<char>& file, std::size_t offset) {
   Part part{};
@@ -92,11 +92,11 @@ std::string Symbols::placeOf(std::uint32_t address) const {
   std::snprintf(number.data(), number.size(), "0x%x", static_cast<unsigned>(address));
   const std::string command =
       "arm-none-eabi-addr2line -i -e '" + elf_.string() + "' " + number.data() + " 2>/dev/null";
-  // The command belongs to the toolchain; its arguments are a path of the project and a number.
+  // The command is part of the toolchain. Its arguments are a path of the project and a number.
   // NOLINTNEXTLINE(bugprone-command-processor,cert-env33-c)
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), &pclose);
-  // The last line is the place in the function itself; the lines before it are places in inlined
-  // functions.
+  // The last line is the position in the function itself. The lines before it are positions in
+  // inlined functions.
   std::array<char, 1024> line{};
   while (pipe && std::fgets(line.data(), line.size(), pipe.get()) != nullptr) {
   }

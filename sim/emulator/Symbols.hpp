@@ -16,20 +16,21 @@ class Symbols {
     std::string name;  ///< name as the linker wrote it
   };
 
-  /// @brief Reads an ELF file of 32 bits, little-endian. Throws std::runtime_error when this fails.
+  /// @brief Reads a little-endian 32-bit ELF file. Throws std::runtime_error when this fails.
   explicit Symbols(const std::filesystem::path& elf);
 
-  /// @brief Returns all functions, by rising address.
+  /// @brief Returns all functions, in the order of their addresses.
   [[nodiscard]] const std::vector<Function>& functions() const { return functions_; }
 
-  /// @brief Returns the function at an address, in readable form; empty when there is none.
+  /// @brief Returns the demangled name of the function at an address; empty when there is no
+  /// function.
   [[nodiscard]] std::string nameAt(std::uint32_t address) const;
 
-  /// @brief Returns the address of a symbol of any kind; 0 when there is none.
+  /// @brief Returns the address of a symbol of any kind; 0 when there is no such symbol.
   [[nodiscard]] std::uint32_t addressOf(const std::string& name) const;
 
-  /// @brief Returns the file and line of an instruction, from arm-none-eabi-addr2line; empty when this program
-  /// is not installed.
+  /// @brief Returns the file and line of an instruction. Calls arm-none-eabi-addr2line; the result
+  /// is empty when this program is not installed.
   [[nodiscard]] std::string placeOf(std::uint32_t address) const;
 
  private:

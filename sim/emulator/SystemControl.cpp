@@ -13,7 +13,7 @@ constexpr std::uint32_t kSpace = 0xE000E000;
 constexpr unsigned kPendSv = 14;
 constexpr unsigned kSysTick = 15;
 
-// Offsets from 0xE000E000: ARMv7-M ARM, table B3-4 (SCB), B3-7 (SysTick).
+// Offsets from 0xE000E000 (ARMv7-M ARM, table B3-4 (SCB), B3-7 (SysTick)).
 constexpr std::uint32_t kIctr = 0x004;
 constexpr std::uint32_t kActlr = 0x008;
 constexpr std::uint32_t kTickControl = 0x010;
@@ -305,7 +305,8 @@ SystemControl::Written SystemControl::writeBlock(std::uint32_t offset, unsigned 
       return Written::Done;
     case kVtor:
       vectors_ = value & 0xFFFFFF80U;
-      // The table is aligned to its size, rounded up to a power of two: B3.2.5 and B1.5.3.
+      // The size of the vector table is rounded up to a power of two. The address of the table must
+      // be a multiple of this size (B3.2.5 and B1.5.3).
       return (vectors_ & 0x1FFU) == 0 || nvic_.lines() <= 16 ? Written::Done : Written::Misused;
     case kAircr:
       if (value >> 16 != 0x05FA) {

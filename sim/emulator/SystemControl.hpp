@@ -8,8 +8,8 @@ namespace wr::emulator {
 
 class Nvic;
 
-/// @brief Registers of the system control space: system control block, SysTick, cycle counter.
-/// Registers of ARMv7-M ARM, B3.2 (SCB), B3.3 (SysTick), C1.6.5 (DEMCR) and C1.8 (DWT).
+/// @brief The system control space with the system control block, SysTick and the cycle counter.
+/// See ARMv7-M ARM, B3.2 (SCB), B3.3 (SysTick), C1.6.5 (DEMCR) and C1.8 (DWT).
 class SystemControl {
  public:
   static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
@@ -40,7 +40,7 @@ class SystemControl {
   void reset(std::uint64_t cycle);
 
   /// @brief Reads a word.
-  /// @param address of the word, 0xE0000000 up
+  /// @param address of the word, at least 0xE0000000
   /// @param value the value read
   /// @return false when there is no such register.
   [[nodiscard]] bool read(std::uint32_t address, std::uint64_t cycle, unsigned running,
@@ -97,8 +97,8 @@ class SystemControl {
   std::uint64_t tickZeroAt_ = 0;  ///< cycle at which SysTick reaches 0
   std::uint32_t tickValue_ = 0;   ///< value of SysTick while it is stopped
   std::uint32_t traceControl_ = 0;
-  std::uint64_t cyclesFrom_ = 0;  ///< CYCCNT is the cycle minus this value
-  std::uint32_t cyclesHeld_ = 0;  ///< CYCCNT value of SysTick while it is stopped
+  std::uint64_t cyclesFrom_ = 0;  ///< cycle at which a running CYCCNT was 0
+  std::uint32_t cyclesHeld_ = 0;  ///< value of CYCCNT while it is stopped
 };
 
 }  // namespace wr::emulator

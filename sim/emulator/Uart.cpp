@@ -8,7 +8,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from the base of a UART: K64P144M120SF5RM, UART memory map.
+// Offsets from the base of a UART (K64P144M120SF5RM, UART memory map).
 constexpr std::uint32_t kBdh = 0x00;
 constexpr std::uint32_t kBdl = 0x01;
 constexpr std::uint32_t kC1 = 0x02;
@@ -39,8 +39,8 @@ constexpr std::uint32_t kReceived = 1U << 5;
 constexpr std::uint32_t kComplete = 1U << 6;
 constexpr std::uint32_t kEmpty = 1U << 7;
 
-// Over ten bits the error may be half a bit at the stop bit, which is 5 % for both sides. A part of
-// this tolerance belongs to the PC.
+// At the stop bit, after ten bits, the error may be half a bit. This is a tolerance of 5 % for both
+// sides together. The PC uses a part of this tolerance.
 constexpr double kMostDeviation = 0.03;
 
 constexpr std::int64_t kBits = 10;
@@ -79,7 +79,7 @@ void Uart::reset(Reset /*cause*/) {
 }
 
 double Uart::baud() const {
-  // Baud rate generation: clock / (16 * (SBR + BRFA / 32))
+  // The baud rate is clock / (16 * (SBR + BRFA / 32)).
   const std::uint32_t sbr = (bdh_ & 0x1FU) << 8 | bdl_;
   const double divisor = 16.0 * (sbr + (c4_ & 0x1FU) / 32.0);
   const Clock& clock = kind_.coreClock ? board_.coreClock() : board_.busClock();
@@ -107,9 +107,9 @@ std::uint32_t Uart::status() const {
 
 void Uart::updateLines() {
   const std::uint32_t s1 = status();
-  // C2.TIE, TCIE and RIE are at the bits where S1 has TDRE, TC and RDRF.
+  // TIE, TCIE and RIE in C2 have the same bit positions as TDRE, TC and RDRF in S1.
   board_.setLine(kind_.line, (s1 & c2_ & (kEmpty | kComplete | kReceived)) != 0);
-  // C3.ORIE, NEIE, FEIE and PEIE are at the bits where S1 has OR, NF, FE and PF.
+  // ORIE, NEIE, FEIE and PEIE in C3 have the same bit positions as OR, NF, FE and PF in S1.
   board_.setLine(kind_.line + 1, (s1 & c3_ & 0xFU) != 0);
 }
 
@@ -161,12 +161,12 @@ void Uart::received(const Arriving& arriving) {
 
 void Uart::send(std::uint8_t byte) {
   if ((c2_ & kSends) == 0) {
-    misuse(name_ + "_D written while the transmitter is off");
+    misuse(name_ + "_D was written while the transmitter is off");
     return;
   }
   if (toSend_.size() >= sendDepth()) {
     fifoFlags_ |= 2;  // TXOF
-    misuse(name_ + "_D written while the transmit buffer is full");
+    misuse(name_ + "_D was written while the transmit buffer is full");
     return;
   }
   toSend_.push_back(byte);
@@ -205,7 +205,7 @@ void Uart::sent() {
 }
 
 std::uint32_t Uart::readData() {
-  // The flags that S1 showed are cleared by the read of D.
+  // Reading D clears the flags that the last read of S1 returned.
   errors_ &= ~(seen_ & 0x1FU);
   std::uint32_t value = 0;
   if (receivedBytes_.empty()) {
@@ -284,7 +284,7 @@ void Uart::control2(std::uint32_t value) {
 
 void Uart::fifo(std::uint32_t value) {
   if ((c2_ & (kReceives | kSends)) != 0) {
-    misuse(name_ + "_PFIFO written while the receiver or the transmitter is on");
+    misuse(name_ + "_PFIFO was written while the receiver or the transmitter is on");
   }
   fifo_ = kind_.fifo | (value & 0x88U);
 }
@@ -326,7 +326,7 @@ void Uart::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     case kEd:
     case kTcfifo:
     case kRcfifo:
-      misuse("store to a register of " + name_ + " that is only read");
+      misuse("store to a read-only register of " + name_);
       break;
     case kS2:
       if ((value & 0x3FU) != 0) {

@@ -10,31 +10,31 @@
 
 namespace wr::emulator {
 
-/// @brief A UART with the line at its pins.
-/// K64P144M120SF5RM, chapter Universal Asynchronous Receiver/Transmitter (UART).
+/// @brief A UART and the line at its pins. See K64P144M120SF5RM, chapter Universal Asynchronous
+/// Receiver/Transmitter (UART).
 ///
 /// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO.
 /// PFIFO is written only while receiver and transmitter are off. S1[RDRF] is set while at least
-/// RWFIFO bytes wait, and S1[TDRE] while at most TWFIFO bytes wait. A read of S1 and then of D
-/// clears RDRF when fewer bytes wait. A byte that does not fit into the FIFO sets S1[OR]; OR and FE
-/// stop the receiver until they are cleared. UART0 has FIFOs of 8 bytes, UART4 buffers of 1
-/// (chapter Chip Configuration, UART).
+/// RWFIFO bytes wait, and S1[TDRE] while at most TWFIFO bytes wait. When fewer bytes wait, a read
+/// of S1 and then of D clears RDRF. A byte that does not fit into the FIFO sets S1[OR]. OR and FE
+/// stop the receiver until they are cleared. UART0 has FIFOs of 8 bytes. UART4 has buffers of 1
+/// byte (chapter Chip Configuration, UART).
 ///
-/// Not modelled: noise on the line (S1[NF], ED), parity, 9 bits, loops, wake-up, LIN break,
-/// infrared, smart cards, DMA, and the flag for an idle line.
+/// The model has no noise on the line (S1[NF], ED), parity, 9 bits, loops, wake-up, LIN break,
+/// infrared, smart cards, DMA, or flag for an idle line.
 class Uart final : public Peripheral {
  public:
-  /// @brief Differences between the UARTs: K64P144M120SF5RM, Chip Configuration, UART.
+  /// @brief Properties in which the UARTs differ (K64P144M120SF5RM, Chip Configuration, UART).
   struct Kind {
     unsigned number;
-    bool coreClock;     ///< counts the core clock, not the bus clock
+    bool coreClock;     ///< true: the UART has the core clock; false: the bus clock
     std::uint8_t fifo;  ///< PFIFO after a reset: 0x22 for FIFOs of 8 bytes, 0 for 1 byte
-    unsigned line;      ///< interrupt for bytes; the interrupt for errors has the next number
+    unsigned line;      ///< interrupt line for bytes; the next line is the interrupt for errors
   };
 
   Uart(Microcontroller& board, const Kind& kind);
 
-  /// @brief Sets the function that returns whether the pins are connected to the UART.
+  /// @brief Sets the functions that return whether the pins are connected to the UART.
   void connectPins(std::function<bool()> receives, std::function<bool()> sends);
 
   void reset(Reset cause) override;
@@ -46,7 +46,7 @@ class Uart final : public Peripheral {
 
   /// @brief Receives a byte from outside.
   /// @param notBefore earliest time at which the byte begins; the byte waits for earlier bytes
-  /// @param stopBit whether the stop bit is correct
+  /// @param stopBit true if the stop bit is correct
   void arrive(Time notBefore, std::uint8_t byte, bool stopBit = true);
 
   /// @brief Returns the bytes sent since the last call.

@@ -56,12 +56,13 @@ constexpr unsigned kPorts = 5;
 constexpr unsigned kTimers = 4;
 constexpr unsigned kConverters = 2;
 
-// K64P144M120SF5RM, Chip Configuration, UART: clocks and FIFOs; interrupt channel assignments.
+// For clocks, FIFOs and interrupt lines, see K64P144M120SF5RM, Chip Configuration, UART and
+// interrupt channel assignments.
 constexpr Uart::Kind kUart0{.number = 0, .coreClock = true, .fifo = 0x22, .line = 31};
 constexpr Uart::Kind kUart4{.number = 4, .coreClock = false, .fifo = 0x00, .line = 66};
 
-// Blocks whose registers keep the written values: K64P144M120SF5RM, chapters OSC, SMC, PMC
-// (LVDSC1, LVDSC2, REGSC), and Memory Protection Unit (MPU).
+// Blocks whose registers only store the written values. See K64P144M120SF5RM, chapters OSC, SMC,
+// PMC (LVDSC1, LVDSC2, REGSC), and Memory Protection Unit (MPU).
 constexpr std::array<PlainRegister, 1> kOsc{{{0x0, 0x00, 0xAF}}};
 constexpr std::array<PlainRegister, 4> kSmc{
     {{0x0, 0x00, 0x2A}, {0x1, 0x00, 0x00}, {0x2, 0x03, 0x27}, {0x3, 0x01, 0x00}}};
@@ -77,7 +78,7 @@ std::string megahertz(std::uint64_t hz) {
 
 }  // namespace
 
-/// @brief The microcontroller: processor, memories and peripherals.
+/// @brief The microcontroller with its processor, memories and peripherals.
 class VirtualBoard::Parts final : public Microcontroller {
  public:
   Parts(std::vector<std::uint8_t> image, Options options)
@@ -350,7 +351,7 @@ Uart& VirtualBoard::Parts::uart(int number) {
 }
 
 void VirtualBoard::Parts::fillRam() {
-  // The content of RAM after power-on is undefined; the model uses fixed values.
+  // The content of RAM after power-on is undefined. The model uses fixed values.
   std::vector<std::uint8_t> content(kRamUpperSize);
   std::uint32_t state = 0x12345678;
   for (std::uint8_t& byte : content) {
@@ -424,8 +425,9 @@ void VirtualBoard::Parts::clocksChanged() {
 }
 
 void VirtualBoard::Parts::checkClocks() {
-  // Data sheet K64P144M120SF5, device clock specifications, and K64P144M120SF5RM, chapter Clock
-  // Distribution: limits, and buses at the core clock divided by an integer.
+  // Checks the limits of the clocks. Each bus clock must be the core clock divided by an integer.
+  // See data sheet K64P144M120SF5, device clock specifications, and K64P144M120SF5RM, chapter Clock
+  // Distribution.
   const Sim::Dividers dividers = sim_.dividers();
   const std::uint64_t output = mcg_.outputHz();
   const auto check = [this, output](const char* name, unsigned divider, std::uint64_t most) {
@@ -440,7 +442,7 @@ void VirtualBoard::Parts::checkClocks() {
   check("flash", dividers.flash, 25'000'000);
   if (dividers.bus % dividers.core != 0 || dividers.flash % dividers.core != 0) {
     report("register-misuse",
-           "SIM_CLKDIV1: a bus clock is not the core clock divided by an integer");
+           "with SIM_CLKDIV1, a bus clock is not the core clock divided by an integer");
   }
 }
 
@@ -483,7 +485,7 @@ std::uint32_t VirtualBoard::Parts::read(std::uint32_t address, unsigned size) {
   return value;
 }
 
-// A debugger can read a register only if reading it has no effect.
+// A debugger can read a register only if reading has no side effect.
 bool VirtualBoard::Parts::debugRead(std::uint32_t address, unsigned size, std::uint32_t& value) {
   debugs_ = true;
   debugRefused_ = false;
@@ -546,7 +548,7 @@ void VirtualBoard::Parts::store(std::uint32_t address, unsigned size, std::uint3
   renew(*peripheral);
 }
 
-// After a change of the next event of a peripheral the core may have to stop sooner.
+// If the next event of a peripheral is now earlier, the core must stop earlier.
 void VirtualBoard::Parts::renew(Peripheral& peripheral) {
   peripheral.renewDue();
   limitTo(peripheral.due());
@@ -575,7 +577,7 @@ void VirtualBoard::Parts::gatesChanged() {
     if (ftms_[i].counts() && !sim_.gateIsOpen(kTimerGates[i].first, kTimerGates[i].second)) {
       report("register-misuse",
              "the clock gate of FTM" + std::to_string(i) +
-                 " is closed while its counter runs: its pins keep their levels");
+                 " was closed while its counter runs, so its pins keep their levels");
     }
   }
 }
@@ -599,7 +601,7 @@ void VirtualBoard::Parts::advance() {
   }
 }
 
-// Runs the core, or lets it sleep or stand still, until a time.
+// Advances the core to a time. The core runs, sleeps, or is stopped.
 bool VirtualBoard::Parts::runCore(Time until) {
   if (core_.hz() == 0) {
     standsAt_ = until;
@@ -644,7 +646,7 @@ void VirtualBoard::Parts::report(std::string id, std::string what) {
   }
 }
 
-// Warns of accesses that are not modelled, if they are not findings.
+// Adds a warning about an access that is not modelled, if such accesses are not findings.
 bool VirtualBoard::Parts::warn(const std::string& what) {
   if (options_.unmodelledIsFinding) {
     return false;
@@ -682,7 +684,7 @@ bool VirtualBoard::Parts::runUntil(Time limit, Done done) {
     }
     const Time next = std::min(nextEvent(), limit);
     if (next > time() && runCore(next) && sleeps_ && core_.hz() != 0 && !done()) {
-      // The program may have caused an event that is earlier than the computed next event.
+      // The program may have caused an event that is earlier than the next event that was computed.
       const std::uint64_t before = cpu_.cycles();
       cpu_.skipTo(core_.reach(std::min(nextEvent(), limit)));
       sleptCycles_ += cpu_.cycles() - before;

@@ -23,26 +23,28 @@ class ExecutedCode;
 
 /// @brief Options of a virtual board.
 struct Options {
-  std::filesystem::path elf{};  ///< names the functions of findings; may be empty
+  std::filesystem::path elf{};  ///< file with the names of functions for findings; may be empty
   bool externalClock = true;    ///< the clock of 50 MHz is present
   unsigned failingClockStep =
-      0;  ///< step of the clock generator that never ends: 2 the change to the
-          ///< external clock, 3 the lock of the PLL, 4 the change to the PLL
-  std::array<bool, 2> calibrates{true, true};  ///< the calibration of each converter succeeds
+      0;  ///< step of the clock generator that never ends. 0: no step; 2: the change to the
+          ///< external clock; 3: the lock of the PLL; 4: the change to the PLL
+  std::array<bool, 2> calibrates{true, true};  ///< for each converter: the calibration succeeds
   bool resetsAreFindings = true;               ///< a reset that the program causes stops the run
   Timing timing = Timing::NoWaitStates;        ///< cost of instructions
-  bool faultsAreFindings = true;    ///< a fault stops the run; false: the program handles it
-  bool unmodelledIsFinding = true;  ///< an access that is not modelled stops the run; false: it is
-                                    ///< a warning; a load returns 0 and a store has no effect
+  bool faultsAreFindings = true;  ///< a fault stops the run; false: the program handles it
+  bool unmodelledIsFinding =
+      true;  ///< an access that is not modelled stops the run. false: the access causes a warning,
+             ///< a load returns 0, and a store has no effect
 };
 
-/// @brief A K64 microcontroller with its clock and a line to a PC, which runs an image unchanged.
+/// @brief A K64 microcontroller with its clock and a line to a PC. It runs the unchanged image of a
+/// real board.
 class VirtualBoard {
  public:
   using nanoseconds = std::chrono::nanoseconds;
 
   /// @brief Switches the board on.
-  /// @param image content of the flash from address 0; the rest is erased
+  /// @param image content of the flash from address 0; the rest of the flash is erased
   /// @param options options of the board
   explicit VirtualBoard(std::vector<std::uint8_t> image, Options options = {});
   ~VirtualBoard();
@@ -53,56 +55,58 @@ class VirtualBoard {
   /// @return true when the time was reached; false when a finding stopped the run.
   bool runUntil(nanoseconds time);
 
-  /// @brief Runs until an interrupt has been entered.
-  /// @param irq its line
+  /// @brief Runs until an interrupt is entered.
+  /// @param irq interrupt line
   /// @param limit greatest time
-  /// @return true when the interrupt was entered; false: see finding(), or the limit was reached.
+  /// @return true when the interrupt was entered; false when a finding stopped the run or the limit
+  /// was reached.
   bool runToInterrupt(int irq, nanoseconds limit);
 
   /// @brief Runs until the program waits for an interrupt.
   /// @param limit greatest time
-  /// @return true when the program waits; false: see finding(), or the limit was reached.
+  /// @return true when the program waits; false when a finding stopped the run or the limit was
+  /// reached.
   bool runToSleep(nanoseconds limit);
 
   /// @brief Returns the time since the board was switched on.
   [[nodiscard]] nanoseconds now() const;
 
-  /// @brief Returns the finding that stopped the run. A run that a finding stopped does not
-  /// continue.
+  /// @brief Returns the finding that stopped the run. The run cannot continue after a finding.
   [[nodiscard]] const std::optional<Finding>& finding() const;
 
-  /// @brief Returns the warnings since the last call: one for each kind of access that is not
-  /// modelled.
+  /// @brief Returns the warnings since the last call. Each kind of access that is not modelled
+  /// causes one warning.
   [[nodiscard]] std::vector<Finding> takeWarnings();
 
-  /// @brief Sends bytes of the PC at 115200 baud, after the bytes that are still being sent.
+  /// @brief Sends bytes from the PC at 115200 baud, after the bytes that are still being sent.
   void receive(std::span<const std::uint8_t> bytes);
 
-  /// @brief Sends bytes of the PC; the first bit begins at a given time. Times must not decrease.
+  /// @brief Sends bytes from the PC. The first bit begins at a given time. In successive calls, the
+  /// time must not decrease.
   void receiveAt(nanoseconds time, std::span<const std::uint8_t> bytes);
 
-  /// @brief Sends one byte of the PC with a wrong stop bit.
+  /// @brief Sends one byte from the PC with a wrong stop bit.
   void receiveBroken(std::uint8_t byte);
 
-  /// @brief Changes the speed of the PC's side of the line, in both directions; 115200 at first.
+  /// @brief Sets the baud rate of the PC, in both directions. The initial baud rate is 115200.
   void setLineBaud(std::uint32_t baud);
 
   /// @brief Returns the bytes that the board has sent since the last call.
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
   /// @brief Sends bytes to another serial port, after the bytes that are still being sent.
-  /// @param uart 0 for the line to the PC, 4
+  /// @param number of the UART: 0 (the line to the PC) or 4
   /// @param bytes the bytes
   void receiveOn(int uart, std::span<const std::uint8_t> bytes);
 
   /// @brief Returns the bytes that the board has sent at a serial port since the last call.
-  /// @param uart 0 for the line to the PC, 4
+  /// @param number of the UART: 0 (the line to the PC) or 4
   [[nodiscard]] std::vector<std::uint8_t> takeSentOn(int uart);
 
-  /// @brief Changes the speed of the device at a serial port; 115200 at first.
+  /// @brief Sets the baud rate of the device at a serial port. The initial baud rate is 115200.
   void setLineBaudOn(int uart, std::uint32_t baud);
 
-  /// @brief Lets another node of the bus at CAN0 send a frame as soon as the bus is free.
+  /// @brief Makes another node of the bus at CAN0 send a frame as soon as the bus is free.
   void receiveCan(CanFrame frame);
 
   /// @brief Returns the frames that the board has sent at CAN0 since the last call.
@@ -120,53 +124,55 @@ class VirtualBoard {
   /// @brief Puts a level on a pin from outside.
   void drive(char port, int number, bool level);
 
-  /// @brief Puts a level on a pin from outside at a given time; at once if the time has passed.
-  /// Levels of the same time are applied in the order of the calls.
+  /// @brief Puts a level on a pin from outside at a given time. If the time has passed, the pin
+  /// gets the level immediately. Levels with the same time are applied in the order of the calls.
   void driveAt(nanoseconds time, char port, int number, bool level);
 
   /// @brief Returns whether the program drives the pin as a digital output.
   [[nodiscard]] bool isOutput(char port, int number) const;
 
-  /// @brief Returns the share of the period in which the pin of a timer's channel is high.
+  /// @brief Returns the duty cycle at the pin of a timer's channel, as a fraction of the period.
   /// @param ftm 0 to 3
   /// @param channel 0 to 7
   /// @return 0 to 1; 0 while no pin is connected to the channel or the timer is stopped.
   [[nodiscard]] double pwmDuty(int ftm, int channel) const;
 
-  /// @brief Puts a voltage on an input of an analog-to-digital converter; 0 V at first.
+  /// @brief Puts a voltage on an input of an analog-to-digital converter. The initial voltage is 0
+  /// V.
   /// @param converter 0 or 1
-  /// @param channel 0 to 23, as field ADCH of SC1 names it; 4 to 7: the inputs b
-  /// @param volts against ground
+  /// @param channel 0 to 23, as in field ADCH of SC1; 4 to 7 are the inputs with the suffix b
+  /// @param volts voltage relative to ground
   void setAnalog(int converter, int channel, double volts);
 
-  /// @brief Opens an input of an analog-to-digital converter: no source and no resistor is
-  /// connected to it. Each conversion returns the voltage of the previous conversion.
+  /// @brief Opens an input of an analog-to-digital converter. An open input has no source and no
+  /// resistor. Each conversion of the input returns the voltage of the previous conversion.
   void openAnalog(int converter, int channel);
 
-  /// @brief Sets a callback that runs at each multiple of a period of board time. It is called
-  /// before the instructions and events of that time. The first call is at the next multiple. A
-  /// callback may use the board, but not run it. Callbacks for the same time run in the order in
-  /// which they were set.
+  /// @brief Sets a callback that runs at each multiple of a period of board time. The first call is
+  /// at the next multiple. The callback runs before the instructions and events of its time. A
+  /// callback may use the board, but must not run the board. Callbacks with the same time run in
+  /// the order in which they were set.
   void onTime(nanoseconds period, std::function<void()> call);
 
   /// @brief Raises an exception by hardware before the next instruction, e.g. 3 HardFault.
   void raise(int exception);
 
-  /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument if the address is in
-  /// neither of them.
+  /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument if the address is neither
+  /// in flash nor in RAM.
   /// @param address of the byte
   /// @param bit 0 to 7
   void flipBit(std::uint32_t address, unsigned bit);
 
-  /// @brief Returns a core register of the processor: 0 to 12, 13 stack, 14 link, 15 next instruction.
+  /// @brief Returns a core register of the processor. Registers 13, 14 and 15 are the stack
+  /// pointer, the link register and the address of the next instruction.
   [[nodiscard]] std::uint32_t core(unsigned number) const;
 
   /// @brief Sets a core register of the processor.
   void setCore(unsigned number, std::uint32_t value);
 
-  /// @brief Hides an interrupt line from the processor, or shows it again.
+  /// @brief Hides an interrupt line from the processor, or connects it again.
   /// @param irq the line
-  /// @param held true: the processor reads it as low
+  /// @param held true: the processor reads the line as low
   void holdInterrupt(int irq, bool held);
 
   /// @brief Starts or stops the external clock of 50 MHz.
@@ -175,14 +181,14 @@ class VirtualBoard {
   /// @brief Makes the PLL lose its lock and lock again.
   void loseLock();
 
-  /// @brief Ends the failure of the clock generator that the options set.
+  /// @brief Ends the failure that Options::failingClockStep selects.
   void endClockFailure();
 
   /// @brief Resets the board. RAM keeps its content, except with PowerOn.
   void reset(Reset cause);
 
-  /// @brief Returns the number of resets since the board was switched on; switching on does not
-  /// count.
+  /// @brief Returns the number of resets since the board was switched on. Switching on is not
+  /// counted.
   [[nodiscard]] int resets() const;
 
   [[nodiscard]] std::uint64_t instructions() const;
@@ -191,7 +197,8 @@ class VirtualBoard {
   /// @brief Returns the number of cycles in which the program waited for an interrupt.
   [[nodiscard]] std::uint64_t sleptCycles() const;
 
-  /// @brief Returns the priority of an exception from 16 on, 0 to 15; 0 is the highest.
+  /// @brief Returns the priority of an exception, 0 to 15. The exception has a number of 16 or
+  /// more. Priority 0 is the highest.
   [[nodiscard]] unsigned priority(unsigned exception) const;
 
   /// @brief Returns the frequency of the core.
@@ -200,16 +207,17 @@ class VirtualBoard {
   /// @brief Returns a word of flash or RAM.
   [[nodiscard]] std::uint32_t word(std::uint32_t address) const;
 
-  /// @brief Sets the callback of each event.
+  /// @brief Sets the callback for each event.
   void onEvent(std::function<void(const Event&)> call);
 
-  /// @brief Sets the callback of each write to a peripheral, before it takes effect.
+  /// @brief Sets the callback for each write to a peripheral. The callback runs before the write
+  /// takes effect.
   void onWrite(std::function<void(std::uint32_t address, unsigned size, std::uint32_t value)> call);
 
-  /// @brief Returns the access of a debugger to the board.
+  /// @brief Returns the port through which a debugger accesses the board.
   [[nodiscard]] DebugPort& debugPort();
 
-  /// @brief Records calls from now on. It is set before the first run.
+  /// @brief Records calls from now on. This function must be called before the first run.
   void record(CallRecorder& recorder);
 
   /// @brief Records each instruction that is executed from now on.

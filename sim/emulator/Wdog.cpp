@@ -8,7 +8,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Offsets from 0x40052000: K64P144M120SF5RM, WDOG memory map.
+// Offsets from 0x40052000 (K64P144M120SF5RM, WDOG memory map).
 constexpr std::uint32_t kStctrlh = 0x0;
 constexpr std::uint32_t kStctrll = 0x2;
 constexpr std::uint32_t kTovalh = 0x4;
@@ -30,7 +30,8 @@ constexpr std::uint16_t kAllowUpdate = 1U << 4;
 constexpr std::uint16_t kRunsInWait = 1U << 7;
 constexpr std::uint16_t kTest = 1U << 10;
 
-// "The values for N and K": K20 Sub-Family Reference Manual, chapter 23, the same module.
+// See "The values for N and K" in K20 Sub-Family Reference Manual, chapter 23. The K20 has the same
+// module.
 constexpr std::uint64_t kConfigurationTime = 256;
 constexpr std::uint64_t kKeyTime = 20;
 
@@ -148,9 +149,10 @@ void Wdog::unlock(std::uint32_t key) {
   }
   const bool inTime = unlockKeyAt_ && now - *unlockKeyAt_ <= kKeyTime;
   if (key != kSecond || !inTime) {
-    fail("watchdog-sequence", key != kSecond ? "unlock with the key " + hexText(key)
-                              : unlockKeyAt_ ? "second key of the unlock too late"
-                                             : "second key of the unlock without the first");
+    fail("watchdog-sequence",
+         key != kSecond ? "unlock with the key " + hexText(key)
+         : unlockKeyAt_ ? "the second key of the unlock is too late"
+                        : "the second key of the unlock was written without the first key");
     return;
   }
   unlockKeyAt_.reset();
@@ -158,7 +160,7 @@ void Wdog::unlock(std::uint32_t key) {
     misuse("unlock of a watchdog that allows no update");
     return;
   }
-  if (lock_ != Lock::Open) {  // within the configuration time an unlock has no effect
+  if (lock_ != Lock::Open) {  // an unlock has no effect within the configuration time
     lock_ = Lock::Open;
     lockChanged_ = now;
     written_ = 0;
@@ -172,9 +174,9 @@ void Wdog::configure(std::uint32_t offset, std::uint32_t value) {
     board_.refuse("watchdog-sequence", "configuration of the watchdog without unlock");
   } else if (now - lockChanged_ < 2) {
     board_.refuse("watchdog-sequence",
-                  "configuration of the watchdog in the bus clock after its unlock");
+                  "the watchdog was configured in the bus clock directly after its unlock");
   } else if ((written_ & place) != 0) {
-    misuse("register of the watchdog written twice after one unlock");
+    misuse("a register of the watchdog was written twice after one unlock");
   } else {
     written_ |= place;
     registers_[offset / 2] = static_cast<std::uint16_t>(value);
@@ -195,9 +197,10 @@ void Wdog::refresh(std::uint32_t key) {
   }
   const bool inTime = refreshKeyAt_ && now - *refreshKeyAt_ <= kKeyTime;
   if (key != kSecond || !inTime) {
-    fail("watchdog-sequence", key != kSecond  ? "refresh with the key " + hexText(key)
-                              : refreshKeyAt_ ? "second key of the refresh too late"
-                                              : "second key of the refresh without the first");
+    fail("watchdog-sequence",
+         key != kSecond  ? "refresh with the key " + hexText(key)
+         : refreshKeyAt_ ? "the second key of the refresh is too late"
+                         : "the second key of the refresh was written without the first key");
     return;
   }
   refreshKeyAt_.reset();
@@ -214,20 +217,20 @@ void Wdog::refresh(std::uint32_t key) {
 }
 
 void Wdog::checkConfiguration() {
-  // The time-out must be longer than twice the configuration time plus 20 bus clocks: K20
-  // Sub-Family Reference Manual, 23.9.
+  // The time-out must be longer than twice the configuration time plus 20 bus clocks (K20
+  // Sub-Family Reference Manual, 23.9).
   const Time unit = source().at(countsFrom_ + divider() * timeOut()) - source().at(countsFrom_);
   const Clock& clock = board_.busClock();
   const Time least = clock.at(bus() + 2 * kConfigurationTime + kKeyTime) - clock.at(bus());
   if (counts() && unit <= least) {
-    misuse("time-out of the watchdog too short");
+    misuse("the time-out of the watchdog is too short");
   }
   if (counts() && (registers_[kStctrlh / 2] & kRunsInWait) == 0) {
     unmodelled("WDOG_STCTRLH without WAITEN", kStctrlh);
   }
 }
 
-// The configuration time is over: the written values take effect.
+// Ends the configuration time. The written values take effect.
 void Wdog::close() {
   lock_ = Lock::Locked;
   if (written_ == 0) {
@@ -257,7 +260,8 @@ Time Wdog::nextEvent() const {
 void Wdog::advance() {
   const std::uint64_t now = bus();
   if (lock_ == Lock::FreshlyReset && now > lockChanged_ + kConfigurationTime) {
-    // The first key must come in time; the second key has another limit.
+    // The first key must be written within the configuration time. The second key has another
+    // limit.
     const bool keyGiven = unlockKeyAt_ && *unlockKeyAt_ <= lockChanged_ + kConfigurationTime;
     if (keyGiven && now <= *unlockKeyAt_ + kKeyTime) {
       lockChanged_ = *unlockKeyAt_ + kKeyTime - kConfigurationTime;

@@ -8,7 +8,7 @@
 
 namespace wr::emulator {
 
-/// @brief Watchdog. K64P144M120SF5RM, chapter Watchdog Timer (WDOG).
+/// @brief The watchdog (K64P144M120SF5RM, chapter Watchdog Timer (WDOG)).
 class Wdog final : public Peripheral {
  public:
   explicit Wdog(Microcontroller& board) : Peripheral(board) {}

@@ -5,7 +5,7 @@
 
 namespace wr::emulator {
 
-/// @brief Returns a number as in findings, e.g. 0x4006A000.
+/// @brief Returns a number in the hexadecimal form of findings, e.g. 0x4006A000.
 [[nodiscard]] std::string hexText(std::uint32_t value);
 
 }  // namespace wr::emulator

@@ -6,7 +6,8 @@
 
 namespace wr::emulator {
 
-/// @brief Sets function and place of a finding. Throws std::runtime_error when it cannot read the file.
+/// @brief Sets the function and the place of a finding. Throws std::runtime_error when the file
+/// cannot be read.
 /// @param finding the finding
 /// @param elf file with the symbols of the image
 void locate(Finding& finding, const std::filesystem::path& elf);

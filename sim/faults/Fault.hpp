@@ -11,28 +11,28 @@
 
 namespace wr::faults {
 
-/// @brief Part of the robot that a fault hits.
+/// @brief Kind of a fault, by the part of the robot that it affects.
 enum class Kind : std::uint8_t {
   Ram,        ///< a bit of .data or .bss
   Code,       ///< a bit of the program in RAM
   Stack,      ///< a bit of the stack in use
   Register,   ///< a bit of a core register
   Flash,      ///< a bit of the image
-  Interrupt,  ///< an interrupt that is lost, late or raised without cause
-  Sensor,     ///< a sensor that is stuck, off or noisy
+  Interrupt,  ///< an interrupt that is lost, late, or raised without a cause
+  Sensor,     ///< a sensor that is stuck, inaccurate or noisy
   Serial,     ///< noise on the line from the PC
-  Clock,      ///< another clock of the PC; the external clock or the lock of the PLL is lost
-  Supply      ///< low voltage, power cycle, reset pin
+  Clock,      ///< a wrong baud rate of the PC, or the loss of the external clock or of the PLL lock
+  Supply      ///< low voltage, a power cycle, or a reset by the pin
 };
 inline constexpr std::uint32_t kKinds = 10;
 
 /// @brief Returns the name of a kind in the record.
 [[nodiscard]] std::string_view nameOf(Kind kind);
 
-/// @brief Returns the kind with a name; nothing if there is none.
+/// @brief Returns the kind with a name; nothing if there is no such kind.
 [[nodiscard]] std::optional<Kind> kindOf(std::string_view name);
 
-/// @brief Memory of the image that faults can hit.
+/// @brief Memory and interrupts of the image that faults can affect.
 struct Places {
   std::uint32_t codeBegin;
   std::uint32_t codeEnd;  ///< end of the program in RAM
@@ -46,42 +46,45 @@ struct Places {
 /// @brief A fault.
 struct Fault {
   Kind kind = Kind::Ram;
-  std::uint32_t place = 0;  ///< address, register, line, or number of the fault within its kind
-  std::uint32_t bit = 0;    ///< bit of the place, or number of the wheel
-  int value = 0;            ///< value of the fault, if it has one
+  std::uint32_t place =
+      0;  ///< memory address, register, interrupt line, or number of the fault within its kind
+  std::uint32_t bit = 0;  ///< bit of the place, or number of the wheel
+  int value = 0;          ///< value of the fault, if its kind has a value
 };
 
-/// @brief Returns whether the fault needs an instant at which the processor does not sleep.
+/// @brief Returns whether a fault of this kind can only be injected while the processor is awake.
 [[nodiscard]] inline bool needsAwake(Kind kind) {
   return kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Returns whether memory can have the content of a run without the fault, some time after
-/// the fault.
+/// @brief Returns whether the effect of a fault of this kind can disappear. The memory can then
+/// have the same content as in a run without the fault.
 [[nodiscard]] inline bool passes(Kind kind) {
   return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Longest time of observation [ms]. The angle sensor may drift for 6.8 s before FR-227 detects
-/// it, and implausible Hall edges reach the count of FR-279 in seconds.
+/// @brief Longest time of observation [ms]. The angle sensor may drift for 6.8 s before FR-227
+/// detects the drift. Implausible Hall edges need seconds to reach the count of FR-279.
 inline constexpr int kLongestWindow = 7000;
 
-/// @brief Returns how long the run with the fault is observed [ms]: at least until the firmware must
-/// have reported the fault. A wheel without Hall edges is reported 1 s after it has voltage.
+/// @brief Returns the duration of the observation after the fault [ms]. It lasts at least until the
+/// firmware must have reported the fault. For example, the firmware reports a wheel without Hall
+/// edges 1 s after the wheel got voltage.
 [[nodiscard]] int windowOf(const Fault& fault);
 
-/// @brief Chooses a kind of fault. The most frequent kinds are changed bits of RAM, in objects and
-/// in the program.
+/// @brief Chooses a kind of fault. The most frequent kinds change a bit in RAM, in an object or in
+/// the program.
 [[nodiscard]] Kind chooseKind(Random& random);
 
 /// @brief Chooses a fault of a kind.
 /// @param kind the kind
-/// @param random chooses
-/// @param places the memory that can be hit
+/// @param random source of the random choice
+/// @param places the memory and the interrupts that can be affected
 /// @param stack stack pointer at the instant
 [[nodiscard]] Fault choose(Kind kind, Random& random, const Places& places, std::uint32_t stack);
 
-/// @brief Injects a fault now. Noise on the line is not injected here: see noiseOf.
+/// @brief Injects a fault now. This function does not inject noise on the line. For noise, see
+/// noiseOf().
 void inject(const Fault& fault, board_robot::BoardSession& robot);
 
 /// @brief Ends a fault that lasts a limited time.
@@ -89,8 +92,8 @@ void inject(const Fault& fault, board_robot::BoardSession& robot);
 /// @param ms time since the injection
 void endIfDue(const Fault& fault, int ms, board_robot::BoardSession& robot);
 
-/// @brief Returns the number of wrong bits per thousand bits of the line from the PC; 0 without
-/// noise.
+/// @brief Returns the number of wrong bits per 1000 bits on the line from the PC; 0 for a fault
+/// without noise.
 [[nodiscard]] int noiseOf(const Fault& fault);
 
 }  // namespace wr::faults

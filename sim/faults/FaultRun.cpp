@@ -22,11 +22,11 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
 constexpr int kOrderPeriod = 100;   // ms
-constexpr int kFirstOrder = 60;     // ms: 30 ms or more before the clock pulse
+constexpr int kFirstOrder = 60;     // ms; the first order is at least 30 ms before the clock pulse
 constexpr int kNeutralOrders = 10;  // number of neutral orders that arm the robot
 constexpr int kStateEach = 100;     // ms
 constexpr int kEnd = FaultRun::kLast + kLongestWindow + 200;  // ms
-constexpr int kMissing = 300;                                 // ms without a report: three cycles
+constexpr int kMissing = 300;  // ms without a report; these are three cycles
 constexpr int kHelloEach = 250;
 constexpr int kHellos = 4;
 constexpr std::uint32_t kAwake =
@@ -36,8 +36,8 @@ constexpr int kFirstException = 16;
 constexpr unsigned kStackPointer = 13;
 constexpr unsigned kProgramCounter = 15;
 
-// The orders move no part to its limit: the voltage stays low, and the steering stays near the
-// middle.
+// Returns the orders of a drive. No order moves a part to its limit. The voltage stays low, and the
+// steering stays near the middle.
 std::vector<scenario::PcOrder> makeOrders(std::uint64_t seed) {
   Random random(seed);
   std::vector<scenario::PcOrder> orders;
@@ -65,7 +65,8 @@ emulator::Options options() {
   return chosen;
 }
 
-// The part of the report in which the robot shows a fault, without the counters of the line.
+// Returns whether a report shows a fault that the report of the reference run does not show. The
+// counters of the line are not compared.
 bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& reference) {
   constexpr std::uint8_t kSteeringFault = 3;
   return report.state != reference.state || report.inhibit != reference.inhibit ||
@@ -75,7 +76,7 @@ bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& ref
          report.steeringState == kSteeringFault;
 }
 
-// The fields of a result that a copy of the process sends through a pipe.
+// The fields of a result, as a copy of the process sends them through a pipe.
 struct Message {
   Fault fault;
   int at = 0;
@@ -84,7 +85,7 @@ struct Message {
   std::array<char, 160> stop{};
 };
 
-// Checks the reports that have come since the last call.
+// Checks the reports that were received since the last call.
 struct Listener {
   std::size_t read;
 
@@ -167,8 +168,8 @@ class FaultRun::Robot {
     return all;
   }
 
-  /// Returns a hash of the state that determines the next steps of the firmware: memory, registers,
-  /// and the plant.
+  /// Returns a hash of the state that determines the next steps of the firmware. This state
+  /// consists of memory, registers and the plant.
   [[nodiscard]] std::uint64_t state(const Places& places) {
     Hash hash;
     const emulator::VirtualBoard& board = session.board;
@@ -311,7 +312,7 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
     if (passes(fault.kind) && robot.now() % kStateEach == 0) {
       const auto number = static_cast<std::size_t>(robot.now() / kStateEach - 1);
       equal = robot.state(places_) == states_.at(number) ? equal + 1 : 0;
-      if (equal == 2) {  // after two equal states in a row, the devices have equal states too
+      if (equal == 2) {  // after two successive equal states, the devices have equal states too
         break;
       }
     }
@@ -334,16 +335,16 @@ Verdict FaultRun::runCopy(Robot& robot, const Fault& fault, int at, bool silentP
   return judge(seen, &reference_.at(static_cast<std::size_t>(at)));
 }
 
-// A copy of this process runs the copy of the robot.
+// Runs a copy of the robot in a copy of this process.
 Result FaultRun::observe(Robot& robot, const Choice& choice) const {
   Message message{};
   message.verdict.outcome = Outcome::Stopped;
-  // On a real board, a byte that arrives while the firmware restarts is lost. On the virtual board
-  // this byte is a finding, so the PC is silent in a second run.
+  // On a real board, a byte that arrives while the firmware restarts is lost. On the virtual board,
+  // such a byte causes a finding. The fault is therefore run a second time with a silent PC.
   for (const bool silentPc : {false, true}) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) {
-      throw std::runtime_error("no pipe");
+      throw std::runtime_error("cannot create a pipe");
     }
     const pid_t copy = fork();
     if (copy == 0) {
@@ -364,7 +365,7 @@ Result FaultRun::observe(Robot& robot, const Choice& choice) const {
     close(ends[0]);
     int status = 0;
     if (copy < 0 || waitpid(copy, &status, 0) != copy) {
-      throw std::runtime_error("no process for a copy");
+      throw std::runtime_error("cannot create a process for the copy of the robot");
     }
     if (count != sizeof message) {
       message.verdict.outcome = Outcome::Stopped;

@@ -19,22 +19,23 @@ namespace wr::faults {
 struct Result {
   Fault fault;
   int at = 0;            ///< ms since the drive began
-  std::uint32_t pc = 0;  ///< instruction at the injection
+  std::uint32_t pc = 0;  ///< address of the instruction at the injection
   Verdict verdict;
   std::string stop;  ///< finding of the virtual board, if the outcome is Stopped
 };
 
-/// @brief A random drive of an image on the virtual board, and copies of it with one fault each.
+/// @brief A random drive of an image on the virtual board, and copies of the drive. Each copy has
+/// one fault.
 ///
-/// Each copy is a separate process: the part of the drive before the fault is run once.
+/// Each copy is a separate process, so that the part of the drive before the fault runs only once.
 class FaultRun {
  public:
   static constexpr int kFirst = 1500;  ///< ms of the drive before the first fault
   static constexpr int kLast = 6500;   ///< ms of the drive before the last fault
 
-  /// @brief Runs the drive without a fault. Throws std::runtime_error when the robot does not drive.
+  /// @brief Runs the drive without a fault. Throws std::runtime_error if the robot does not drive.
   /// @param image content of the flash
-  /// @param elf its file with symbols
+  /// @param elf file of the image with its symbols
   /// @param seed chooses the drive
   FaultRun(std::vector<std::uint8_t> image, const std::filesystem::path& elf, std::uint64_t seed);
 
@@ -42,10 +43,10 @@ class FaultRun {
   [[nodiscard]] const Places& places() const { return places_; }
 
   /// @brief Injects random faults.
-  /// @param count their number
-  /// @param random chooses them
-  /// @param only kind of all faults; without a value each fault has a random kind
-  /// @param take gets each result, by rising time of the injection
+  /// @param count number of faults
+  /// @param random source of the random choices
+  /// @param only kind of all faults; without a value, each fault has a random kind
+  /// @param take gets each result, in the order of the times of injection
   void injectAll(int count, Random& random, std::optional<Kind> only,
                  const std::function<void(const Result&)>& take);
 

@@ -4,15 +4,15 @@
 
 namespace wr::faults {
 
-/// @brief Random numbers that are the same on each machine: the generator splitmix64.
+/// @brief Random numbers of the generator splitmix64. They are equal on all machines.
 class Random {
  public:
   /// @brief Starts a sequence.
   /// @param seed chooses the sequence
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
-  /// @brief Returns a random number that is 0 or more.
-  /// @param end limit of the numbers, greater than 0; each number is less than the limit
+  /// @brief Returns a random number from 0 to a limit.
+  /// @param end the limit, greater than 0; the number is less than the limit
   [[nodiscard]] std::uint32_t below(std::uint32_t end) {
     state_ += 0x9E3779B97F4A7C15U;
     std::uint64_t mixed = (state_ ^ state_ >> 30U) * 0xBF58476D1CE4E5B9U;
@@ -21,7 +21,7 @@ class Random {
   }
 
   /// @brief Returns a random number in a range.
-  /// @param first least number
+  /// @param first smallest number
   /// @param last greatest number
   [[nodiscard]] int between(int first, int last) {
     return first + static_cast<int>(below(static_cast<std::uint32_t>(last - first + 1)));

@@ -22,7 +22,8 @@ struct Wrong {
   int after = 0;   // ms with wrong outputs and power after a reset
 };
 
-// A robot whose wheels have no voltage is safe, for any outputs of the reference.
+// If the wheels have no voltage, the robot is safe, and its outputs are not wrong for any
+// reference.
 Wrong countWrong(const Observation& faulty, const Outputs* reference, int detectedAt) {
   Wrong wrong;
   int run = 0;

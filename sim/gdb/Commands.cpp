@@ -25,11 +25,12 @@ using std::chrono::nanoseconds;
 
 constexpr std::string_view kDone = "OK";
 constexpr std::string_view kWrong = "E01";  // the packet is invalid
-constexpr std::string_view kFault = "E14";  // no such memory
+constexpr std::string_view kFault = "E14";  // there is no such memory
 constexpr std::string_view kFeatures = "PacketSize=4000;QStartNoAckMode+;qXfer:features:read+";
 constexpr std::string_view kWaysBack = ";ReverseStep+;ReverseContinue+";
-constexpr std::size_t kMostBytes = 0x1F00;  // greatest length of a packet, in digits
-constexpr microseconds kPatience{200};      // time between two reads of the line
+constexpr std::size_t kMostBytes =
+    0x1F00;                             // maximum number of bytes in the answer to a memory read
+constexpr microseconds kPatience{200};  // time between two reads of the line
 
 // Divides "a,b" or "a=b".
 std::pair<std::string_view, std::string_view> divided(std::string_view text, char at) {
@@ -71,7 +72,8 @@ Commands::Commands(programs::SerialLine& line, std::function<bool()> ends, bool 
       goesBack_(goesBack),
       debugger_([this](const std::string& why) { serve(why); }, [this] { return asked(); }) {}
 
-// Bytes that come while the program runs: Ctrl-C, or the first bytes of another GDB.
+// Returns whether bytes have arrived while the program runs. They are Ctrl-C, or the first bytes of
+// another GDB.
 bool Commands::asked() {
   return stream_.takeInterrupt() || stream_.waiting() || ends_();
 }
@@ -85,7 +87,7 @@ void Commands::glance() {
 
 void Commands::serve(const std::string& why) {
   why_ = "T" + why;
-  static_cast<void>(stream_.takeInterrupt());  // a request that came too late
+  static_cast<void>(stream_.takeInterrupt());  // discards a request that arrived too late
   const Owed owed = std::exchange(owed_, Owed::Nothing);
   if (owed != Owed::Nothing) {
     stream_.send(owed == Owed::Stop ? why_ : hexOf(std::string_view(timeText())));
@@ -103,7 +105,7 @@ void Commands::serve(const std::string& why) {
   }
 }
 
-// Returns whether the program continues.
+// Executes a command. Returns whether the program continues.
 bool Commands::obey(std::string_view packet) {
   constexpr std::string_view kMonitor = "qRcmd,";
   if (packet == "k" || packet.starts_with("vKill")) {
@@ -317,10 +319,10 @@ bool Commands::monitor(const std::string& words) {
   owed_ = Owed::Nothing;
   const std::string text =
       words == "time" ? timeText()
-                      : "time the time of the board, and its number of executed instructions\n"
+                      : "time shows the time of the board and the number of executed instructions\n"
                         "reset restarts the run\n"
-                        "run-to MS runs forwards or backwards to a time of the board in ms\n"
-                        "After reset and run-to: maintenance flush register-cache\n";
+                        "run-to MS runs forwards or backwards to this time of the board in ms\n"
+                        "After reset and run-to, enter: maintenance flush register-cache\n";
   stream_.send(hexOf(std::string_view(text)));
   return false;
 }

@@ -16,7 +16,8 @@ struct Killed {};
 class Commands {
  public:
   /// @param line the line to GDB; must outlive the object
-  /// @param ends returns whether this program shall end, also while the board is stopped
+  /// @param ends returns whether this program shall end; it is also called while the board is
+  /// stopped
   /// @param goesBack true when the owner of the board can restart the run; otherwise the program
   /// cannot run backwards
   Commands(programs::SerialLine& line, std::function<bool()> ends, bool goesBack = true);
@@ -24,9 +25,9 @@ class Commands {
   /// @brief Returns the debugger that executes the commands.
   [[nodiscard]] Debugger& debugger() { return debugger_; }
 
-  /// @brief Checks whether GDB demands a stop while the processor sleeps. Call it between two runs
-  /// of the
-  /// board. Stops only a processor that sleeps during two successive calls.
+  /// @brief Checks whether GDB requests a stop while the processor sleeps. The owner calls this
+  /// function between two runs of the board. The function stops only a processor that sleeps during
+  /// two successive calls.
   void glance();
 
  private:

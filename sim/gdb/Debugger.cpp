@@ -9,7 +9,8 @@ namespace {
 constexpr const char* kTrap = "05";
 constexpr const char* kInterruptSignal = "02";
 constexpr const char* kBeginning = "05replaylog:begin;";
-// Number of instructions between two reads of the line: far less than 1 ms of the machine.
+// Number of instructions between two reads of the line. The machine executes them in far less than
+// 1 ms.
 constexpr std::uint32_t kLook = 4096;
 
 }  // namespace
@@ -113,7 +114,7 @@ void Debugger::endSearch() {
   throw BeginsAgain();
 }
 
-// A later change belongs to a discarded run.
+// Discards the later changes, because they belong to a discarded run.
 void Debugger::stop(const std::string& why) {
   from_ = port_->instructions();
   std::erase_if(changes_, [this](const Change& each) { return each.position > from_; });

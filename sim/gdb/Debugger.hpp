@@ -18,20 +18,19 @@ namespace wr::gdb {
 /// begin(), and runs it as before.
 struct BeginsAgain {};
 
-/// @brief Stops the program, and returns to an earlier time.
+/// @brief A debugger that stops the program and can return to an earlier time.
 ///
-/// The position is the number of instructions that were executed. The same input gives the same
-/// run, so an earlier position is reached by a second run from the start, and no state has to be
-/// restored.
+/// A position is a number of executed instructions. The same input causes the same run. A second
+/// run from the start therefore reaches an earlier position, and no state has to be restored.
 class Debugger {
  public:
   /// @brief Serves the user while the program is stopped.
   ///
-  /// It returns when the program shall continue. The text is the reason of
-  /// the stop, as a stop reply of GDB: e.g. `05` or `05watch:20000004;`.
+  /// It returns when the program shall continue. The text is the reason for the stop, in the form
+  /// of a GDB stop reply, e.g. `05` or `05watch:20000004;`.
   using Serve = std::function<void(const std::string& why)>;
 
-  /// @param serve called at each stop, before an instruction or after the end of the run
+  /// @param serve is called at each stop, before an instruction or after the end of the run
   /// @param asked returns whether the user requests a stop of the program
   Debugger(Serve serve, std::function<bool()> asked);
 
@@ -39,16 +38,17 @@ class Debugger {
   /// @param port the board that runs; must outlive the run
   void begin(emulator::DebugPort& port);
 
-  /// @brief Reports the end of the run: the program stops a last time, and can only resume
+  /// @brief Reports the end of the run. The program stops a last time. It can then only run
   /// backwards.
   /// @param why as in Serve
   void end(const std::string& why);
 
-  /// @brief Stops the program at its present position. It is used while the program waits.
+  /// @brief Stops the program at its present position. This function is called while the program
+  /// waits for an interrupt.
   void stopHere(const std::string& why) { stop(why); }
 
-  // Commands that the user can give at a stop. Without a command the program runs to the next stop.
-  // The commands that go back throw BeginsAgain.
+  // The commands of the user at a stop. Without a command, the program runs to the next stop. A
+  // command that goes back throws BeginsAgain.
   void step();
   void stepBack();
   void resumeBack();
@@ -58,14 +58,14 @@ class Debugger {
   /// @brief Removes all breakpoints and watchpoints, and resumes.
   void leave();
 
-  // Changes are repeated when a run passes their position again.
+  // Each change is repeated when another run passes its position.
   void write(std::size_t number, std::uint64_t value);
   [[nodiscard]] bool writeMemory(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
   /// @brief Returns the board. The result is valid only during a run.
   [[nodiscard]] const emulator::DebugPort& port() const { return *port_; }
 
-  /// @brief Returns the rules; call rulesChanged() after a change.
+  /// @brief Returns the rules. Call rulesChanged() after a change of the rules.
   [[nodiscard]] StopRules& rules() { return rules_; }
   void rulesChanged();
 

@@ -42,7 +42,7 @@ void PacketStream::fill() {
   for (std::size_t count = line_.read(bytes); count != 0; count = line_.read(bytes)) {
     for (const std::uint8_t byte : std::span(bytes).first(count)) {
       const char character = static_cast<char>(byte);
-      if (received_.empty() && character != '$') {  // the character is between two packets
+      if (received_.empty() && character != '$') {  // the character is not part of a packet
         interrupted_ = interrupted_ || character == kInterrupt;
         if (character == '-' && !last_.empty()) {
           write(last_);

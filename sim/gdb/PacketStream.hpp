@@ -8,28 +8,28 @@
 
 namespace wr::gdb {
 
-/// @brief The packets of the GDB remote serial protocol on a line: `$content#checksum`, with
-/// acknowledgements. See the manual of GDB, appendix Remote Protocol.
+/// @brief The packets of the GDB remote serial protocol on a line. A packet has the form
+/// `$content#checksum`, and is acknowledged. See the manual of GDB, appendix Remote Protocol.
 class PacketStream {
  public:
-  /// @brief Constructs the stream, with acknowledgements.
+  /// @brief Constructs the stream. Packets are acknowledged at first.
   /// @param line the line to GDB; must outlive the object
   explicit PacketStream(programs::SerialLine& line) : line_(line) {}
 
-  /// @brief Returns the content of the next packet; nothing while no packet is complete.
+  /// @brief Returns the content of the next packet. Returns nothing while no packet is complete.
   [[nodiscard]] std::optional<std::string> take();
 
-  /// @brief Returns whether Ctrl-C came since the last call. Reads the line.
+  /// @brief Reads the line. Returns whether Ctrl-C was received since the last call.
   [[nodiscard]] bool takeInterrupt();
 
-  /// @brief Returns whether a part of a packet was received. Reads the line.
+  /// @brief Reads the line. Returns whether a part of a packet was received.
   [[nodiscard]] bool waiting();
 
   /// @brief Sends a packet.
   /// @param content without `$`, `#`, `}` and `*`
   void send(std::string_view content);
 
-  /// @brief Ends the acknowledgements, after both sides have agreed.
+  /// @brief Stops the acknowledgements. It is called after both sides have agreed on this.
   void stopAcknowledging() { acknowledges_ = false; }
 
  private:

@@ -14,7 +14,7 @@ enum class Watch { Write, Read, Access };
 /// @brief The breakpoints and watchpoints.
 class StopRules {
  public:
-  /// @brief Sets a breakpoint; repeating it has no effect.
+  /// @brief Sets a breakpoint. Setting the same breakpoint again has no effect.
   void addBreakpoint(std::uint32_t address) { breakpoints_.insert(address); }
   void removeBreakpoint(std::uint32_t address) { breakpoints_.erase(address); }
 
@@ -22,7 +22,7 @@ class StopRules {
   [[nodiscard]] bool stopsAt(std::uint32_t address) const { return breakpoints_.contains(address); }
 
   /// @brief Sets a watchpoint.
-  /// @param kind accesses at which it stops
+  /// @param kind accesses at which the program stops
   /// @param address first byte
   /// @param size number of bytes
   void addWatchpoint(Watch kind, std::uint32_t address, std::uint32_t size);
@@ -32,8 +32,8 @@ class StopRules {
   /// @brief Records an access of the program.
   void accessed(std::uint32_t address, std::uint32_t size, bool store);
 
-  /// @brief Returns the watchpoint that an access met since the last call, as a stop reply names it,
-  /// e.g. `watch:20000004;`.
+  /// @brief Returns the watchpoint that an access has triggered since the last call, in the form of
+  /// a stop reply, e.g. `watch:20000004;`.
   [[nodiscard]] std::optional<std::string> takeHit();
 
   /// @brief Removes all breakpoints and watchpoints.

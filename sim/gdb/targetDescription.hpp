@@ -4,8 +4,8 @@
 
 namespace wr::gdb {
 
-/// @brief Returns the description of the processor that GDB reads: a Cortex-M4F and its registers, in the
-/// order of emulator::DebugPort::registers().
+/// @brief Returns the description of the processor for GDB. It contains a Cortex-M4F and its
+/// registers, in the order of emulator::DebugPort::registers().
 [[nodiscard]] std::string targetDescription();
 
 }  // namespace wr::gdb

@@ -14,8 +14,9 @@ class HostAnalogInput final : public AnalogInput {
 
   [[nodiscard]] std::optional<std::uint16_t> sample() override;
 
-  /// @brief Puts a voltage on the input; half of the range at first.
-  /// @param share fraction of the range; a value beyond 0 to 1 counts as the limit
+  /// @brief Puts a voltage on the input. The initial voltage is half of the range.
+  /// @param share fraction of the range; a value below 0 counts as 0, and a value above 1 counts as
+  /// 1
   void drive(double share);
 
  private:

@@ -16,7 +16,7 @@ class HostDigitalOutput final : public DigitalOutput {
   /// @brief Returns whether the output is on.
   [[nodiscard]] bool isOn() const { return on_; }
 
-  /// @brief Sets the callback that is called each time the output changes from off to on.
+  /// @brief Sets the callback for each change of the output from off to on.
   /// @param call the callback
   void onRise(std::function<void()> call);
 

@@ -8,12 +8,13 @@ namespace wr::host {
 
 class HostScheduler;
 
-/// @brief An input with edges on the host. Its level is high at first, as with a pull-up.
+/// @brief An edge input on the host. By default, its initial level is high, as with a pull-up
+/// resistor.
 class HostEdgeInput final : public EdgeInput {
  public:
   /// @brief Binds the input to the scheduler that serves its interrupt.
   /// @param scheduler serves the interrupt
-  /// @param level level at first
+  /// @param level initial level
   explicit HostEdgeInput(HostScheduler& scheduler, bool level = true);
 
   /// @brief Sets the vector of the interrupt.

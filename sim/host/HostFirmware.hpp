@@ -31,7 +31,7 @@ namespace wr::host {
 enum class HostEquipment {
   Whole,       ///< all control systems, without safety functions
   Safe,        ///< all control systems, with the safety functions
-  MainControl  ///< Main Control only, with an empty pool: for long sequences of orders
+  MainControl  ///< only Main Control, with an empty pool, for long sequences of orders
 };
 
 /// @brief The firmware with the devices of the host.
@@ -42,16 +42,16 @@ class HostFirmware {
   /// @brief Priority of the threads of the wheels.
   static constexpr int kWheelPriority = 2;
 
-  /// @brief Memory that a reset does not change.
+  /// @brief The memory that a reset does not change.
   struct Retained {
-    RetainedStop::Cells stop;              ///< stop of the PC
-    RetainedProtection::Cells protection;  ///< protective stop
+    RetainedStop::Cells stop;              ///< memory of the PC's stop order
+    RetainedProtection::Cells protection;  ///< memory of the protective stop
   };
 
   /// @brief Constructs the robot and binds it to its devices.
   /// @param timebase returns the time
   /// @param pcPort line to the PC
-  /// @param start cause of the start; unknown when it is omitted
+  /// @param start cause of the start; by default, the cause is unknown
   /// @param equipment parts of the firmware
   /// @param retained memory with its content before the last reset
   HostFirmware(const Timebase& timebase, SerialPort& pcPort, const StartRecord& start = {},
@@ -66,7 +66,7 @@ class HostFirmware {
   /// @brief Starts the control cycles.
   void start();
 
-  /// @brief Sends a clock pulse to the firmware; the cycle has ended when this function returns.
+  /// @brief Sends a clock pulse to the firmware. The function returns at the end of the cycle.
   void clockPulse();
 
   /// @brief Sets the velocity signal of the remote control at the present time.
@@ -81,7 +81,7 @@ class HostFirmware {
   void beat();
 
   /// @brief Returns the pins of the firmware.
-  /// @return the pins, to which the owner of the robot connects its surroundings
+  /// @return the pins; the owner of the robot connects them to its surroundings
   [[nodiscard]] HostPins& pins();
 
   /// @brief Returns the period of the clock pulses.

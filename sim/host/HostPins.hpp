@@ -37,13 +37,14 @@ struct HostSteeringPins {
   HostDigitalOutput step;
   HostDigitalOutput direction;  ///< on: left
   HostDigitalOutput enable;
-  HostEdgeInput leftEnd;   ///< high: reached, or a broken wire
-  HostEdgeInput rightEnd;  ///< high: reached, or a broken wire
+  HostEdgeInput leftEnd;   ///< high: the end is reached or the wire is broken
+  HostEdgeInput rightEnd;  ///< high: the end is reached or the wire is broken
   HostAnalogInput angle;
 };
 
-/// @brief All pins of the firmware on the host, without connections: currents and steering in the
-/// middle, no edges, no end stop, no emergency stop.
+/// @brief All pins of the firmware on the host. Nothing is connected at first. Currents and
+/// steering angle are in the middle, there are no edges, and no end stop and no emergency stop is
+/// active.
 struct HostPins {
   /// @brief Constructs the pins.
   /// @param scheduler serves the interrupts

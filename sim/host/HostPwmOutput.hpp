@@ -12,8 +12,8 @@ class HostPwmOutput final : public PwmOutput {
 
   void set(DutyCycle dutyCycle) override;
 
-  /// @brief Returns the share that was set, within the limits of the output.
-  /// @return share [0.01 %], 0 to 10000; 0 before the first call of set()
+  /// @brief Returns the duty cycle that was set, limited to the range of the output.
+  /// @return duty cycle [0.01 %], 0 to 10000; 0 before the first call of set()
   [[nodiscard]] DutyCycle dutyCycle() const { return dutyCycle_; }
 
  private:

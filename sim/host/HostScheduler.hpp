@@ -9,8 +9,9 @@ class HostThread;
 
 /// @brief Runs threads on the host in the order in which the interrupt controller would run them.
 ///
-/// A thread of higher priority than the running thread runs at once, before pend() returns. The
-/// other threads run when the running thread ends. No thread starts while an interrupt is served.
+/// A thread with a higher priority than the running thread runs immediately, before pend() returns.
+/// The other threads run when the running thread ends. No thread starts while an interrupt is
+/// served.
 class HostScheduler {
  public:
   HostScheduler() = default;
@@ -18,16 +19,16 @@ class HostScheduler {
   HostScheduler& operator=(const HostScheduler&) = delete;
 
   /// @brief Registers a thread.
-  /// @param thread thread that exists as long as the scheduler
+  /// @param thread the thread; it must outlive the scheduler
   void add(HostThread& thread);
 
-  /// @brief Sets the callback that is called just before a thread runs.
+  /// @brief Sets the callback that runs directly before each thread.
   void beforeThread(std::function<void(const HostThread& thread)> call);
 
-  /// @brief Runs every triggered thread of sufficient priority.
+  /// @brief Runs every triggered thread whose priority is high enough.
   void dispatch();
 
-  /// @brief Executes an interrupt, then runs every triggered thread of sufficient priority.
+  /// @brief Executes an interrupt. Then runs every triggered thread whose priority is high enough.
   /// @param vector command of the interrupt
   void interrupt(const std::function<void()>& vector);
 

@@ -14,14 +14,13 @@ namespace wr::host {
 /// @brief A serial port in memory, with the buffer sizes of a real port.
 class HostSerialPort final : public SerialPort {
  public:
-  /// @brief Received bytes that can be stored: more than the 1152 that 115200 baud transfer in one
-  /// cycle.
+  /// @brief Maximum number of received bytes that are stored. In one cycle, a line of 115200 baud
+  /// transfers only 1152 bytes.
   static constexpr std::size_t kReceived = 2048;
-  /// @brief Written bytes that can be stored.
+  /// @brief Maximum number of written bytes that are stored.
   static constexpr std::size_t kSent = 512;
 
-  /// @brief Sets the clock that returns the time of received bytes. Without a clock the time is
-  /// always 0.
+  /// @brief Sets the clock for the times of received bytes. Without a clock, these times are 0.
   /// @param clock the clock
   void setClock(const Timebase& clock) { clock_ = &clock; }
 
@@ -30,7 +29,7 @@ class HostSerialPort final : public SerialPort {
   /// @param bytes the bytes
   void arrive(std::span<const std::uint8_t> bytes);
 
-  /// @brief Returns all written bytes to the line.
+  /// @brief Removes all written bytes, and returns them as the output to the line.
   /// @return the bytes, oldest first
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 

@@ -11,7 +11,7 @@ class HostThread final : public ControlThread {
  public:
   /// @brief Constructs a thread and adds it to the scheduler.
   /// @param scheduler runs the thread
-  /// @param priority 1 is the lowest
+  /// @param priority priority of the thread; 1 is the lowest priority
   HostThread(HostScheduler& scheduler, int priority);
 
   /// @brief Returns whether an activation is pending.
@@ -19,7 +19,7 @@ class HostThread final : public ControlThread {
   [[nodiscard]] bool pended() const;
 
   /// @brief Returns the priority of the thread.
-  /// @return priority, 1 is the lowest.
+  /// @return priority; 1 is the lowest priority.
   [[nodiscard]] int priority() const;
 
   /// @brief Runs one activation. The scheduler calls this function.

@@ -7,7 +7,7 @@
 
 namespace wr::host {
 
-/// @brief Time that stands still until it is advanced by hand.
+/// @brief A timebase whose time advances only when advance() is called.
 class HostTimebase final : public Timebase {
  public:
   [[nodiscard]] Instant now() const override { return now_; }

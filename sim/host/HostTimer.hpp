@@ -9,7 +9,7 @@ namespace wr::host {
 
 class HostScheduler;
 
-/// @brief A periodic timer on the host; the simulation reports the end of each period.
+/// @brief A periodic timer on the host. The simulation reports the end of each period.
 class HostTimer final : public PeriodicTimer {
  public:
   /// @brief Binds the timer to the scheduler that serves its interrupt.
@@ -24,10 +24,10 @@ class HostTimer final : public PeriodicTimer {
   void periodPassed();
 
   /// @brief Returns the period that was set.
-  /// @return period of the running timer, 0 if it is stopped.
+  /// @return period of the running timer; 0 if the timer is stopped.
   [[nodiscard]] Microseconds period() const;
 
-  /// @brief Returns whether the interrupt was raised and not acknowledged.
+  /// @brief Returns whether the interrupt was raised and is not yet acknowledged.
   /// @return true while the interrupt flag is set.
   [[nodiscard]] bool pending() const;
 

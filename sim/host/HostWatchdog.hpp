@@ -8,11 +8,11 @@
 
 namespace wr::host {
 
-/// @brief A watchdog on the host. This watchdog causes no reset. It records that a watchdog would
-/// have reset the robot.
+/// @brief A watchdog on the host. This watchdog causes no reset. It only records that a real
+/// watchdog would have reset the robot.
 class HostWatchdog final : public Watchdog {
  public:
-  /// @brief Starts the watchdog, as a reset does.
+  /// @brief Starts the watchdog. On a real board, a reset starts the watchdog.
   /// @param timebase returns the time
   explicit HostWatchdog(const Timebase& timebase);
 
@@ -21,7 +21,8 @@ class HostWatchdog final : public Watchdog {
   [[nodiscard]] std::uint32_t refreshes() const;
 
   /// @brief Returns whether the watchdog would have reset the system.
-  /// @return true once the time-out has passed without a refresh, also if a refresh came later.
+  /// @return true if a time-out has passed without a refresh. A later refresh does not change this
+  /// result.
   [[nodiscard]] bool missed() const;
 
   void refresh() override;

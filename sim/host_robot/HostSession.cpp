@@ -48,7 +48,7 @@ plant::RemoteControl& HostSession::remoteControl() {
   return world.remoteControl;
 }
 
-// Bytes that the firmware has not read yet are lost with its buffer.
+// A reset discards the bytes that the firmware has not read yet.
 void HostSession::reset(scenario::ResetKind kind) {
   std::array<std::uint8_t, 64> lost{};
   while (port.read(lost) > 0) {

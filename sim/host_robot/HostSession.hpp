@@ -6,10 +6,10 @@
 
 namespace wr::host_robot {
 
-/// @brief The firmware on the host, in stepped time. Transfers on its line take no time.
+/// @brief The firmware on the host, in stepped time. Transfers on the line to the PC take no time.
 class HostSession final : public scenario::RobotSession {
  public:
-  /// @brief Constructs the robot. It does not run yet.
+  /// @brief Constructs the robot. The robot runs only after start().
   /// @param equipment parts of the firmware
   explicit HostSession(host::HostEquipment equipment = host::HostEquipment::Whole);
 

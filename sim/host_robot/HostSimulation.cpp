@@ -11,17 +11,19 @@ namespace {
 constexpr std::uint32_t kSeed = 1;
 constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).count());
 
-// The time from power-on to the start of the periods of the timers: start of the clock, calibration
-// of the converters, and construction. It was measured with the image on the virtual K64.
+// The time from power-on to the start of the timers. In this time, the clock starts, the converters
+// are calibrated, and the objects are constructed. The time was measured with the image on the
+// virtual K64.
 constexpr Microseconds kStartUp(5364);
 
-// The time from a tick to the start of the first wheel thread in its cycle, and the time from one
-// wheel thread to the next. Both were measured with the image on the virtual K64. All other code
-// takes no time on the host, so the clock pulse is at the start of the first wheel thread.
+// The first time is from a tick to the start of the first wheel thread in the same cycle. The
+// second time is from one wheel thread to the next. Both were measured with the image on the
+// virtual K64. On the host, all other code takes no time. The clock pulse is therefore at the start
+// of the first wheel thread.
 constexpr Microseconds kToWheels(9);
 constexpr Microseconds kOfWheel(51);
 
-// Rounds an edge to its microsecond, the resolution of the firmware's clock.
+// Rounds the time of an edge to microseconds, which are the resolution of the firmware's clock.
 Instant at(Instant begin, std::chrono::nanoseconds offset) {
   return begin +
          Microseconds(std::chrono::duration_cast<std::chrono::microseconds>(offset).count());
@@ -58,8 +60,8 @@ void HostSimulation::beginPeriods() {
   nextPulse_ = begin + robot.period() + kToWheels;
 }
 
-// The new firmware is at the address of the old firmware, so that all references to the robot stay
-// valid.
+// The new firmware has the same address as the old firmware, so that all references to the robot
+// stay valid.
 void HostSimulation::reset(ResetCause cause) {
   const host::HostFirmware::Retained retained = robot.retained();
   edges_.clear();

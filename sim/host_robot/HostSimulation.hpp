@@ -15,15 +15,15 @@ namespace wr::host_robot {
 
 /// @brief The firmware on the host in the simulated robot, in stepped time.
 ///
-/// Events are executed in the order of time. At each ms since power-on the physics advance by a
-/// step. At each ms since the start of the firmware the second timer ticks, and each 100 ms the
-/// clock pulse comes. The edges of the Hall sensors and of the remote control are executed at their
+/// Events are executed in the order of their times. Each ms since power-on, the physics advance by
+/// one step. Each ms since the start of the firmware, the second timer ticks. Each 100 ms, there is
+/// a clock pulse. The edges of the Hall sensors and of the remote control are executed at their own
 /// times.
 class HostSimulation {
  public:
-  /// @brief Constructs a robot that is at rest. Its firmware does not run yet.
+  /// @brief Constructs a robot that is at rest. The firmware runs only after start().
   /// @param pcPort line to the PC
-  /// @param equipment parts of the firmware; with Main Control only, there are no events between
+  /// @param equipment parts of the firmware; with only Main Control, there are no events between
   /// the clock pulses
   explicit HostSimulation(SerialPort& pcPort,
                           host::HostEquipment equipment = host::HostEquipment::Whole);
@@ -31,8 +31,8 @@ class HostSimulation {
   /// @brief Switches the robot on.
   void start();
 
-  /// @brief Resets the microcontroller: its firmware starts again. Time and physics continue.
-  /// @param cause cause that the firmware reads
+  /// @brief Resets the microcontroller. The firmware starts again. Time and physics continue.
+  /// @param cause cause of the reset, which the firmware reads
   void reset(ResetCause cause);
 
   /// @brief Advances to an instant, including the events of this instant.
@@ -67,7 +67,7 @@ class HostSimulation {
   SerialPort& pcPort_;
   host::HostEquipment equipment_;
   HostWires binding_;
-  std::vector<Edge> edges_;  // remaining edges of this ms, in order
+  std::vector<Edge> edges_;  // remaining edges of this ms, in the order of time
   Instant nextStep_;
   Instant nextBeat_;
   Instant nextPulse_;

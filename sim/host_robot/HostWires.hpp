@@ -10,19 +10,20 @@ namespace wr::host_robot {
 /// @brief The robot's physics on the pins of the firmware on the host.
 class HostWires {
  public:
-  /// @brief Connects pins and physics, and sets the pins to the present values of all sensors.
-  /// @param pins pins of the firmware; they exist as long as the wires
-  /// @param physics the robot; it exists as long as the wires
+  /// @brief Connects the pins to the physics, and sets the pins to the present values of all
+  /// sensors.
+  /// @param pins pins of the firmware; they must outlive the wires
+  /// @param physics the robot; it must outlive the wires
   HostWires(host::HostPins& pins, plant::Robot& physics);
   HostWires(const HostWires&) = delete;
   HostWires& operator=(const HostWires&) = delete;
 
-  /// @brief Passes the outputs of the firmware to the actuators. The step pulses need no call: each
-  /// pulse acts at once.
+  /// @brief Passes the outputs of the firmware to the actuators. The step pulses need no call,
+  /// because each pulse acts immediately.
   void drive();
 
-  /// @brief Sets the pins to the values of the sensors, except the sensors that are simulated as
-  /// edges.
+  /// @brief Sets the pins to the values of the sensors. Sensors that are simulated as edges are
+  /// excluded.
   void measure();
 
  private:

@@ -82,15 +82,16 @@ void DriveTrain::advanceShaft(double seconds) {
   turns_ += speed_ * seconds / (2.0 * std::numbers::pi);
 }
 
-// Returns the magnets' torque, which is a triangle over the position.
+// Returns the torque of the magnets. As a function of the position, this torque is a triangle wave.
 double DriveTrain::cogging() const {
   const double position = turns_ * kCoggingPeriods;
   const double part = position - static_cast<double>(wholePart(position));
   return motor_.cogging * (1.0 - 4.0 * std::abs(part - 0.5));
 }
 
-// Acceleration of a shaft that turns in a direction. The power goes through the gear from the motor
-// to the wheel or back, and the gear loses the same fraction in both cases.
+// Returns the acceleration of a shaft that turns in a direction. The power flows through the gear,
+// from the motor to the wheel or back. In both directions, the gear loses the same fraction of the
+// power.
 double DriveTrain::acceleration(double direction, double friction) const {
   const double magnets = speed_ != 0 ? cogging() : 0.0;
   const double motor =

@@ -4,14 +4,14 @@
 
 namespace wr::plant {
 
-/// @brief Inputs of the driver of a wheel, from the firmware.
+/// @brief The signals from the firmware to the driver of a wheel.
 struct WheelDrive {
   double duty = 0;         ///< fraction of the supply voltage at the motor, 0 to 1
   bool backwards = false;  ///< orientation
   bool enabled = false;    ///< false: no current can flow
 };
 
-/// @brief The ground under a wheel, in the directions of the wheel.
+/// @brief The contact between a wheel and the ground, in the directions of the wheel.
 struct Contact {
   double along = 0;   ///< speed of the hub over the ground, m/s, positive forwards
   double across = 0;  ///< speed of the hub over the ground, m/s, positive to the left
@@ -20,21 +20,22 @@ struct Contact {
 
 /// @brief Motor, driver, gear, wheel and tyre of one wheel.
 ///
-/// A brushless motor with its driver is modelled as a motor with a commutator. The driver works in
-/// two quadrants of each orientation: the motor has a fraction of the supply voltage. With a
-/// fraction of 0 it is short-circuited and brakes. The gear loses the same fraction of the power in
-/// either direction. The tyre's force grows with its slip, along and across the wheel, until the
-/// two together reach the limit of friction. While the wheel is at rest the tyre is a spring.
+/// A brushless motor with its driver is modelled as a motor with a commutator. In each orientation,
+/// the driver works in two quadrants. The motor gets a fraction of the supply voltage. With a
+/// fraction of 0, the motor is short-circuited and brakes. The gear loses the same fraction of the
+/// power in both directions. The forces of the tyre along and across the wheel grow with the slip,
+/// until their sum reaches the limit of friction. While the wheel is at rest, the tyre is a spring.
 class DriveTrain {
  public:
-  static constexpr double kRatio = 10.0;            ///< turns of the motor per turn of the wheel
-  static constexpr double kEfficiency = 0.85;       ///< efficiency of the gear
-  static constexpr double kRadius = 0.272;          ///< radius of the wheel, m
-  static constexpr double kCoggingPeriods = 90.0;   ///< in a turn of the motor
+  static constexpr double kRatio = 10.0;       ///< turns of the motor per turn of the wheel
+  static constexpr double kEfficiency = 0.85;  ///< efficiency of the gear
+  static constexpr double kRadius = 0.272;     ///< radius of the wheel, m
+  static constexpr double kCoggingPeriods =
+      90.0;  ///< number of cogging periods per turn of the motor
   static constexpr double kSlipStiffness = 3000.0;  ///< stiffness of the tyre, N for a slip of 1
   static constexpr double kRelaxation = 0.1;        ///< distance in which the tyre's force builds
                                                     ///< up, m
-  static constexpr double kTyreDamping = 500.0;     ///< N s/m
+  static constexpr double kTyreDamping = 500.0;     ///< damping of the tyre, N s/m
 
   DriveTrain() { configure({}); }
 
@@ -51,12 +52,12 @@ class DriveTrain {
   void block(bool blocked) { blocked_ = blocked; }
 
   /// @brief Swaps the leads of the motor, or connects them in the right order.
-  /// @param swapped true: a voltage forwards turns the motor backwards
+  /// @param swapped true: with a positive voltage, the motor turns backwards
   void swapLeads(bool swapped) { polarity_ = swapped ? -1.0 : 1.0; }
 
   /// @brief Lets time pass.
   /// @param seconds duration; at most 0.2 ms
-  /// @param contact the ground
+  /// @param contact contact between the wheel and the ground
   /// @param supply voltage of the supply, V
   void advance(double seconds, const Contact& contact, double supply);
 
@@ -69,7 +70,7 @@ class DriveTrain {
   [[nodiscard]] double sideForce() const { return sideForce_; }
 
   /// @brief Returns the current of the motor.
-  /// @return A, positive when it pulls forwards
+  /// @return A, positive when the current drives the robot forwards
   [[nodiscard]] double current() const { return current_; }
 
   /// @brief Returns the current in the driver, as its sensor measures it.
@@ -77,7 +78,7 @@ class DriveTrain {
   [[nodiscard]] double driverCurrent() const { return polarity_ * current_; }
 
   /// @brief Returns the current that the driver draws from the supply.
-  /// @return A, negative when it flows back
+  /// @return A, negative when the current flows back into the supply
   [[nodiscard]] double supplyCurrent() const { return share() * current_; }
 
   /// @brief Returns the power that the driver puts into the motor.
@@ -105,9 +106,9 @@ class DriveTrain {
   [[nodiscard]] double acceleration(double direction, double friction) const;
 
   MotorParameters motor_{};
-  double inertiaDriving_ = 1;  // inertia of all rotating parts at the shaft, when the motor drives
-                               // the wheel
-  double inertiaDriven_ = 1;   // inertia when the wheel drives the motor
+  double inertiaDriving_ = 1;  // inertia of all rotating parts, relative to the motor shaft, when
+                               // the motor drives the wheel
+  double inertiaDriven_ = 1;   // the same inertia when the wheel drives the motor
   WheelDrive drive_{};
   bool blocked_ = false;
   double polarity_ = 1;

@@ -9,11 +9,12 @@ namespace wr::plant {
 
 namespace {
 
-// At start the shaft is in the middle between two edges.
+// At the start, the shaft is in the middle between two edges.
 constexpr double kStart = 0.5;
 
-// Sensor a is high from edge 1 of four to edge 3, and sensor b from edge 2 to edge 4. If position 0
-// is edge 1 + sensor, the level is high from 0 to 2, low from 2 to 4, and so on.
+// A period has four edges. Sensor a is high from edge 1 to edge 3, and sensor b is high from edge 2
+// to edge 4. The position is measured from the rising edge of the sensor. The level is high from 0
+// to 2, low from 2 to 4, and then repeats.
 bool levelAt(double position) {
   return (wholePart(position) & 2) == 0;
 }

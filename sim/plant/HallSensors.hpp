@@ -7,14 +7,15 @@
 namespace wr::plant {
 
 /// @brief The two Hall sensors of one motor. While the motor turns forwards, their levels (b, a)
-/// have the sequence 00, 01, 11, 10; there are 60 edges in a turn of the shaft.
+/// have the sequence 00, 01, 11, 10. One turn of the shaft has 60 edges.
 class HallSensors {
  public:
   static constexpr double kEdgesPerTurn = 60.0;
-  /// Half of the distance, in edges, by which the shaft must turn back before an edge is reversed.
+  /// Half of the hysteresis, in edges. The hysteresis is the distance by which the shaft must turn
+  /// back before an edge is reversed.
   static constexpr double kHysteresis = 0.05;
 
-  /// @brief Returns the positions of the sensors.
+  /// @brief Sets the positions of the sensors.
   /// @param misplaced displacement of each sensor, in edges
   void place(const std::array<double, 2>& misplaced) { misplaced_ = misplaced; }
 
@@ -22,7 +23,8 @@ class HallSensors {
   /// @param sensor 0 for a, 1 for b
   /// @param from turns of the shaft before the movement
   /// @param to turns of the shaft after the movement
-  /// @return fraction of the movement at which the level changed; nothing without an edge
+  /// @return fraction of the movement at which the level changed; nothing if the level did not
+  /// change
   [[nodiscard]] std::optional<double> turn(std::size_t sensor, double from, double to);
 
   /// @brief Returns the level of a sensor.

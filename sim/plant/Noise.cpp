@@ -27,8 +27,7 @@ double Noise::normal(std::uint32_t source, std::uint64_t index) const {
   for (std::uint64_t i = 0; i < kSummed; ++i) {
     sum += uniform(source, index * kSummed + i);
   }
-  return sum /
-         2;  // each number has the variance 1/3, so the sum of twelve numbers has the variance 4
+  return sum / 2;  // the variance of each number is 1/3, so the variance of their sum is 4
 }
 
 }  // namespace wr::plant

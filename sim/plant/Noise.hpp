@@ -4,8 +4,8 @@
 
 namespace wr::plant {
 
-/// @brief Random numbers that depend only on a seed, a purpose and the time. Two runs have the same
-/// noise at the same time, even if one of them used more random numbers before.
+/// @brief Random numbers that depend only on a seed, a purpose and an index. Two runs have the same
+/// noise at the same time, also if the first run has used more random numbers before.
 class Noise {
  public:
   /// @brief Constructs the noise.
@@ -18,7 +18,8 @@ class Noise {
   /// @return -1 to 1
   [[nodiscard]] double uniform(std::uint32_t source, std::uint64_t index) const;
 
-  /// @brief Returns a number from a distribution that is nearly normal: the sum of twelve uniform numbers.
+  /// @brief Returns a number from a nearly normal distribution. The number is computed from the sum
+  /// of twelve uniform numbers.
   /// @param source purpose of the number
   /// @param index index of the number for this purpose
   /// @return mean 0, standard deviation 1, at most 6 away from the mean

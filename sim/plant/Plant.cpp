@@ -4,10 +4,10 @@ namespace wr::plant {
 
 namespace {
 
-// Numbers of the noise that belong to the plant.
+// The source of the random numbers of the plant.
 constexpr std::uint32_t kOfPlant = 64;
 
-// Returns successive numbers within their bands.
+// Returns successive random numbers, each within a given band.
 class Bands {
  public:
   explicit Bands(const Noise& noise) : noise_(noise) {}
@@ -47,9 +47,10 @@ void setRolling(Plant& plant, double share) {
 
 }  // namespace
 
-// Copper has 20 percent more resistance 50 K above the nominal temperature. Magnets lose a tenth of
-// their field when they are hot. A lead battery of 24 V has 21 V when it is empty, 29 V while it is
-// charged. The mass ranges from the robot without panels and sprayers to the robot with a load.
+// Copper has 20 percent more resistance 50 K above the nominal temperature. Hot magnets lose a
+// tenth of their field. A lead battery of 24 V has 21 V when it is empty, and 29 V while it is
+// charged. The smallest mass is the robot without panels and sprayers. The greatest mass is the
+// robot with a load.
 Plant Plant::varied(const Noise& noise) {
   Bands bands(noise);
   Plant plant;

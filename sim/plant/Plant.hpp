@@ -13,15 +13,16 @@ inline constexpr std::size_t kWheels = 4;
 
 /// @brief The motor of one wheel, with its driver and its cable.
 ///
-/// Hub motors with 15 pole pairs and 24 to 36 V have a torque constant of about 0.52 N m/A and 60
-/// edges of two Hall sensors in a turn (ODrive, "Hoverboard motor and remote control setup guide":
-/// 15 pole pairs, 8.27 / 16 N m/A). The other values are assumed. Like in a real motor, resistance
-/// and constant differ from the values that the firmware assumes: by 5 % and 4 %.
+/// Hub motors with 15 pole pairs and 24 V to 36 V have a torque constant of about 0.52 N m/A. Their
+/// two Hall sensors have 60 edges in a turn. The source is ODrive, "Hoverboard motor and remote
+/// control setup guide" (15 pole pairs, 8.27 / 16 N m/A). The other values are assumed. As in a
+/// real motor, two values differ from the values that the firmware assumes. The resistance differs
+/// by 5 %, and the torque constant differs by 4 %.
 struct MotorParameters {
   double resistance = 1.42;      ///< ohm, winding, cable and driver
   double inductance = 1.5e-3;    ///< H
   double constant = 0.52;        ///< V s/rad and N m/A
-  double friction = 0.04;        ///< N m, while it turns
+  double friction = 0.04;        ///< N m, while the motor turns
   double staticFriction = 0.06;  ///< N m, at rest
   double damping = 0.5e-3;       ///< N m s/rad
   double cogging = 0.02;         ///< N m, greatest torque of the magnets
@@ -31,22 +32,22 @@ struct MotorParameters {
 
 /// @brief The sensors of one wheel.
 struct CurrentSensorParameters {
-  double gain = 1.0;    ///< share of the nominal 0.1 V/A
+  double gain = 1.0;    ///< factor of the nominal 0.1 V/A
   double offset = 0.0;  ///< A
 };
 
-/// @brief Properties of the parts of a robot. varied() contains the ranges of the properties that
-/// differ between robots, loads and batteries.
+/// @brief Properties of the parts of a robot. Some properties differ between robots, loads and
+/// batteries. varied() contains their ranges.
 struct Plant {
   std::array<MotorParameters, kWheels> motors{};
   std::array<CurrentSensorParameters, kWheels> currentSensors{};
-  double mass = 175.0;              ///< kg: the robot's public description
-  double yawInertia = 85.0;         ///< kg m^2: a box of 2.0 m by 1.4 m with this mass
+  double mass = 175.0;              ///< kg, from the robot's public description
+  double yawInertia = 85.0;         ///< kg m^2, for a box of 2.0 m by 1.4 m with this mass
   double supply = 24.0;             ///< V, of the battery without load
-  double batteryResistance = 0.03;  ///< ohm: two lead batteries, cable, fuse
-  double rollingResistance = 0.04;  ///< share of the weight, while the robot rolls: a meadow
-  double staticResistance = 0.05;   ///< share of the weight, at rest
-  double angleGain = 1.0;           ///< share of the nominal 80 degrees over 3.3 V
+  double batteryResistance = 0.03;  ///< ohm, of two lead batteries, cable and fuse
+  double rollingResistance = 0.04;  ///< fraction of the weight, while the robot rolls on a meadow
+  double staticResistance = 0.05;   ///< fraction of the weight, while the robot is at rest
+  double angleGain = 1.0;           ///< factor of the nominal 80 degrees over 3.3 V
   double angleOffset = 0.0;         ///< degrees
 
   /// @brief Returns a robot with random parameters within their bands.
@@ -55,11 +56,11 @@ struct Plant {
   [[nodiscard]] static Plant varied(const Noise& noise);
 };
 
-/// @brief Properties that a scenario can set.
+/// @brief Parameters that a scenario can set.
 enum class Parameter : std::uint8_t {
   Supply,         ///< V
   Battery,        ///< ohm
-  Mass,           ///< factor of the nominal value; the next values are factors too
+  Mass,           ///< factor of the nominal value, as for all following parameters
   Inertia,        ///< inertia of rotors, wheels and yaw
   Resistance,     ///< resistance of the motors
   MotorConstant,  ///< constant of the motors

@@ -19,7 +19,8 @@ constexpr milliseconds kSpacing{3};
 constexpr double kTremorPeriod = 1000;  // ms
 constexpr std::uint32_t kForJitter = 96;
 
-// A receiver generates its pulses with a timer of 1 us.
+// Returns the width of a pulse in whole microseconds, because the timer of a receiver has a
+// resolution of 1 us.
 microseconds deflected(double share, microseconds full) {
   const double part = std::clamp(share, -1.0, 1.0);
   return RemoteControl::kMiddle +
@@ -64,7 +65,8 @@ nanoseconds RemoteControl::beginOf(std::size_t channel) const {
   return coincident_ ? nanoseconds(0) : nanoseconds(kSpacing * channel);
 }
 
-// Pulses of the receiver: from the transmitter, or from the fail-safe of the receiver.
+// Returns the pulse width of the receiver. The pulse comes from the transmitter, or from the
+// fail-safe of the receiver.
 std::optional<microseconds> RemoteControl::widthOf(std::size_t channel) {
   std::optional<microseconds>& last = last_.at(channel);
   if (on_) {
@@ -82,7 +84,7 @@ std::optional<microseconds> RemoteControl::widthOf(std::size_t channel) {
   return std::nullopt;
 }
 
-// Pulses of the transmitter; none on a channel that is not connected.
+// Returns the pulse width of the transmitter; nothing for a channel that is not connected.
 std::optional<microseconds> RemoteControl::sentWidth(std::size_t channel) const {
   microseconds jitter{0};
   if (noisy_) {

@@ -14,22 +14,22 @@ namespace wr::plant {
 
 /// @brief Positions of the sticks of the remote control.
 struct Sticks {
-  double velocity = 0;  ///< share of full deflection, -1 to 1, positive forwards
-  double steering = 0;  ///< share of full deflection, -1 to 1, positive left
+  double velocity = 0;  ///< fraction of the full deflection, -1 to 1, positive forwards
+  double steering = 0;  ///< fraction of the full deflection, -1 to 1, positive left
 };
 
 /// @brief Positions of the enable switch of the remote control.
 enum class EnablePosition : std::uint8_t {
-  Stop,    ///< the robot shall stop: 1.1 ms
-  Pc,      ///< the remote control sends no orders: 1.5 ms
-  Drive,   ///< the remote control drives: 1.9 ms
-  StopPc,  ///< the switch is between stop and pc: 1.3 ms
-  PcDrive  ///< the switch is between pc and drive: 1.7 ms
+  Stop,    ///< 1.1 ms; the robot shall stop
+  Pc,      ///< 1.5 ms; the remote control sends no orders
+  Drive,   ///< 1.9 ms; the remote control drives the robot
+  StopPc,  ///< 1.3 ms; the switch is between stop and pc
+  PcDrive  ///< 1.7 ms; the switch is between pc and drive
 };
 
 /// @brief Output of a receiver when its transmitter is off.
 enum class FailSafe : std::uint8_t {
-  None,    ///< nothing
+  None,    ///< the receiver sends no pulses
   Hold,    ///< the receiver repeats the last pulses
   Neutral  ///< the receiver sends pulses of 1.5 ms on each channel
 };
@@ -41,12 +41,12 @@ struct RcEdge {
   bool level;                       ///< level from now on
 };
 
-/// @brief Remote control and its receiver. Each of three pins has 50 pulses in a second. A pulse is
-/// 1.0 to 2.0 ms long, and 1.5 ms with the stick in the middle.
+/// @brief The remote control and its receiver. Each of three pins has 50 pulses in a second. A
+/// pulse has a width of 1.0 ms to 2.0 ms. With the stick in the middle, the width is 1.5 ms.
 ///
-/// At first only the enable switch sends, in the position Pc. The channels of the sticks send from
-/// the first call of set() on. While the transmitter is on, the width of a pulse varies by up to 2
-/// us; pulses that the receiver generates itself do not vary.
+/// At first, only the channel of the enable switch has pulses, in the position Pc. The channels of
+/// the sticks have pulses from the first call of set() on. While the transmitter is on, the width
+/// of a pulse varies by up to 2 us. Pulses that the receiver itself generates do not vary.
 class RemoteControl {
  public:
   static constexpr std::size_t kChannels = 3;
@@ -55,8 +55,8 @@ class RemoteControl {
   static constexpr std::chrono::microseconds kDeflection{500};
   static constexpr std::int64_t kJitter = 2;  ///< us
 
-  /// @brief Moves the sticks, and switches the transmitter on. It takes effect with the next
-  /// pulses.
+  /// @brief Moves the sticks, and switches the transmitter on. The change takes effect with the
+  /// next pulses.
   /// @param sticks positions of the sticks; nothing: the transmitter is off
   void set(const std::optional<Sticks>& sticks);
 
@@ -64,25 +64,26 @@ class RemoteControl {
   /// @param position its position from now on
   void setEnable(EnablePosition position) { enable_ = position; }
 
-  /// @brief Sets the output of the receiver when the transmitter is off; None at first.
+  /// @brief Sets the output of the receiver while the transmitter is off. The initial output is
+  /// None.
   /// @param failSafe its behaviour
   void setFailSafe(FailSafe failSafe) { failSafe_ = failSafe; }
 
-  /// @brief Adds the tremble of the operator's hand to the velocity stick.
-  /// @param microseconds greatest change of the pulses of the velocity; 0 at first
+  /// @brief Adds the trembling of the operator's hand to the velocity stick.
+  /// @param microseconds greatest change of the width of the velocity pulses; initially 0
   void setTremor(double microseconds) { tremor_ = microseconds; }
 
-  /// @brief Lets the pulses of all channels begin at one time, or one after the other, which is the
-  /// initial setting.
-  /// @param coincident true: at one time
+  /// @brief Selects whether the pulses of all channels begin at the same time or one after the
+  /// other. Initially, they begin one after the other.
+  /// @param coincident true: the pulses begin at the same time
   void setCoincident(bool coincident) { coincident_ = coincident; }
 
-  /// @brief Switches the noise of the pulses on or off. It is on at first.
+  /// @brief Switches the noise of the pulses on or off. The noise is initially on.
   /// @param on true for on
   void setNoise(bool on) { noisy_ = on; }
 
   /// @brief Lets 1 ms pass.
-  /// @return the edges in this time, in their order; valid until the next step
+  /// @return the edges in this time, in the order of time; the result is valid until the next step
   std::span<const RcEdge> step();
 
  private:

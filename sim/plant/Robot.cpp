@@ -8,21 +8,22 @@ namespace wr::plant {
 
 namespace {
 
-constexpr int kParts = 5;  // parts of a step
+constexpr int kParts = 5;  // number of parts of a step
 constexpr double kPartSeconds = 2e-4;
 constexpr double kStepSeconds = 1e-3;
 
 constexpr double kCurrentNoise = 0.05;  // A
 constexpr double kAngleNoise = 0.05;    // degrees
-constexpr double kMisplacement = 0.03;  // greatest displacement, as a fraction of the distance
-                                        // between two edges
-constexpr double kJitter = 5'000;       // ns
+constexpr double kMisplacement =
+    0.03;  // greatest displacement of a sensor, as a fraction of the distance between two edges
+constexpr double kJitter = 5'000;  // ns
 
 constexpr double kDegreesPerEdge = 90.0;  // electrical degrees
 constexpr std::chrono::nanoseconds kGlitch{30'000};
-constexpr double kOpenShare = 0.05;  // fraction of the difference to its neighbour by which an open
-                                     // input changes
-constexpr double kNoPower = 0.05;    // W; noise and rounding cause less power
+constexpr double kOpenShare = 0.05;  // an open input changes by this fraction of the difference
+                                     // between its voltage and the neighbour's voltage
+constexpr double kNoPower =
+    0.05;  // W; the power that noise and rounding cause is less than this limit
 constexpr double kSlopeSeconds = 2.0;  // longest time in which the slope changes
 
 // Purposes of the random numbers.
@@ -239,9 +240,10 @@ void Robot::sample() {
   sampleAngle();
 }
 
-// An open input keeps the charge of the converter's capacitor, from the previous input.
-// One converter converts the currents of the wheels 0 and 1, the other converter the currents of
-// the wheels 2 and 3 and the angle.
+// Returns the voltage of the previous input of a converter. The voltage of an open input moves
+// towards this voltage, because the converter's capacitor keeps its charge. One converter converts
+// the currents of wheels 0 and 1. The other converter converts the currents of wheels 2 and 3, and
+// the angle.
 double Robot::voltsBefore(std::size_t wheel) const {
   return wheel == 2 ? steeringVolts() : currentVolts_.at(wheel == 0 ? 1 : wheel - 1);
 }
@@ -266,8 +268,9 @@ double Robot::steeringVolts() const {
   return angleOpen_ || angleStuck_ ? keptVolts_ : trueAngleVolts();
 }
 
-// While only one axle is on the new slope, the slope of the robot has a part of the change. The
-// full change acts when the second axle has followed, one wheelbase later.
+// While only one axle is on the new slope, the slope of the robot changes by a part of the
+// difference. One wheelbase later, the second axle is also on the new slope, and the full
+// difference acts.
 void Robot::advanceSlope() {
   if (slopeReached_ >= 1) {
     return;
@@ -277,7 +280,8 @@ void Robot::advanceSlope() {
   surroundings_.slope = std::lerp(slopeBefore_, slopeAhead_, slopeReached_);
 }
 
-// The weight's share along the slope pulls downhill, for any direction of the robot.
+// The component of the weight along the slope pulls the robot downhill, for any heading of the
+// robot.
 void Robot::feelGround() {
   linkage_.turn(steering_.degrees());
   const double rise = surroundings_.slope / 100.0;
@@ -300,7 +304,8 @@ Contact Robot::contactOf(const WheelPose& pose) const {
           .grip = grip_};
 }
 
-// The tyres push the robot along, across and around; the voltage of the battery falls under load.
+// The tyres push the robot along and across its axis, and turn it. The voltage of the battery falls
+// under load.
 void Robot::advance(double seconds) {
   Forces force = ground_;
   double drawn = 0;
@@ -323,8 +328,8 @@ void Robot::advance(double seconds) {
   distance_ += speed_ * seconds;
 }
 
-// Rolling resistance acts against the movement, and keeps a robot at rest until a greater force
-// acts on it.
+// Rolling resistance acts against the movement. A robot stays at rest until a greater force acts on
+// it.
 void Robot::advanceAlong(double force, double seconds) {
   if (speed_ == 0) {
     const double excess = std::abs(force) - plant_.staticResistance * weight_;
@@ -382,7 +387,7 @@ bool Robot::happens(std::uint32_t source, std::size_t wheel, double perSecond) c
                               2.0 * perSecond * kStepSeconds - 1.0;
 }
 
-// Edges of a wheel keep their order.
+// The edges of a wheel stay in order.
 void Robot::addEdge(HallEdge edge) {
   const auto last = std::ranges::find(edges_.rbegin(), edges_.rend(), edge.wheel, &HallEdge::wheel);
   const std::chrono::nanoseconds first =

@@ -27,8 +27,9 @@ struct HallEdge {
 
 /// @brief The ground on which the robot drives.
 struct Ground {
-  double slope = 0;   ///< percent, positive uphill in the direction in which the robot starts
-  double grip = 0.6;  ///< greatest share of a wheel's load that its tyre can transmit
+  double slope = 0;  ///< percent, positive uphill in the direction in which the robot starts
+  double grip =
+      0.6;  ///< greatest force that a tyre can transmit, as a fraction of the wheel's load
 };
 
 /// @brief Kind of a fault.
@@ -38,17 +39,17 @@ enum class Fault : std::uint8_t {
   HallB,          ///< sensor b of a wheel keeps its level
   HallSwapped,    ///< the two Hall sensors of a wheel are swapped at their pins
   HallMisplaced,  ///< sensor b of a wheel is displaced; value: electrical degrees
-  HallGlitches,   ///< pulses of 30 us on sensor a of a wheel; value: pulses in a second
-  HallLosses,     ///< edges of a wheel are lost; value: edges in a second
+  HallGlitches,   ///< pulses of 30 us on sensor a of a wheel; value: pulses per second
+  HallLosses,     ///< edges of a wheel are lost; value: edges per second
   Leads,          ///< the leads of a motor are swapped
   Current,        ///< the cable of a current sensor is broken; its input is pulled to 0 V
-  CurrentOpen,    ///< the cable is broken, and nothing pulls the input, so it follows its neighbour
+  CurrentOpen,    ///< the cable is broken, and the open input follows its neighbour
   CurrentStuck,   ///< a current sensor keeps its value
   CurrentOffset,  ///< a current sensor has an offset; value: mA
   Angle,          ///< the cable of the angle sensor is broken; its input is pulled to 0 V
-  AngleOpen,      ///< the cable is broken, and nothing pulls the input, so it follows its neighbour
+  AngleOpen,      ///< the cable is broken, and the open input follows its neighbour
   AngleStuck,     ///< the angle sensor keeps its value
-  AngleDrift,     ///< the angle sensor drifts; value: 0.01 degree in a second
+  AngleDrift,     ///< the angle sensor drifts; value: 0.01 degree per second
   Stall,          ///< the steering is stuck
   Block,          ///< a wheel cannot turn
   LeftEnd,        ///< the wire of the left end stop is broken
@@ -57,22 +58,24 @@ enum class Fault : std::uint8_t {
 
 /// @brief Effect of the emergency stop's circuit on the motors.
 enum class EmergencyStop : std::uint8_t {
-  Released,  ///< nothing
+  Released,  ///< the circuit has no effect
   Coast,     ///< the circuit removes the power of all drivers; the motors have no current
   Brake      ///< the circuit removes the power, and short-circuits the motors of the wheels
 };
 
-/// @brief The physics of the robot: from the inputs of its actuators to the values of its sensors.
+/// @brief The physics of the robot. The inputs are the signals to its actuators, and the outputs
+/// are the values of its sensors.
 ///
-/// Time is divided into steps of 1 ms. A step uses the present inputs and returns the edges before
-/// the next step. Noise depends only on the seed and the step, so it is equal for each target of
-/// the firmware.
+/// Time is divided into steps of 1 ms. A step uses the present inputs, and returns the edges of its
+/// time. Noise depends only on the seed and the step. It is therefore equal for all targets of the
+/// firmware.
 class Robot {
  public:
-  static constexpr double kGravity = 9.81;     ///< m/s^2
-  static constexpr double kReference = 3.3;    ///< V: full scale of the converters
-  static constexpr double kMiddle = 1.65;      ///< V: no current; steering straight ahead
-  static constexpr double kPerAmpere = 0.1;    ///< V/A of the current sensors
+  static constexpr double kGravity = 9.81;   ///< m/s^2
+  static constexpr double kReference = 3.3;  ///< V; full scale of the converters
+  static constexpr double kMiddle = 1.65;    ///< V; the sensors have this voltage without current,
+                                             ///< and with the steering straight ahead
+  static constexpr double kPerAmpere = 0.1;  ///< V/A of the current sensors
   static constexpr double kAngleRange = 80.0;  ///< degrees over the whole scale
   static constexpr std::chrono::milliseconds kStep{1};
 
@@ -81,18 +84,18 @@ class Robot {
   /// @param surroundings the ground
   explicit Robot(std::uint32_t seed, Ground surroundings = {});
 
-  /// @brief Chooses new noise, new displacements of the Hall sensors and, for a varied robot, new
-  /// parameters.
-  /// @param seed chooses them
+  /// @brief Chooses new noise and new displacements of the Hall sensors. If the robot is varied,
+  /// also chooses new parameters.
+  /// @param seed seed of the choice
   void setSeed(std::uint32_t seed);
 
   /// @brief Sets the properties of the robot's parts.
   /// @param plant its parameters
   void setPlant(const Plant& plant);
 
-  /// @brief Lets the seed choose the properties of the robot's parts, or sets the nominal
+  /// @brief Sets random or nominal properties of the robot's parts. The seed chooses the random
   /// properties.
-  /// @param varied true: the seed chooses
+  /// @param varied true: random properties; false: nominal properties
   void vary(bool varied);
 
   /// @brief Sets one parameter of the robot.
@@ -100,25 +103,26 @@ class Robot {
   /// @param value the value, in the unit of the parameter
   void setParameter(Parameter parameter, double value);
 
-  /// @brief Switches the noise and the displacement of the sensors on or off. It is on at first.
+  /// @brief Switches the noise and the displacement of the sensors on or off. Both are initially
+  /// on.
   /// @param on true for on
   void setNoise(bool on);
 
-  /// @brief Sets the slope of the ground ahead. The robot reaches this slope axle by axle: its
-  /// slope changes evenly over one wheelbase. If it drives slowly or is at rest, its slope changes
-  /// within 2 s.
+  /// @brief Sets the slope of the ground ahead. The robot reaches this slope axle by axle, so its
+  /// own slope changes evenly over one wheelbase. If the robot drives slowly or is at rest, its
+  /// slope changes within 2 s.
   /// @param percent positive uphill, in the direction in which the robot started
   void setSlope(double percent);
 
   /// @brief Sets the grip of the ground.
-  /// @param share greatest share of a wheel's load that its tyre can transmit
+  /// @param share greatest force that a tyre can transmit, as a fraction of the wheel's load
   void setGrip(double share) { surroundings_.grip = share; }
 
   /// @brief Sets a fault, or repairs it.
   /// @param fault kind
   /// @param wheel number of the wheel, for faults of a wheel
-  /// @param present true to break it
-  /// @param value value, for faults with a value
+  /// @param present true: the fault is present; false: it is repaired
+  /// @param value value of the fault, for faults with a value
   void setFault(Fault fault, std::size_t wheel, bool present, double value = 0);
 
   /// @brief Presses or releases the emergency stop.
@@ -142,8 +146,8 @@ class Robot {
   /// @param left direction
   void steeringStep(bool left) { steering_.step(left); }
 
-  /// @brief Samples the sensors, then lets 1 ms pass with the present inputs.
-  /// @return the edges in this time, in their order; valid until the next step
+  /// @brief Samples the sensors. Then simulates 1 ms with the present inputs.
+  /// @return the edges in this time, in the order of time; the result is valid until the next step
   std::span<const HallEdge> step();
 
   /// @brief Resets the greatest velocity.
@@ -163,15 +167,15 @@ class Robot {
     return halls_.at(wheel).level(sensor);
   }
 
-  /// @brief Returns whether the contact of the left end stop is open: the end is reached, or the
-  /// wire broken.
+  /// @brief Returns whether the contact of the left end stop is open. It is open if the end is
+  /// reached or the wire is broken.
   [[nodiscard]] bool leftEnd() const { return leftEndBroken_ || steering_.leftEnd(); }
 
-  /// @brief Returns whether the contact of the right end stop is open: the end is reached, or the
-  /// wire broken.
+  /// @brief Returns whether the contact of the right end stop is open. It is open if the end is
+  /// reached or the wire is broken.
   [[nodiscard]] bool rightEnd() const { return rightEndBroken_ || steering_.rightEnd(); }
 
-  /// @brief Returns whether the emergency stop is pressed, which opens its auxiliary contact.
+  /// @brief Returns whether the emergency stop is pressed. Its auxiliary contact is then open.
   [[nodiscard]] bool emergencyStopOpen() const { return !hasPower(); }
 
   /// @brief Returns the true velocity of a wheel's motor shaft.
@@ -188,7 +192,7 @@ class Robot {
   [[nodiscard]] double turns(std::size_t wheel) const { return trains_.at(wheel).turns(); }
 
   /// @brief Returns the true current of a wheel's motor.
-  /// @return A, positive when it pulls forwards
+  /// @return A, positive when the current drives the robot forwards
   [[nodiscard]] double currentAmperes(std::size_t wheel) const {
     return trains_.at(wheel).current();
   }
@@ -197,15 +201,15 @@ class Robot {
   /// @return N m at the shaft, positive forwards
   [[nodiscard]] double torque(std::size_t wheel) const { return trains_.at(wheel).torque(); }
 
-  /// @brief Returns whether no driver puts power into its motor: the robot brakes, rolls or is at
-  /// rest.
+  /// @brief Returns whether no driver puts power into its motor. In this case, the robot brakes,
+  /// rolls or is at rest.
   [[nodiscard]] bool braking() const;
 
-  /// @brief Returns the speed over ground of the middle of the robot, along the robot.
+  /// @brief Returns the speed over ground at the middle of the robot, in the direction of its axis.
   /// @return m/s, positive forwards
   [[nodiscard]] double groundSpeed() const { return speed_; }
 
-  /// @brief Returns the speed over ground of the middle of the robot, across the robot.
+  /// @brief Returns the speed over ground at the middle of the robot, across its axis.
   /// @return m/s, positive to the left
   [[nodiscard]] double sideSpeed() const { return sideSpeed_; }
 
@@ -217,11 +221,11 @@ class Robot {
   /// @return heading relative to the heading at the start [rad], positive to the left
   [[nodiscard]] double heading() const { return heading_; }
 
-  /// @brief Returns the speed with which the tyre of a wheel slides across the wheel.
+  /// @brief Returns the speed at which the tyre of a wheel slides sideways.
   /// @return m/s, positive to the left
   [[nodiscard]] double sideSlip(std::size_t wheel) const;
 
-  /// @brief Returns the distance since start, along the path.
+  /// @brief Returns the distance along the path since the start.
   /// @return m, positive forwards
   [[nodiscard]] double distance() const { return distance_; }
 
@@ -238,7 +242,7 @@ class Robot {
   [[nodiscard]] double supplyVolts() const { return supply_; }
 
   /// @brief Returns the properties of the robot's parts.
-  /// @return its parameters
+  /// @return parameters of the robot
   [[nodiscard]] const Plant& plant() const { return plant_; }
 
  private:
@@ -288,7 +292,7 @@ class Robot {
   bool varied_ = false;
   Plant plant_{};
   Ground surroundings_;
-  double slopeBefore_ = 0;   // percent, slope after the place of the change
+  double slopeBefore_ = 0;   // percent; slope before the change
   double slopeAhead_ = 0;    // percent
   double slopeReached_ = 1;  // completed fraction of the change
   std::array<DriveTrain, kWheels> trains_{};

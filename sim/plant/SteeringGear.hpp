@@ -2,19 +2,21 @@
 
 namespace wr::plant {
 
-/// @brief The steering device: a stepper motor with its gear, end stops and switches.
+/// @brief The steering device with its stepper motor, gear, end stops and switches.
 class SteeringGear {
  public:
-  static constexpr double kStep = 0.05;    ///< degrees
-  static constexpr int kLastStep = 680;    ///< mechanical limit of the steering: 34 degrees
-  static constexpr double kSwitch = 33.5;  ///< angle at which the switch of an end closes, degrees
+  static constexpr double kStep = 0.05;  ///< degrees
+  static constexpr int kLastStep =
+      680;  ///< last step before the mechanical limit of the steering, at 34 degrees
+  static constexpr double kSwitch =
+      33.5;  ///< angle at which the switch of an end operates, degrees
 
   /// @brief Switches the current of the motor.
   /// @param enabled false: steps are lost
   void enable(bool enabled) { enabled_ = enabled; }
 
-  /// @brief Lets the motor stall: each step is lost.
-  /// @param stalled true from now on
+  /// @brief Stalls the motor or releases it. A stalled motor loses all steps.
+  /// @param stalled true: the motor is stalled from now on
   void stall(bool stalled) { stalled_ = stalled; }
 
   /// @brief Executes one step pulse.
@@ -25,10 +27,10 @@ class SteeringGear {
   /// @return degrees, positive to the left
   [[nodiscard]] double degrees() const { return steps_ * kStep; }
 
-  /// @brief Returns whether the switch of the left end is closed.
+  /// @brief Returns whether the left end is reached.
   [[nodiscard]] bool leftEnd() const { return degrees() >= kSwitch; }
 
-  /// @brief Returns whether the switch of the right end is closed.
+  /// @brief Returns whether the right end is reached.
   [[nodiscard]] bool rightEnd() const { return degrees() <= -kSwitch; }
 
  private:

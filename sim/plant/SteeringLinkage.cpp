@@ -7,11 +7,11 @@ namespace wr::plant {
 
 namespace {
 
-// Returns the tangent of at most 40 degrees, by the continued fraction of Lambert. std::tan differs
-// in its last digit from library to library; the native simulator and the WebAssembly module need
-// equal results.
+// Returns the tangent of an angle of at most 40 degrees. Uses the continued fraction of Lambert,
+// because the last digit of std::tan differs between libraries. The native simulator and the
+// WebAssembly module need equal results.
 double tangent(double radians) {
-  constexpr int kDepth = 21;  // the next term changes no digit of a double
+  constexpr int kDepth = 21;  // a further term does not change a double
   double rest = 0;
   for (int term = kDepth; term > 1; term -= 2) {
     rest = radians * radians / (term - rest);

@@ -9,23 +9,24 @@ namespace wr::plant {
 
 /// @brief Position and direction of a wheel.
 struct WheelPose {
-  double x = 0;       ///< m before the middle of the robot
-  double y = 0;       ///< m to the left of the middle
+  double x = 0;       ///< m in front of the middle of the robot
+  double y = 0;       ///< m to the left of the middle of the robot
   double cosine = 1;  ///< cosine of the wheel's angle to the left
   double sine = 0;
 };
 
-/// @brief The four wheels under the robot: front left, front right, rear left, rear right. All
+/// @brief The poses of the four wheels: front left, front right, rear left and rear right. All
 /// wheels move on circles around one point on the line of the rear axle (Ackermann steering).
 class SteeringLinkage {
  public:
-  static constexpr double kWheelbase = 1.582;  ///< m: the robot's public description
-  static constexpr double kTrack = 1.054;      ///< m: the robot's public description
+  static constexpr double kWheelbase = 1.582;  ///< m, from the robot's public description
+  static constexpr double kTrack = 1.054;      ///< m, from the robot's public description
 
   SteeringLinkage() { turn(0); }
 
   /// @brief Turns the front wheels.
-  /// @param degrees angle of a wheel in the middle of the front axle, positive to the left
+  /// @param degrees angle that a wheel in the middle of the front axle would have, positive to the
+  /// left
   void turn(double degrees);
 
   /// @brief Returns the pose of a wheel.

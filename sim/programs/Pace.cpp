@@ -25,7 +25,8 @@ void Pace::sleep(Clock::time_point until) {
 void printLost(const Pace& pace, std::FILE* output) {
   const auto lost = std::chrono::duration_cast<std::chrono::milliseconds>(pace.lost());
   if (lost.count() > 0) {
-    std::fprintf(output, "The machine was too slow: the robot's time stood still for %lld ms.\n",
+    std::fprintf(output,
+                 "The machine was too slow. The robot's time did not advance for %lld ms.\n",
                  static_cast<long long>(lost.count()));
   }
 }

@@ -8,8 +8,8 @@ namespace wr::programs {
 
 /// @brief Synchronises the time of a simulated robot with the clock of the machine.
 ///
-/// When the machine is late by more than kLate, the robot's time stands still instead of catching
-/// up, so that its PC gets no burst of cycles.
+/// When the machine is late by more than kLate, the robot's time does not catch up with the clock.
+/// Otherwise, the PC would get a burst of cycles.
 class Pace final {
  public:
   using Clock = std::chrono::steady_clock;
@@ -17,14 +17,14 @@ class Pace final {
   /// @brief Greatest delay that is compensated.
   static constexpr Clock::duration kLate = std::chrono::milliseconds(20);
 
-  /// @brief Begins at time 0 of the robot.
-  /// @param now clock of the machine
-  /// @param sleepUntil sleeps until a time of this clock
+  /// @brief Starts at time 0 of the robot.
+  /// @param now returns the time of the machine's clock
+  /// @param sleepUntil sleeps until a time of the machine's clock
   explicit Pace(std::function<Clock::time_point()> now = &Clock::now,
                 std::function<void(Clock::time_point)> sleepUntil = &Pace::sleep);
 
   /// @brief Waits for a time of the robot.
-  /// @param time since the start of the robot
+  /// @param the time, since the start of the robot
   void waitFor(Clock::duration time);
 
   /// @brief Returns the duration in which the simulated time did not advance.
@@ -40,7 +40,7 @@ class Pace final {
 };
 
 /// @brief Prints the duration in which the simulated time did not advance. Prints nothing for 0.
-/// @param pace pace of the ended run
+/// @param pace pace of the run that has ended
 /// @param output receives the text
 void printLost(const Pace& pace, std::FILE* output);
 

@@ -12,7 +12,8 @@ namespace wr::programs {
 /// @brief Exit codes of the simulators.
 enum class Exit { Done = 0, Failed = 1, Usage = 2, Found = 4 };
 
-/// @brief A symbolic link that lasts as long as the object. A file of another kind is not replaced.
+/// @brief A symbolic link that exists as long as the object. A file that is not a symbolic link is
+/// not replaced.
 class SymbolicLink {
  public:
   /// @brief Creates the link.
@@ -28,7 +29,7 @@ class SymbolicLink {
   std::filesystem::path target_;
 };
 
-/// @brief Makes Ctrl-C and SIGTERM request the end of the program.
+/// @brief Registers handlers for Ctrl-C and SIGTERM. Both signals request the end of the program.
 void catchEndRequests();
 
 /// @brief Checks whether the end was requested.
@@ -36,18 +37,18 @@ void catchEndRequests();
 
 /// @brief Plays a scenario and prints its result.
 /// @param file the scenario
-/// @param reports file for the reports; empty for none
+/// @param reports file for the reports; empty to write no file
 /// @param robot a robot that was just switched on
 /// @return exit code of the program
 [[nodiscard]] Exit playScenario(const std::string& file, const std::string& reports,
                                 scenario::RobotSession& robot);
 
-/// @brief Returns a check of an option whose number must be greater than 0.
+/// @brief Returns a validator for an option whose number must be greater than 0.
 [[nodiscard]] CLI::Validator greaterThanZero();
 
 /// @brief Reads the command line, runs a program, and turns errors into an exit code and a text.
 /// @param app options of the program
-/// @param count number of arguments, with the name of the program
+/// @param count number of arguments, including the name of the program
 /// @param arguments the arguments
 /// @param body the program; it throws CLI::ParseError for options that cannot be combined
 /// @return exit code for main()

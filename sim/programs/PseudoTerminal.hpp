@@ -10,13 +10,13 @@
 
 namespace wr::programs {
 
-/// @brief A pseudo-terminal of this machine.
+/// @brief A pseudo-terminal on this machine.
 ///
 /// The object also keeps the far end open, so that clients can disconnect and connect. Bytes that
-/// the pseudo-terminal does not accept at once wait in a bounded buffer.
+/// the pseudo-terminal does not accept immediately wait in a bounded buffer.
 class PseudoTerminal final : public SerialLine {
  public:
-  /// @brief Bytes that can wait to be sent.
+  /// @brief Maximum number of bytes that wait to be sent.
   static constexpr std::size_t kCapacity = 512;
 
   /// @brief Opens a pseudo-terminal in raw mode. Throws std::system_error when this fails.

@@ -8,7 +8,7 @@
 
 namespace wr::programs {
 
-/// @brief The line to a serial port of the robot, on this machine. No call waits.
+/// @brief The line to a serial port of the robot, on this machine. No call blocks.
 class SerialLine {
  public:
   SerialLine() = default;
@@ -16,17 +16,17 @@ class SerialLine {
   SerialLine& operator=(const SerialLine&) = delete;
   virtual ~SerialLine() = default;
 
-  /// @brief Returns the name with which a client opens the line.
+  /// @brief Returns the name that a client needs to open the line.
   [[nodiscard]] virtual const std::string& name() const = 0;
 
   /// @brief Reads bytes that a client has sent.
   /// @param bytes receives the bytes
-  /// @return number of bytes; 0 while there are none
+  /// @return number of bytes; 0 if there are no bytes
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
 
   /// @brief Sends bytes to the client.
   /// @param bytes the bytes
-  /// @return false when they are lost, because no client reads
+  /// @return false if bytes are lost, because no client reads the line
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
 };
 

@@ -9,12 +9,12 @@
 
 namespace wr::programs {
 
-/// @brief A TCP port of this machine, 127.0.0.1, for one client at a time. Clients can disconnect
-/// and connect.
+/// @brief A TCP port at 127.0.0.1. One client at a time can connect. Clients can disconnect and
+/// connect again.
 class TcpLine final : public SerialLine {
  public:
   /// @brief Waits for clients. Throws std::system_error when this fails.
-  /// @param port the port; 0: the system chooses a free port, see name()
+  /// @param port the port; with 0, the system chooses a free port, which name() contains
   explicit TcpLine(std::uint16_t port);
   ~TcpLine() override;
 

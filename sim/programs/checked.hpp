@@ -8,7 +8,7 @@ namespace wr::programs {
 
 /// @brief Returns the result of a system call. Throws std::system_error when it is negative.
 /// @param result the result
-/// @param name the call, for the error
+/// @param name name of the system call for the error message
 inline int checked(int result, const std::string& name) {
   if (result < 0) {
     throw std::system_error(errno, std::generic_category(), name);

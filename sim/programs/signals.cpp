@@ -14,7 +14,7 @@ constexpr double kHighestVolts = 3.3;
 constexpr int kLastChannel = 23;
 constexpr int kLastPin = 31;
 
-// Reads a text from its beginning; any error makes the whole text invalid.
+// Reads a text from its beginning. Any error makes the whole text invalid.
 class Words {
  public:
   Words(const char* option, const std::string& text) : option_(option), text_(text), rest_(text) {}
@@ -47,7 +47,7 @@ class Words {
   void require(bool fits) const {
     if (!fits) {
       throw CLI::ValidationError(option_,
-                                 "'" + text_ + "' cannot be read: see the example in --help");
+                                 "'" + text_ + "' is not valid. See the example in --help");
     }
   }
 
@@ -74,8 +74,10 @@ AnalogSignal analogSignalOf(const std::string& text) {
   words.literal("=");
   signal.volts = words.number<double>();
   words.end();
-  refuseUnless(signal.channel <= kLastChannel, "--analog", text + ": inputs are SE0 to SE23");
-  refuseUnless(signal.volts <= kHighestVolts, "--analog", text + ": voltages are 0 to 3.3 V");
+  refuseUnless(signal.channel <= kLastChannel, "--analog",
+               text + " is not valid. Inputs are SE0 to SE23");
+  refuseUnless(signal.volts <= kHighestVolts, "--analog",
+               text + " is not valid. Voltages are 0 V to 3.3 V");
   return signal;
 }
 
@@ -88,7 +90,7 @@ DigitalSignal digitalSignalOf(const std::string& text) {
   words.literal("=");
   signal.level = words.letter('0', '1') == '1';
   words.end();
-  refuseUnless(signal.pin <= kLastPin, "--level", text + ": pins are 0 to 31");
+  refuseUnless(signal.pin <= kLastPin, "--level", text + " is not valid. Pins are 0 to 31");
   return signal;
 }
 

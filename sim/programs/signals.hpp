@@ -19,7 +19,8 @@ struct DigitalSignal {
 };
 
 /// @brief Reads a voltage. Throws CLI::ValidationError when the text is not valid.
-/// @param text e.g. "ADC0_SE12=1.65": the single-ended input 12 of converter 0 at 1.65 V
+/// @param text e.g. "ADC0_SE12=1.65", which means 1.65 V at the single-ended input 12 of converter
+/// 0
 [[nodiscard]] AnalogSignal analogSignalOf(const std::string& text);
 
 /// @brief Reads a level. Throws CLI::ValidationError when the text is not valid.

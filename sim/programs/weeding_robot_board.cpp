@@ -37,7 +37,7 @@ using std::chrono::nanoseconds;
 
 // Time between two reads of the line of UART0.
 constexpr milliseconds kSlice{2};
-// Greatest number of bytes per read of the line; more bytes wait.
+// Maximum number of bytes per read of the line. More bytes wait until the next read.
 constexpr std::size_t kBytes = 64;
 constexpr milliseconds kPeriod{100};
 constexpr double kNanoseconds = 1e9;
@@ -79,19 +79,20 @@ void addImageOptions(CLI::App& app, Settings& settings) {
       ->type_name("PATH")
       ->group(group);
   app.add_option("--elf", settings.elf,
-                 "file with symbols: findings then name function, file and line [none]")
+                 "ELF file with symbols; findings then contain function, file and line [none]")
       ->type_name("PATH")
       ->check(CLI::ExistingFile)
       ->group(group);
-  app.add_option("--timing", settings.timing,
-                 "cycles of an instruction: no-wait-states or slow-flash [no-wait-states]")
+  app.add_option(
+         "--timing", settings.timing,
+         "model of the cycles of an instruction: no-wait-states or slow-flash [no-wait-states]")
       ->type_name("MODEL")
       ->check(CLI::IsMember({"no-wait-states", "slow-flash"}))
       ->group(group);
-  app.add_option(
-         "--unmodelled", settings.unmodelled,
-         "an access that is not modelled: stop with a finding, or warn and continue; a load "
-         "then returns 0, a store has no effect [stop]")
+  app.add_option("--unmodelled", settings.unmodelled,
+                 "action at an access that is not modelled: stop with a finding, or warn and "
+                 "continue; a load "
+                 "then returns 0, a store has no effect [stop]")
       ->type_name("stop|warn")
       ->check(CLI::IsMember({"stop", "warn"}))
       ->group(group);
@@ -108,7 +109,8 @@ void addImageOptions(CLI::App& app, Settings& settings) {
 void addLineOptions(CLI::App& app, Settings& settings) {
   const std::string group = "UART0 and pins";
   app.add_option("--uart0", settings.uart,
-                 "connection of UART0: pty, stdout (only sends), or tcp:PORT at 127.0.0.1, 0 for a "
+                 "connection of UART0: pty, stdout (only sends), or tcp:PORT at 127.0.0.1, with "
+                 "PORT 0 for a "
                  "free port [pty]")
       ->type_name("LINE")
       ->check(CLI::Validator(
@@ -248,7 +250,7 @@ emulator::Options boardOptions(const Settings& settings) {
           .unmodelledIsFinding = settings.unmodelled == "stop"};
 }
 
-/// @brief The running board: alone, or in the robot.
+/// @brief The running board, which is alone or in the robot.
 class Machine {
  public:
   explicit Machine(const Settings& settings) {
@@ -280,8 +282,8 @@ class Machine {
   std::optional<emulator::VirtualBoard> alone_;
 };
 
-// Returns whether the time has passed, or the number of cycles has begun and ended before the next
-// slice.
+// Returns whether the run is complete. The run is complete when its time has passed, or when its
+// number of cycles has ended before the next slice.
 bool hasRun(Machine& machine, const Settings& settings) {
   const nanoseconds now = machine.board().now();
   if (settings.seconds != 0 &&
@@ -307,19 +309,20 @@ void exchangeBytes(SerialLine& line, emulator::VirtualBoard& board) {
   for (std::size_t count = line.read(bytes); count != 0; count = line.read(bytes)) {
     board.receive(std::span(bytes).first(count));
   }
-  line.write(board.takeSent());  // bytes that nobody reads are lost, as on a line
+  line.write(board.takeSent());  // bytes that no client reads are lost, as on a real line
 }
 
-// Messages must not be mixed with the bytes of UART0.
+// Returns the stream for messages. Messages must not be mixed with the bytes of UART0.
 std::FILE* messagesOf(const Settings& settings) {
   return settings.uart == "stdout" ? stderr : stdout;
 }
 
-/// @brief The line of UART0 and the pace of a run. With a debugger, a restarted run keeps both.
+/// @brief The line of UART0 and the pace of a run. With a debugger, a restarted run keeps the line
+/// and the pace.
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
-    // A run as fast as possible has no line for a client.
+    // A run that is as fast as possible has no line for a client.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }
@@ -336,7 +339,7 @@ class Outside {
     }
   }
 
-  /// @brief Creates the link, and prints the name of the line, only once.
+  /// @brief Creates the link and prints the name of the line. Does this only once.
   void announce(const Settings& settings, bool robot) {
     if (line() == nullptr || link_) {
       return;
@@ -364,9 +367,9 @@ Exit runBoard(Machine& machine, const Settings& settings, Outside& outside) {
   if (!settings.control.empty()) {
     control.emplace(settings.control, *machine.robot());
   }
-  outside.announce(settings,
-                   machine.robot() != nullptr);  // the link is created last, when everything else
-                                                 // exists
+  outside.announce(
+      settings,
+      machine.robot() != nullptr);  // the link is created last; at this time everything else exists
   Pace& pace = outside.pace;
   bool runs = true;
   while (runs && !endRequested() && !hasRun(machine, settings)) {
@@ -395,7 +398,8 @@ Exit runBoard(Machine& machine, const Settings& settings, Outside& outside) {
   return Exit::Done;
 }
 
-// Plays the scenario and measures its last cycles; one more cycle must have begun.
+// Plays the scenario and measures its last cycles. Before the measured cycles, the scenario must
+// have at least one more cycle.
 Exit runBench(board_robot::BoardSession& robot, const Settings& settings) {
   const auto end = scenario::Scenario::load(settings.scenario).end();
   const auto measured = kPeriod * (board_robot::CycleMeter::kCycles + 1);
@@ -442,7 +446,7 @@ Exit runAsAsked(Machine& machine, const Settings& settings, Outside& outside) {
   return runBoard(machine, settings, outside);
 }
 
-// Runs under a debugger: each step back is another run from the start.
+// Runs under a debugger. Each step back is another run from the start.
 Exit runDebugged(const Settings& settings) {
   catchEndRequests();
   const std::unique_ptr<SerialLine> door = openLine("tcp:" + std::to_string(settings.gdb));
@@ -514,7 +518,7 @@ int main(int count, char** arguments) try {
   wr::programs::Settings settings;
   CLI::App app(
       "Runs a raw image of a K64 (MK64FN1M0) on the virtual board, in real time. The board is\n"
-      "alone, or in the simulated robot. It stops at a finding.",
+      "alone, or in the simulated robot. It stops at the first finding.",
       "weeding_robot_board");
   wr::programs::addImageOptions(app, settings);
   wr::programs::addLineOptions(app, settings);

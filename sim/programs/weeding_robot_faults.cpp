@@ -16,7 +16,7 @@ namespace wr::programs {
 
 namespace {
 
-// One line of JSON; no text has a character that JSON would have to escape.
+// Prints a result as one line of JSON. No text has a character that must be escaped in JSON.
 void print(const faults::Result& result) {
   std::printf(
       R"({"kind": "%s", "at": %d, "place": %u, "bit": %u, "value": %d, "pc": %u, "outcome": "%s", )"
@@ -26,10 +26,10 @@ void print(const faults::Result& result) {
       result.fault.bit, result.fault.value, result.pc,
       std::string(nameOf(result.verdict.outcome)).c_str(), result.verdict.safeAfter,
       result.verdict.wrongFor, result.stop.c_str());
-  std::fflush(stdout);  // a copy of this process must not print this text again
+  std::fflush(stdout);  // a later copy of this process must not print this text again
 }
 
-// A case of a record: the ms of the drive, and the fault.
+// A case of a record. It has the time of the drive in ms, and the fault.
 struct Case {
   int at;
   faults::Fault fault;
@@ -62,7 +62,7 @@ int main(int count, char** arguments) try {
       "weeding_robot_faults");
   settings.addTo(app);
   std::string only;
-  auto* kinds = app.add_option("--only", only, "kind of all faults [each has a random kind]")
+  auto* kinds = app.add_option("--only", only, "kind of all faults [each fault has a random kind]")
                     ->type_name("KIND")
                     ->check([](const std::string& name) {
                       return wr::faults::kindOf(name) ? "" : "there is no kind " + name;
@@ -70,7 +70,7 @@ int main(int count, char** arguments) try {
   std::vector<std::array<std::int64_t, 4>> cases;
   app.add_option(
          "--case", cases,
-         "repeat a case of the drive, of the kind --only: the numbers at, place, bit and value\n"
+         "repeat a case of the drive, of the kind --only; NUMBERS are at, place, bit and value\n"
          "of its line; may be repeated")
       ->type_name("NUMBERS")
       ->needs(kinds);

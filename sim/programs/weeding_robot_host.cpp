@@ -20,7 +20,7 @@ namespace {
 
 // Time that the robot runs between two reads of the clock of the machine.
 constexpr Microseconds kSlice = milliseconds(1);
-// Greatest number of bytes per read of the pseudo-terminal; more bytes wait.
+// Maximum number of bytes per read of the pseudo-terminal. More bytes wait until the next read.
 constexpr std::size_t kBytes = 64;
 
 struct Settings {
@@ -85,7 +85,8 @@ void runInRealTime(const Settings& settings) {
   host_robot::HostSession robot(equipmentOf(settings));
   scenario::ControlChannel control(settings.control, robot);
   robot.start();
-  const SymbolicLink link(settings.link, line.name());  // created last, when everything else exists
+  const SymbolicLink link(settings.link,
+                          line.name());  // created last; at this time everything else exists
   std::printf("PC link: %s\n", line.name().c_str());
   std::fflush(stdout);
   Pace pace;
@@ -95,7 +96,7 @@ void runInRealTime(const Settings& settings) {
     listen(line, robot);
     control.serve();
     robot.world.runUntil(now);
-    line.write(robot.takeSent());  // bytes that nobody reads are lost, as on a line
+    line.write(robot.takeSent());  // bytes that no client reads are lost, as on a real line
   }
   printLost(pace, stdout);
 }

@@ -33,7 +33,8 @@ constexpr int kLineBytes = 1152;                // bytes that the line of the PC
 constexpr int kMostPayload = 200;               // bytes of a frame
 constexpr int kUpsets = 6;
 
-// The inputs whose edges interrupt: the Hall sensors, and the signals of the remote control.
+// The inputs whose edges cause interrupts. They are the Hall sensors and the signals of the remote
+// control.
 struct EdgePin {
   char port;
   int number;
@@ -53,7 +54,8 @@ constexpr nanoseconds kCyclePeriod = std::chrono::milliseconds(100);
 constexpr nanoseconds kNoiseBefore = std::chrono::milliseconds(2);  // time before the clock pulse
 constexpr nanoseconds kNoiseAfter = std::chrono::milliseconds(8);
 constexpr int kShortestLevel = 20;  // [us]
-constexpr int kLongestLevel = 240;  // [us] of noise that reaches the limit of FR-201 in each tick
+constexpr int kLongestLevel =
+    240;  // [us]; noise with these levels reaches the limit of FR-201 in each tick
 
 // A robot that gets random orders, bytes and surroundings.
 class LoadedRobot {
@@ -174,7 +176,8 @@ class LoadedRobot {
     }
   }
 
-  // Edges at all inputs around the next clock pulse, more than may interrupt.
+  // Generates edges at all inputs around the next clock pulse. There are more edges than may cause
+  // interrupts.
   void disturb() {
     const nanoseconds pulse =
         session_.pulses().empty() ? session_.now() : session_.pulses().back() + kCyclePeriod;

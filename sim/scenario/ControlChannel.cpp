@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t kLongest = 512;
 
-// Actions of the PC need its link; "mark" and "within" need a scenario.
+// Actions of the PC need the PC link. The actions "mark" and "within" need a scenario.
 constexpr auto kRefused = std::to_array<std::string_view>(
     {"connect", "arm", "hello", "confirm", "keepalive", "order", "replay", "bytes", "mark",
      "expect-silence", "expect-finding"});
@@ -93,7 +93,7 @@ void ControlChannel::serve() {
       return;
     }
     const std::string answer = perform(std::string(words.data(), static_cast<std::size_t>(count)));
-    if (size > sizeof(sa_family_t)) {  // a sender without a name gets no answer
+    if (size > sizeof(sa_family_t)) {  // a sender whose socket has no name gets no answer
       static_cast<void>(sendto(socket_, answer.data(), answer.size(), 0,
                                reinterpret_cast<const sockaddr*>(&sender), size));
     }
@@ -103,7 +103,7 @@ void ControlChannel::serve() {
 std::string ControlChannel::perform(const std::string& words) {
   try {
     if (words.find('\n') != std::string::npos) {
-      return "an action has one line";
+      return "an action must have exactly one line";
     }
     if (isRefused(words)) {
       return "'" + words + "' is only possible in a scenario";

@@ -9,14 +9,15 @@ namespace wr::scenario {
 
 /// @brief A datagram socket that accepts actions of a scenario while the robot runs in real time.
 ///
-/// Each datagram is one action as in a scenario, without its time: "rc off", "fault hall 0",
-/// "expect true_velocity0 between 5 3000". The answer goes to the sender: "ok", or the error.
-/// Actions of the PC are refused, because the PC link is in use.
+/// Each datagram is one action of a scenario without its time, for example "rc off", "fault hall 0"
+/// or "expect true_velocity0 between 5 3000". The sender gets the answer "ok" or the error message.
+/// Actions of the PC are rejected, because the PC link is in use.
 class ControlChannel {
  public:
   /// @brief Opens the socket. Throws std::system_error when this fails.
-  /// @param path path of the socket; an old socket there is replaced; empty for no socket
-  /// @param robot robot on which the actions act
+  /// @param path path of the socket. An old socket with this path is replaced. With an empty path,
+  /// there is no socket
+  /// @param robot robot on which the actions are executed
   ControlChannel(std::filesystem::path path, RobotSession& robot);
   ControlChannel(const ControlChannel&) = delete;
   ControlChannel& operator=(const ControlChannel&) = delete;
@@ -27,7 +28,7 @@ class ControlChannel {
 
   /// @brief Executes one action.
   /// @param words the action
-  /// @return "ok", or the error
+  /// @return "ok" or the error message
   [[nodiscard]] std::string perform(const std::string& words);
 
  private:

@@ -11,17 +11,17 @@ namespace wr::scenario {
 
 /// @brief Finds a field by its name.
 /// @param name the name
-/// @return the field; null if there is none
+/// @return the field; null if there is no such field
 [[nodiscard]] const FrameField* findField(std::string_view name);
 
-/// @brief Reads a value out of a frame.
+/// @brief Reads a value from a frame.
 /// @param body a frame of the field's type, without its CRC
 /// @param field the field
 /// @return the value, in the unit of the protocol
 [[nodiscard]] std::int64_t valueOf(const Bytes& body, const FrameField& field);
 
-/// @brief Returns the number of a word of a scenario in a field, such as Working in the field
-/// state.
+/// @brief Returns the number that a word of a scenario has in a field. For example, the word
+/// Working is a value of the field state.
 /// @param field the field
 /// @param word a number, or a name of one of the field's values
 /// @return the number; nothing if the word is invalid

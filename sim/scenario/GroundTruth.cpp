@@ -11,7 +11,7 @@ namespace {
 
 using plant::Robot;
 
-constexpr double kDegree = 180.0 / std::numbers::pi;  // degrees of a radian
+constexpr double kDegree = 180.0 / std::numbers::pi;  // degrees per radian
 constexpr double kStraight = 1000;                    // m
 
 template <std::size_t wheel>
@@ -70,7 +70,7 @@ double heading(const Robot& robot, double /*mark*/) {
   return robot.heading() * kDegree * 100;
 }
 
-// Driving straight ahead counts as a circle of 1 km.
+// A robot that drives straight ahead has a radius of 1 km.
 double radius(const Robot& robot, double /*mark*/) {
   const double speed = robot.groundSpeed();
   const double yaw = robot.yawRate();

@@ -7,26 +7,26 @@
 
 namespace wr::scenario {
 
-/// @brief A value of the simulated robot itself, which no sensor measures.
+/// @brief A true value of the simulated robot. No sensor measures this value.
 struct TruthField {
   std::string_view name;
-  /// Reads the value, in the unit of the protocol if the protocol has this value. The mark is the
+  /// Reads the value. If the protocol has the same value, both have the same unit. The mark is the
   /// distance [m] from which `way` is measured.
   double (*valueOf)(const plant::Robot& robot, double mark);
 };
 
 /// @brief Returns all true values that have a name in scenarios: true_velocity0 to 3 [0.1 rpm],
 /// true_current0 to 3 [mA], true_steering [0.01 degree], ground_speed [mm/s], distance [mm], way
-/// since the mark [mm], slope [percent], max_velocity (greatest of any wheel since the mark) [0.1
-/// rpm], braking (1 while no driver puts power into its motor), yaw_rate [0.01 degree/s], heading
-/// [0.01 degree], radius of the curve [mm, at most 1 km], supply [mV], torque0 to 3 of the motors
-/// [mN m], side_slip0 to 3 (speed of the tyres across their wheels) [mm/s].
+/// since the mark [mm], slope [percent], max_velocity (greatest velocity of any wheel since the
+/// mark) [0.1 rpm], braking (1 while no driver puts power into its motor), yaw_rate [0.01
+/// degree/s], heading [0.01 degree], radius of the curve [mm, at most 1 km], supply [mV], torque0
+/// to 3 of the motors [mN m], side_slip0 to 3 (speed of the tyres across their wheels) [mm/s].
 /// @return the fields
 [[nodiscard]] const std::vector<TruthField>& truthFields();
 
 /// @brief Finds a true value by its name.
 /// @param name the name
-/// @return the field; null if there is none
+/// @return the field; null if there is no such field
 [[nodiscard]] const TruthField* findTruth(std::string_view name);
 
 }  // namespace wr::scenario

@@ -12,7 +12,7 @@ namespace wr::scenario {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Bytes of a body before its payload.
+/// Number of bytes of a body before its payload.
 inline constexpr std::size_t kHeader = 3;
 
 /// A number or a bit in a frame of the robot.
@@ -23,10 +23,10 @@ struct FrameField {
   std::uint8_t type = 0;   ///< type of the frame
   std::size_t offset = 0;  ///< in the payload
   Form form = Form::U8;
-  unsigned bit = 0;  ///< number of the bit, of a Bit
+  unsigned bit = 0;  ///< number of the bit, if the form is Bit
 };
 
-/// A word for a number of a field.
+/// A word of a scenario that is the name of a number in a field.
 struct FrameWord {
   std::string_view field;
   std::string_view word;
@@ -42,7 +42,7 @@ struct FrameRow {
   std::size_t size = 0;
 };
 
-/// The greatest set-point of an order, on the line.
+/// The greatest set-point of an order, as a number on the line.
 struct FrameLimit {
   std::string_view name;
   std::int32_t limit = 0;

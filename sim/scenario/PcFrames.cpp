@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::uint8_t kVersion = 2;
 
-// CRC-16/CCITT-FALSE of each byte value, so that the CRC of a frame needs one step per byte.
+// Returns the CRC-16/CCITT-FALSE of each byte value. With this table, the CRC of a frame needs one
+// step per byte.
 std::array<std::uint16_t, 256> makeTable() {
   std::array<std::uint16_t, 256> table{};
   for (unsigned value = 0; value < 256; ++value) {
@@ -128,7 +129,7 @@ std::vector<Bytes> bodies(std::span<const std::uint8_t> line) {
     const auto frame = line.subspan(begin, at - begin);
     begin = at + 1;
     if (frame.empty()) {
-      continue;  // ends the bytes on the line before the first frame
+      continue;  // this zero ends the bytes that were on the line before the first frame
     }
     FrameBody body = bodyOf(frame);
     if (!body.damage.empty()) {

@@ -30,8 +30,8 @@ struct PcOrder {
 using PcReport = ReportPayload;
 using PcWelcome = WelcomePayload;
 
-/// The PC's side of the protocol, without the firmware's codec: builds the bytes of successive
-/// frames, with their sequence numbers.
+/// The PC's side of the protocol. Builds the bytes of successive frames, with their sequence
+/// numbers. Does not use the firmware's codec.
 class PcSender {
  public:
   [[nodiscard]] Bytes hello();
@@ -45,17 +45,17 @@ class PcSender {
   std::uint8_t sequence_ = 0;
 };
 
-/// The body of a frame without its CRC, or the damage of the frame.
+/// The body of a frame without its CRC, or a description of the damage of the frame.
 struct FrameBody {
   Bytes bytes;
-  std::string_view damage;  ///< empty: the frame has no error
+  std::string_view damage;  ///< empty if the frame has no error
 };
 
 /// Returns the body of the bytes between two zeros.
 [[nodiscard]] FrameBody bodyOf(std::span<const std::uint8_t> frame);
 
-/// Returns the bodies of all frames in some bytes, without their CRC. Throws on a frame with an
-/// error.
+/// Returns the bodies of all frames in some bytes, without their CRC. Throws an exception if a
+/// frame has an error.
 [[nodiscard]] std::vector<Bytes> bodies(std::span<const std::uint8_t> line);
 
 /// Returns the content of a Welcome; nothing if the body is not a Welcome.

@@ -13,7 +13,7 @@
 
 namespace wr::scenario {
 
-/// @brief A fault of the firmware that a simulated board found.
+/// @brief A fault of the firmware that a simulated board has detected.
 struct SessionFinding {
   std::string id;    ///< kind of the finding
   std::string text;  ///< the whole finding in one line
@@ -21,11 +21,11 @@ struct SessionFinding {
 
 /// @brief A reset of the microcontroller from outside.
 enum class ResetKind : std::uint8_t {
-  Pin,   ///< the reset pin; memory keeps its content
-  Power  ///< the supply was off; memory is lost
+  Pin,   ///< a reset by the pin; memory keeps its content
+  Power  ///< the supply was off; memory loses its content
 };
 
-/// @brief A robot in stepped time, as used from the PC's end of its line.
+/// @brief A robot in stepped time. It is used from the PC's end of the line.
 class RobotSession {
  public:
   /// @brief Time since the robot was switched on.
@@ -40,8 +40,8 @@ class RobotSession {
   /// @param bytes the bytes
   virtual void send(std::span<const std::uint8_t> bytes) = 0;
 
-  /// @brief Sends bytes to the robot so that the last byte is complete at a given time before the
-  /// next clock pulse. A clock pulse must have come before.
+  /// @brief Sends bytes to the robot. The last byte is complete at a given time before the next
+  /// clock pulse. There must have been at least one clock pulse.
   /// @param bytes the bytes
   /// @param before time before the pulse
   virtual void sendBeforePulse(std::span<const std::uint8_t> bytes, Time before) = 0;
@@ -65,30 +65,31 @@ class RobotSession {
   [[nodiscard]] virtual Time now() const = 0;
 
   /// @brief Returns the physics of the robot.
-  /// @return the physics: to read true values, and to change ground, noise and faults
+  /// @return the physics; the caller reads true values, and changes the ground, the noise and the
+  /// faults
   [[nodiscard]] virtual plant::Robot& robot() = 0;
 
   /// @brief Returns the remote control.
-  /// @return the remote control, off at first
+  /// @return the remote control; it is initially off
   [[nodiscard]] virtual plant::RemoteControl& remoteControl() = 0;
 
   /// @brief Resets the microcontroller. Throws std::runtime_error if this is not possible.
   /// @param kind cause of the reset
   virtual void reset(ResetKind /*kind*/) {
     throw std::runtime_error(
-        "this robot cannot be reset: play the scenario with the whole firmware");
+        "this robot cannot be reset; play the scenario with the whole firmware");
   }
 
-  /// @brief Stops the external clock of 50 MHz, or starts it again. Throws std::runtime_error if
-  /// there is none.
+  /// @brief Stops or starts the external clock of 50 MHz. Throws std::runtime_error if the robot
+  /// has no such clock.
   /// @param present false: the clock is lost
   virtual void setExternalClock(bool /*present*/) {
     throw std::runtime_error(
-        "the host has no external clock: play the scenario on the virtual board");
+        "the host has no external clock; play the scenario on the virtual board");
   }
 
   /// @brief Returns the finding that has stopped the robot.
-  /// @return the finding; nothing while there is none
+  /// @return the finding; nothing while there is no finding
   [[nodiscard]] virtual std::optional<SessionFinding> finding() const = 0;
 };
 

@@ -14,9 +14,10 @@ namespace {
 using Time = Scenario::Time;
 
 constexpr Time kCycle{100};
-constexpr Time kToFirstOrder{200};  // time after Hello: Welcome and Confirm take two cycles
+constexpr Time kToFirstOrder{
+    200};  // time from Hello to the first order, because Welcome and Confirm take two cycles
 constexpr int kNeutralOrders =
-    13;  // seven cycles to the first read order, then five cycles of 0.1 s, and one more
+    13;  // seven cycles until an order is read, then five cycles of 0.1 s, and one more cycle
 
 std::optional<std::uint8_t> quantityOf(std::string_view word) {
   if (word == "velocity") {
@@ -55,7 +56,7 @@ Scenario::Action readOrder(Words& words) {
     } else if (const auto quantity = quantityOf(word)) {
       readWheels(words, *quantity, order);
     } else {
-      throw Scenario::Error("an order has no '" + word + "'");
+      throw Scenario::Error("an order has no part '" + word + "'");
     }
   }
   return Scenario::Order{order};
@@ -168,10 +169,10 @@ Scenario::Action readAction(const std::string& word, Words& words) {
   throw Scenario::Error("there is no action '" + word + "'");
 }
 
-// A line that acts every 100 ms for an hour has fewer times than this limit.
+// This limit is greater than the number of times of a line that acts every 100 ms for an hour.
 constexpr int kMostTimes = 100'000;
 
-// The times at which a line acts: one time, or repeated times.
+// The times at which a line acts. A line has one time or repeated times.
 struct Times {
   Time first;
   Time last;
@@ -219,7 +220,7 @@ Scenario::Scenario(std::istream& text, std::string name) : name_(std::move(name)
   }
   std::ranges::stable_sort(steps_, {}, &Step::at);
   if (!steps_.empty() && steps_.back().at > end_) {
-    throw Error(name_ + ":" + std::to_string(steps_.back().line) + ": this is after the end");
+    throw Error(name_ + ":" + std::to_string(steps_.back().line) + ": this time is after the end");
   }
 }
 
@@ -237,14 +238,14 @@ void Scenario::readLine(const std::string& line, int number, bool& ended) {
     readTimed(words, number, ended);
   }
   if (!words.done()) {
-    throw Error("'" + words.take("") + "' is one word too many");
+    throw Error("'" + words.take("") + "' is a superfluous word");
   }
 }
 
 void Scenario::readHead(Words& words) {
   const std::string word = words.take("an action");
   if (!steps_.empty()) {
-    throw Error("a " + word + " must be before all lines that have a time");
+    throw Error("a line with " + word + " must be before all lines that have a time");
   }
   if (word == "seed") {
     seed_ = words.natural("seed");

@@ -18,11 +18,11 @@
 
 namespace wr::scenario {
 
-/// @brief Events of a robot and expectations, each at its time: the orders of a PC, the remote
-/// control, the ground and faults.
+/// @brief A list of events and expectations, each with its time. The events are orders of a PC, and
+/// changes of the remote control, the ground and the faults.
 ///
-/// A scenario is a text of lines. Times are in ms since the robot was switched on, values are in
-/// the units of the PC protocol. '#' begins a comment.
+/// A scenario is a text of lines. Times are in ms since the robot was switched on. Values have the
+/// units of the PC protocol. The character '#' begins a comment.
 ///
 ///     seed 7
 ///     at 0 connect
@@ -31,23 +31,26 @@ namespace wr::scenario {
 ///     at 900 expect velocity0 between 490 510
 ///     at 61000 end
 ///
-/// Actions of the PC: connect (Hello, and Confirm as soon as the Welcome comes); arm (connect, then
-/// thirteen neutral orders, one in each cycle: this takes 1.5 s); hello; confirm; keepalive; order
-/// with any of 'steering N', 'velocity N', 'tension N', 'current N' (for all wheels, or four
-/// numbers, one for each wheel), 'stop' and 'acknowledge'; replay (the bytes of the last order
-/// again); bytes with pairs of hexadecimal digits. Orders are numbered from 1.
+/// The actions of the PC are: connect (sends Hello, and Confirm as soon as the Welcome is
+/// received); arm (connects, then sends one neutral order in each of thirteen cycles, which takes
+/// 1.5 s); hello; confirm; keepalive; order with any of 'steering N', 'velocity N', 'tension N',
+/// 'current N' (one number for all wheels, or four numbers, one for each wheel), 'stop' and
+/// 'acknowledge'; replay (sends the bytes of the last order again); bytes with pairs of hexadecimal
+/// digits. Orders are numbered from 1.
 ///
-/// Actions of the world are listed at readWorldAction(). mark: the fields 'way' and 'max_velocity'
-/// are measured from this time.
+/// The actions of the world are listed at readWorldAction(). After the action mark, the fields
+/// 'way' and 'max_velocity' are measured from this time.
 ///
-/// 'seed N' chooses the noise. 'plant varied' lets the seed choose the robot too, 'plant PARAMETER
-/// VALUE' fixes a parameter. These lines have no time, and are before all lines with a time.
+/// 'seed N' selects the noise. With 'plant varied', the seed also selects the parameters of the
+/// robot. 'plant PARAMETER VALUE' sets one parameter. These lines have no time, and must be before
+/// all lines with a time.
 ///
-/// Expectations: expect FIELD VALUE and expect FIELD between LOW HIGH check the last Report or
-/// Welcome, or the robot itself (the fields of GroundTruth.hpp). With 'within N ms' or 'within N
-/// mm' after it, the expectation must become true at least once within this time or distance after
-/// the time of the line. expect-silence MS (no report came for this time); expect-finding ID (the
-/// simulated board stops with this finding before this time). The last line is 'end'.
+/// The expectations 'expect FIELD VALUE' and 'expect FIELD between LOW HIGH' check the last Report
+/// or Welcome, or the robot itself (the fields of GroundTruth.hpp). With 'within N ms' or 'within N
+/// mm' at the end of the line, the expectation must become true at least once within this time or
+/// distance. The time or distance begins at the time of the line. 'expect-silence MS' checks that
+/// no report was received for this duration. 'expect-finding ID' checks that the simulated board
+/// stops with this finding before the time of the line. The last line is 'end'.
 class Scenario {
  public:
   using Time = std::chrono::milliseconds;
@@ -73,7 +76,7 @@ class Scenario {
     std::variant<const FrameField*, const TruthField*> field;
     std::int64_t low;
     std::int64_t high;
-    std::string words;  ///< the value as it was written
+    std::string words;  ///< the value as in the text
     std::optional<Limit> within;
   };
   struct ExpectSilence {
@@ -91,12 +94,12 @@ class Scenario {
     Action action;
   };
 
-  /// @brief A text that is not a valid scenario: 'file:line: error'.
+  /// @brief The error of a text that is not a valid scenario. Its message is 'file:line: error'.
   using Error = ScenarioError;
 
   /// @brief Reads a scenario. Throws Error.
   /// @param text the lines
-  /// @param name name of the text in errors
+  /// @param name name of the text in error messages
   Scenario(std::istream& text, std::string name);
 
   /// @brief Reads the scenario in a file. Throws Error.
@@ -104,7 +107,7 @@ class Scenario {
   [[nodiscard]] static Scenario load(const std::filesystem::path& file);
 
   /// @brief Returns the steps in the order of time.
-  /// @return each step by time; steps of the same time in the order of their lines
+  /// @return the steps; steps with the same time are in the order of their lines
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
 
   /// @brief Returns the time at which the scenario ends.
@@ -112,7 +115,7 @@ class Scenario {
   [[nodiscard]] Time end() const { return end_; }
 
   /// @brief Returns the seed of the noise.
-  /// @return the seed; nothing if the text has none
+  /// @return the seed; nothing if the text has no seed
   [[nodiscard]] const std::optional<std::uint32_t>& seed() const { return seed_; }
 
   /// @brief Returns the settings of the robot.

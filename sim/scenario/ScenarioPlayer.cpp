@@ -94,8 +94,8 @@ void ScenarioPlayer::end() {
   }
 }
 
-// Runs until the next read of the line, or an earlier time, and reads the received bytes; returns
-// false if a finding has stopped the robot.
+// Runs until the next read of the line or until an earlier time. Then reads the received bytes.
+// Returns false if a finding has stopped the robot.
 bool ScenarioPlayer::glance(Time instant) {
   const Time length = pending_.empty() ? kGlance : kClose;
   const bool runs = robot_.runUntil(std::min(instant, robot_.now() + length));
@@ -125,7 +125,7 @@ void ScenarioPlayer::listen() {
     }
     const Bytes frame = std::exchange(line_, {});
     if (frame.empty()) {
-      continue;  // ends the bytes on the line before the first frame
+      continue;  // this zero ends the bytes that were on the line before the first frame
     }
     if (const FrameBody body = bodyOf(frame); body.damage.empty()) {
       take(body.bytes);
@@ -219,7 +219,8 @@ void ScenarioPlayer::act(const Scenario::Mark& /*action*/) {
   robot_.robot().clearGreatestVelocity();
 }
 
-// Returns the value of an expectation; nothing when no frame with this value was received.
+// Returns the present value of an expected field; nothing when no frame with this field was
+// received.
 std::optional<double> ScenarioPlayer::valueOf(const Scenario::Expect& expect) const {
   if (const auto* const truth = std::get_if<const TruthField*>(&expect.field)) {
     return (*truth)->valueOf(robot_.robot(), mark_);
@@ -267,7 +268,8 @@ bool ScenarioPlayer::isLate(const Pending& pending) const {
   return static_cast<double>((robot_.now() - pending.since).count()) / 1000 > limit.amount;
 }
 
-// Removes the expectations that were met, and the expectations whose limit has passed.
+// Removes the expectations that are met. Also removes the expectations whose limit has passed, and
+// reports them as failures.
 void ScenarioPlayer::checkPending() {
   std::erase_if(pending_, [this](const Pending& pending) {
     const std::string wrong = mismatch(pending.expect);

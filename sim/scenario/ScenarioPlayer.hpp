@@ -14,29 +14,30 @@
 
 namespace wr::scenario {
 
-/// @brief The PC of a scenario, on the line of a robot, and the world around the robot.
+/// @brief Plays the PC of a scenario, which is connected to the line of a robot, and the world
+/// around the robot.
 class ScenarioPlayer {
  public:
   /// @brief Result of a scenario.
   struct Outcome {
-    std::vector<std::string> failures;      ///< expectations that failed: 'file:line: text'
+    std::vector<std::string> failures;      ///< the failed expectations, each as 'file:line: text'
     std::optional<SessionFinding> finding;  ///< an unexpected finding
-    std::uint64_t reports = 0;              ///< reports that came
+    std::uint64_t reports = 0;              ///< number of received reports
   };
 
   /// @brief Connects a PC to the line of a robot that was just switched on.
   /// @param scenario the actions of the PC
   /// @param robot the robot
-  /// @param reports receives each report as a line of comma-separated values: all fields of the
-  /// report, then the time [ms] at which the PC received it, and the true values at this time;
-  /// null: nothing is written
+  /// @param reports receives each report as a line of comma-separated values. The values are all
+  /// fields of the report, the time [ms] at which the PC received the report, and the true values
+  /// at this time. If it is null, nothing is written
   ScenarioPlayer(const Scenario& scenario, RobotSession& robot, std::ostream* reports = nullptr);
 
   /// @brief Plays the scenario to its end.
   /// @return the result
   [[nodiscard]] Outcome play();
 
-  /// @brief Runs to the next instant at which the PC reads its line or acts, and executes this
+  /// @brief Runs to the next instant at which the PC reads its line or has an action. Executes this
   /// action.
   /// @return false when the scenario has ended
   bool step();
@@ -99,7 +100,7 @@ class ScenarioPlayer {
   double mark_ = 0;  // distance from which `way` is measured, m
   Bytes order_;      // the last order, as sent
   std::vector<Pending> pending_;
-  bool confirms_ = false;  // the next Welcome is answered with Confirm
+  bool confirms_ = false;  // true: the PC answers the next Welcome with Confirm
   int at_ = 0;             // line of the scenario
   std::size_t next_ = 0;   // next step of the scenario
   bool ended_ = false;

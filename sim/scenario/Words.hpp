@@ -10,24 +10,25 @@
 
 namespace wr::scenario {
 
-/// @brief An error in the text of a scenario. In an error of a whole text, file and line come first.
+/// @brief An error in the text of a scenario. The message for a whole text begins with the file and
+/// the line.
 class ScenarioError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// @brief The words of one line of a scenario, read one after the other. An unexpected word throws
-/// ScenarioError.
+/// @brief The words of one line of a scenario, which are read one after the other. An unexpected
+/// word causes a ScenarioError.
 class Words {
  public:
-  /// @brief Splits a line; '#' begins a comment.
+  /// @brief Splits a line into its words. The character '#' begins a comment.
   /// @param line the line
   explicit Words(const std::string& line);
 
   /// @brief Checks whether all words were read.
   [[nodiscard]] bool done() const { return next_ == words_.size(); }
 
-  /// @brief Checks whether the next word is a certain word.
+  /// @brief Checks whether the next word is the given word.
   [[nodiscard]] bool nextIs(std::string_view word) const {
     return !done() && words_[next_] == word;
   }
@@ -35,11 +36,11 @@ class Words {
   /// @brief Checks whether the next word is a whole number.
   [[nodiscard]] bool nextIsNumber() const;
 
-  /// @brief Returns the next word without reading it; empty when there is none.
+  /// @brief Returns the next word without reading it; empty when there are no more words.
   [[nodiscard]] std::string next() const { return done() ? "" : words_[next_]; }
 
   /// @brief Reads a word.
-  /// @param name name of the word in an error
+  /// @param name name of the word in an error message
   std::string take(const std::string& name);
 
   /// @brief Reads an expected word.
@@ -56,14 +57,14 @@ class Words {
   std::int16_t value();
 
   /// @brief Reads a number.
-  /// @param name name of the number in an error
+  /// @param name name of the number in an error message
   double number(const std::string& name);
 
   /// @brief Reads the number of a wheel, 0 to 3.
   std::size_t wheel();
 
   /// @brief Reads a number of 32 bits, at least 0.
-  /// @param name name of the number in an error
+  /// @param name name of the number in an error message
   std::uint32_t natural(const std::string& name);
 
   /// @brief Reads a byte of two hexadecimal digits.

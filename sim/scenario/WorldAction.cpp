@@ -9,7 +9,7 @@ namespace wr::scenario {
 
 namespace {
 
-// The sticks are at their ends at the greatest values that can be ordered.
+// At their end positions, the sticks order the greatest possible values.
 constexpr double kFullVelocity = 3000;
 constexpr double kFullSteering = 3200;
 constexpr double kPercent = 100;
@@ -95,7 +95,7 @@ std::string listOf(std::span<const Named<Value>> names) {
   return list;
 }
 
-// Reads a word with a value. For an unknown word the error lists the known words.
+// Returns the value of the next word. For an unknown word, the error message lists the known words.
 template <class Value, std::size_t count>
 Value take(Words& words, const std::string& what, const std::array<Named<Value>, count>& names) {
   const std::string word = words.take(what);
@@ -246,7 +246,7 @@ WorldAction worldActionOf(const std::string& line) {
     throw ScenarioError("the world has no action '" + word + "'");
   }
   if (!words.done()) {
-    throw ScenarioError("'" + words.take("") + "' is one word too many");
+    throw ScenarioError("'" + words.take("") + "' is a superfluous word");
   }
   return *action;
 }

@@ -13,10 +13,11 @@
 
 namespace wr::scenario {
 
-/// @brief Events around the robot: all actions of a scenario except the actions of the PC.
+/// @brief An event around the robot. All actions of a scenario are such events, except the actions
+/// of the PC.
 namespace world {
 
-/// @brief Moves the sticks; without a value, switches the transmitter off.
+/// @brief Moves the sticks. Without a value, switches the transmitter off.
 struct MoveSticks {
   std::optional<plant::Sticks> sticks;
 };
@@ -83,7 +84,7 @@ using WorldAction =
 /// hall-losses W RATE, leads W, block W, current W, current-open W, current-stuck W, current-offset
 /// W MA, angle, angle-open, angle-stuck, angle-drift RATE, stall, left-end, right-end.
 /// @param word first word of the action
-/// @param words the words after it
+/// @param words the words after the first word
 /// @return the action; nothing if no action of the world begins with the word
 [[nodiscard]] std::optional<WorldAction> readWorldAction(const std::string& word, Words& words);
 

@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "client"))
 
-# The import needs the path of the line above.
+# The import needs the path that was added above.
 from weeding_robot_client.layout import FRAMES, WHEEL_COUNT, Field, Layout  # noqa: E402 - its folder is added first
 
 TYPES = {
@@ -42,7 +42,7 @@ def camel(name: str) -> str:
 
 
 def stems(layout: Layout) -> dict[str, list[Field]]:
-    """Yields the fields of each member; the fields of the wheels are one array."""
+    """Returns the fields of each member. The fields of the four wheels are one array."""
     members: dict[str, list[Field]] = {}
     for one in layout.fields:
         members.setdefault(one.stem, []).append(one)
@@ -50,7 +50,7 @@ def stems(layout: Layout) -> dict[str, list[Field]]:
 
 
 def struct(layout: Layout) -> Iterator[str]:
-    """Returns the payload of a frame as a structure that reads and writes itself."""
+    """Yields the lines of a structure that reads and writes the payload of a frame."""
     yield f"struct {layout.name}Payload {{"
     yield f"  static constexpr std::uint8_t kType = {layout.kind:#04x};"
     for stem, fields in stems(layout).items():
@@ -79,7 +79,7 @@ def member(one: Field) -> str:
 
 
 def readable() -> Iterator[str]:
-    """Returns the numbers and bits of the robot's frames that scenarios read."""
+    """Yields the numbers and bits of the robot's frames that scenarios read."""
     for layout in FRAMES.frames.values():
         for one in layout.fields if layout.sender == "MCU" else ():
             place = f"{layout.kind:#04x}, {one.offset}, FrameField::Form"
@@ -91,7 +91,7 @@ def readable() -> Iterator[str]:
 
 
 def words() -> Iterator[str]:
-    """Returns the words of scenarios for the numbers of these fields."""
+    """Yields the words that scenarios use for the numbers of these fields."""
     for layout in FRAMES.frames.values():
         for one in layout.fields if layout.sender == "MCU" else ():
             for entry in one.values.entries if one.values else ():
@@ -133,7 +133,7 @@ def table() -> str:
 
 
 def firmware() -> str:
-    """Returns the numbers of the table for names of the firmware, to include in a test."""
+    """Returns a table of the firmware's names and their numbers, which a test includes."""
     names = {f"FrameType::{one.name}": one.kind for one in FRAMES.frames.values()}
     for enumeration in FRAMES.enumerations.values():
         names |= {entry.firmware: entry.number for entry in enumeration.entries}

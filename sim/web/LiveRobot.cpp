@@ -15,7 +15,7 @@ using scenario::Scenario;
 constexpr std::uint32_t kFirstInterrupt = 16;
 constexpr std::uint32_t kPulse = kFirstInterrupt + board_robot::BoardSession::kPulseInterrupt;
 constexpr scenario::RobotSession::Time kOrderPeriod{100'000};
-// Without a clock pulse in this time, the board does not run control cycles.
+// If there is no clock pulse in this time, the board does not run control cycles.
 constexpr scenario::RobotSession::Time kLongest{200'000};
 constexpr std::size_t kMostCalls = 30'000;
 constexpr std::uint64_t kLeft = std::uint64_t{1} << 63U;

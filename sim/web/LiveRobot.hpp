@@ -17,8 +17,8 @@
 
 namespace wr::web {
 
-/// @brief An image on the virtual board in the simulated robot. It plays a scenario, and the user
-/// can act in addition.
+/// @brief An image on the virtual board in the simulated robot. The object plays a scenario. In
+/// addition, the user can execute actions.
 class LiveRobot {
  public:
   /// @brief Inputs of a run.
@@ -28,7 +28,7 @@ class LiveRobot {
     std::string scenario;                  ///< text of the scenario
     std::string name;                      ///< name of the scenario in messages
     bool resetsAreFindings = true;         ///< a reset that the program causes stops the run
-    bool verifies = false;                 ///< traces all events, and writes the table of reports
+    bool verifies = false;  ///< true: all events are traced, and the table of reports is written
   };
 
   enum class State : std::uint8_t { Runs, Ended, Found };
@@ -48,15 +48,16 @@ class LiveRobot {
 
   /// @brief The recorded calls from one clock pulse to the next.
   struct Cycle {
-    std::vector<std::uint32_t> calls;  ///< address of a function; bit 0 is set when it is left
-    std::uint64_t cycles = 0;          ///< processor cycles
-    std::uint64_t awake = 0;           ///< cycles in which the processor did not sleep
-    std::uint32_t hash = 0;            ///< two cycles with the same calls have the same hash
-    bool truncated = false;            ///< further calls were not recorded
-    std::vector<Switch> switches;      ///< in the order of time
-    /// Last call of each function since the start, in the sequence of the functions of the setup.
-    /// It may be a call that is not in `calls`, because equal calls of an interrupt are recorded
-    /// once.
+    std::vector<std::uint32_t>
+        calls;                 ///< addresses of functions; bit 0 is set when the function is left
+    std::uint64_t cycles = 0;  ///< processor cycles
+    std::uint64_t awake = 0;   ///< cycles in which the processor did not sleep
+    std::uint32_t hash =
+        0;  ///< hash of the calls; two cycles with the same calls have the same hash
+    bool truncated = false;        ///< further calls were not recorded
+    std::vector<Switch> switches;  ///< in the order of time
+    /// Last call of each function since the start, in the order of Setup::functions. The call may
+    /// be missing in `calls`, because equal calls of an interrupt are recorded only once.
     std::vector<LastCall> lastCalls;
   };
 
@@ -65,19 +66,19 @@ class LiveRobot {
   LiveRobot(const LiveRobot&) = delete;
   LiveRobot& operator=(const LiveRobot&) = delete;
 
-  /// @brief Runs until a control cycle has ended; or for 200 ms without a clock pulse.
+  /// @brief Runs until a control cycle has ended, or for 200 ms if there is no clock pulse.
   State runCycle();
 
   /// @brief Runs to the end of the scenario.
   State runToEnd();
 
-  /// @brief Executes one action of a scenario, without its time, now. Throws Scenario::Error.
+  /// @brief Executes one action of a scenario now. The text of the action has no time. Throws
+  /// Scenario::Error.
   void perform(const std::string& action);
 
-  /// @brief Sets the order that the PC sends every 100 ms, as soon as the robot sends reports.
-  /// Throws
-  /// Scenario::Error.
-  /// @param order the order as in a scenario; empty: the PC sends nothing
+  /// @brief Sets the order that the PC sends every 100 ms as soon as the robot sends reports.
+  /// Throws Scenario::Error.
+  /// @param order the order as in a scenario; if it is empty, the PC sends nothing
   void repeat(const std::string& order);
 
   [[nodiscard]] State state() const { return state_; }
@@ -87,8 +88,8 @@ class LiveRobot {
   /// @brief Returns the last control cycle that has ended.
   [[nodiscard]] const Cycle& cycle() const { return cycle_; }
 
-  /// @brief Returns the number of times that each function was entered, in the sequence of the
-  /// functions of the setup. Equal calls of one interrupt count once in a cycle.
+  /// @brief Returns the number of entries of each function, in the order of Setup::functions. In a
+  /// cycle, equal calls of one interrupt are counted only once.
   [[nodiscard]] const std::vector<std::uint32_t>& entries() const { return entries_; }
 
   /// @brief Returns the bytes on the line since the last call.
@@ -100,7 +101,7 @@ class LiveRobot {
   /// @brief Returns the table of reports; empty without Setup::verifies.
   [[nodiscard]] std::string reports() const { return reports_.str(); }
 
-  /// @brief Returns the values of the true fields, in the sequence of truthFields().
+  /// @brief Returns the true values, in the order of truthFields().
   [[nodiscard]] std::vector<double> truth();
 
  private:

@@ -8,13 +8,13 @@
 
 namespace wr::web {
 
-/// @brief The session of a robot that records the bytes on its line.
+/// @brief A session of a robot that records the bytes on the line.
 class RecordedLine final : public scenario::RobotSession {
  public:
-  /// @brief Bytes that one side sent.
+  /// @brief Bytes that one side has sent.
   struct Piece {
-    Time at;      ///< time at which the bytes were sent, or read at the PC's end
-    bool fromPc;  ///< false: the robot sent them
+    Time at;                          ///< time at which the PC sent or read the bytes
+    bool fromPc;                      ///< false: the robot sent them
     std::vector<std::uint8_t> bytes;  ///< never empty
   };
 

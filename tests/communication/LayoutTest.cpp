@@ -26,7 +26,8 @@
 namespace wr {
 namespace {
 
-/// @brief Returns the layout of all fields: a line of frame, field, type and offset for each.
+/// @brief Returns the layout of all fields. Each field has a line with its frame, name, type and
+/// offset.
 std::string schema() {
   std::string lines;
   for (const scenario::FrameRow& row : scenario::kFrameRows) {
@@ -36,8 +37,8 @@ std::string schema() {
   return lines;
 }
 
-/// @brief Returns the CRC-32 as in Ethernet and zlib: polynomial 0x04C11DB7, reflected, one bit at
-/// a time.
+/// @brief Returns the CRC-32 of Ethernet and zlib. Computes it with the reflected polynomial
+/// 0x04C11DB7, one bit at a time.
 std::uint32_t crc32(const std::string& text) {
   std::uint32_t crc = 0xFFFFFFFF;
   for (const char letter : text) {
@@ -49,7 +50,7 @@ std::uint32_t crc32(const std::string& text) {
   return ~crc;
 }
 
-/// @brief Writer that records the type of each field.
+/// @brief A writer that records the type of each field.
 class TypesWriter final : public Writer {
  public:
   void writeU8(Field, std::uint8_t) override { types.emplace_back("u8"); }
@@ -104,7 +105,7 @@ TEST(Layout, FR246_TheHashIsThatOfTheTable) {
   EXPECT_EQ(scenario::kTableHash, crc32(schema()));
 }
 
-/// @brief In the table the fields of each frame follow each other without a gap.
+/// @brief In the table, the fields of each frame follow each other without a gap.
 /// @verifies FR-170
 TEST(Layout, FR170_FieldsFollowEachOther) {
   std::map<std::string_view, std::size_t> lengths;
@@ -124,7 +125,7 @@ TEST(Layout, FR170_EachNameHasTheNumberOfTheTable) {
   }
 }
 
-/// @brief The limits of orders in the table are the limits that the firmware checks.
+/// @brief The table and the firmware have the same limits of orders.
 /// @verifies FR-170
 TEST(Layout, FR170_LimitsOfOrdersAreThoseOfTheTable) {
   EXPECT_EQ(SystemConstants::instance().steeringLimit().count(), limitOf("steering_set_point"));
@@ -133,7 +134,8 @@ TEST(Layout, FR170_LimitsOfOrdersAreThoseOfTheTable) {
   EXPECT_EQ(SystemConstants::instance().currentLimit().count(), limitOf("Current"));
 }
 
-/// @brief An order and a report are written with the types of the table, in its sequence.
+/// @brief The fields of an order and of a report are written with the types and in the order of the
+/// table.
 /// @verifies FR-170
 TEST(Layout, FR170_OrderAndReportAreWrittenAsInTheTable) {
   TypesWriter order;

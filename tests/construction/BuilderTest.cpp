@@ -67,8 +67,8 @@ class BuilderTest : public testing::Test {
   MainControllerBuilder builder{devices};
   RobotDirector director{poolBuilder, builder};
 
-  // Starts the whole robot, and runs enough ticks of its second timer for a measurement of the
-  // steering.
+  // Starts the whole robot. Then runs enough ticks of the second timer for a measurement of the
+  // steering angle.
   void startRobot() {
     director.construct();
     timer.connect([this] { builder.clock().expired(); });
@@ -80,14 +80,14 @@ class BuilderTest : public testing::Test {
   }
 };
 
-/// @brief The built controller begins in the mode RC.
+/// @brief The built controller starts in the mode RC.
 /// @verifies FR-10
 TEST_F(BuilderTest, FR10_ControllerBeginsInModeRc) {
   director.construct();
   EXPECT_EQ(builder.controller().getMode().id(), ModeId::RC);
 }
 
-/// @brief Each of the two built modes changes to the other mode.
+/// @brief Each of the two built modes has the other mode as its successor.
 /// @verifies FR-17
 TEST_F(BuilderTest, FR17_ModesSucceedEachOther) {
   director.construct();
@@ -98,8 +98,8 @@ TEST_F(BuilderTest, FR17_ModesSucceedEachOther) {
   EXPECT_EQ(controller.getMode().id(), ModeId::RC);
 }
 
-/// @brief The constructed robot runs no cycle before its start. After its start, it runs a cycle for
-/// each pulse of its timer.
+/// @brief The constructed robot runs no cycle before its start. After its start, it runs a cycle
+/// for each pulse of its timer.
 /// @verifies FR-1
 TEST_F(BuilderTest, FR1_StartStartsControllerAndTimer) {
   director.construct();
@@ -127,8 +127,8 @@ TEST_F(BuilderTest, FR51_RcSignalsReachTheSetPoints) {
   }
 }
 
-/// @brief Only the cycles of the built controller refresh the watchdog of the platform: its
-/// construction and start do not.
+/// @brief Only the cycles of the built controller refresh the watchdog of the platform.
+/// Construction and start do not refresh it.
 /// @verifies FR-74
 TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
   startRobot();
@@ -162,8 +162,8 @@ TEST_F(BuilderTest, FR78_EveryPartIsMadeOnce) {
   EXPECT_TRUE(poolBuilder.pool().completed(1));
 }
 
-/// @brief The second timer ticks from the start on, and executes the commands of wheels and
-/// steering at each tick: both request a sample.
+/// @brief The second timer ticks from the start on. At each tick, it executes the commands of the
+/// wheels and the steering. Both commands request a sample.
 /// @verifies FR-100
 TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   director.construct();
@@ -178,7 +178,8 @@ TEST_F(BuilderTest, FR100_SecondTimerExecutesTheCommandsOfTheSystems) {
   EXPECT_TRUE(pins.steering.angle.sample().has_value());
 }
 
-/// @brief Pulses on both pins of the remote control become the signals that its reader reads.
+/// @brief The pulses on both pins of the remote control become signals. The reader of the remote
+/// control reads these signals.
 /// @verifies FR-52
 TEST_F(BuilderTest, FR52_PulsesOnThePinsReachTheSignals) {
   director.construct();
@@ -199,7 +200,8 @@ TEST_F(BuilderTest, FR52_PulsesOnThePinsReachTheSignals) {
   EXPECT_EQ(direction.read()->value, Angle(-1600));
 }
 
-/// @brief A robot that receives orders only from the PC begins in the mode PC and stays in it.
+/// @brief A robot that receives orders only from the PC starts in the mode PC and stays in this
+/// mode.
 /// @verifies FR-10
 TEST_F(BuilderTest, FR10_RobotForThePcHasOneMode) {
   director.constructForPc();
@@ -211,7 +213,7 @@ TEST_F(BuilderTest, FR10_RobotForThePcHasOneMode) {
 
 using BuilderDeathTest = BuilderTest;
 
-/// @brief A product that was not built cannot be requested.
+/// @brief A part cannot be requested before it is built.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_ProductIsMissingBeforeItIsBuilt) {
   EXPECT_DEATH(static_cast<void>(poolBuilder.pool()), "assertion 1 failed");
@@ -233,7 +235,7 @@ TEST_F(BuilderDeathTest, FR78_ProductIsMissingBeforeItIsBuilt) {
   EXPECT_DEATH(director.start(), "assertion 1 failed");
 }
 
-/// @brief A step whose parts are missing cannot be executed.
+/// @brief A construction step cannot be executed when its parts are missing.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_StepNeedsItsParts) {
   EXPECT_DEATH(poolBuilder.buildPool(), "assertion 1 failed");
@@ -252,14 +254,14 @@ TEST_F(BuilderDeathTest, FR78_StepNeedsItsParts) {
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
 }
 
-/// @brief The modes need the link to the PC, also when the remote control is built.
+/// @brief The modes need the link to the PC, even when the remote control is built.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_ModesNeedTheLink) {
   builder.buildRemoteControl();
   EXPECT_DEATH(builder.buildModes(), "assertion 1 failed");
 }
 
-/// @brief The controller needs the modes, also when everything else is built.
+/// @brief The controller needs the modes, even when everything else is built.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_ControllerNeedsItsModes) {
   poolBuilder.buildSystems();
@@ -269,7 +271,7 @@ TEST_F(BuilderDeathTest, FR78_ControllerNeedsItsModes) {
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
 }
 
-/// @brief The controller needs the link to the PC, also when it gets its mode from outside.
+/// @brief The controller needs the link to the PC, even when its mode was built elsewhere.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_ControllerNeedsTheLink) {
   poolBuilder.buildSystems();
@@ -280,7 +282,7 @@ TEST_F(BuilderDeathTest, FR78_ControllerNeedsTheLink) {
   EXPECT_DEATH(builder.buildController(poolBuilder.pool()), "assertion 1 failed");
 }
 
-/// @brief Wheel and steering need their sensors, also when everything else is built.
+/// @brief Wheel and steering need their sensors, even when everything else is built.
 /// @verifies FR-78
 TEST_F(BuilderDeathTest, FR78_SystemNeedsItsSensors) {
   for (ControlSystemBuilder* system : systemBuilders) {

@@ -30,8 +30,8 @@ TEST(FirstTimer, FR1_BeatsEvery100Milliseconds) {
   firstTimer.start();
 }
 
-/// @brief Each tick acknowledges the timer first, so that a tick during the command is not lost,
-/// and then executes the command once.
+/// @brief Each tick first acknowledges the timer, so that a tick during the command is not lost.
+/// Then the tick executes the command once.
 /// @verifies FR-1
 TEST(FirstTimer, FR1_EachBeatExecutesTheCommandOnce) {
   testing::StrictMock<MockTimer> timer;

@@ -43,8 +43,8 @@ TEST_F(SecondTimerTest, FR100_BeatsEveryMillisecond) {
   EXPECT_EQ(timer.started, milliseconds(1));
 }
 
-/// @brief Each tick acknowledges the timer first, so that a tick during the commands is not lost.
-/// Then it executes each command once, in the sequence in which the commands were added.
+/// @brief Each tick first acknowledges the timer, so that a tick during the commands is not lost.
+/// Then the tick executes each command once, in the order in which the commands were added.
 /// @verifies FR-100
 TEST_F(SecondTimerTest, FR100_EachBeatExecutesAllCommands) {
   LoggingCommand first("first");
@@ -66,7 +66,7 @@ TEST_F(SecondTimerTest, FR100_BeatWithoutCommands) {
   EXPECT_EQ(events, std::vector<std::string>{"acknowledge"});
 }
 
-/// @brief The timer accepts its maximum number of commands; one more command ends the program.
+/// @brief The timer accepts its maximum number of commands. One more command ends the program.
 /// @verifies FR-100
 /// @verifies FR-176
 TEST_F(SecondTimerTest, FR100_OneCommandTooMany) {

@@ -58,13 +58,13 @@ TEST(Function, FR120_HallVelocity) {
   EXPECT_EQ(function.calculate(Given(-1, 2, 5, 1, 0)), -3);
 }
 
-/// @brief Without time there is no velocity.
+/// @brief The velocity has no value when the time is 0.
 /// @verifies FR-120
 TEST(Function, FR120_HallVelocityNeedsTime) {
   EXPECT_FALSE(HallVelocity().calculate(Given(1, 0, 600'000'000, 60, 0)));
 }
 
-/// @brief A velocity at the bounds is valid; a velocity beyond the bounds is not.
+/// @brief A velocity at the bounds is valid. A velocity beyond the bounds is invalid.
 /// @verifies FR-124
 TEST(Function, FR124_HallVelocityIsBounded) {
   const HallVelocity function;
@@ -76,8 +76,7 @@ TEST(Function, FR124_HallVelocityIsBounded) {
   }
 }
 
-/// @brief Current is (sum - offset) * scale / divisor, and rejected beyond the bounds of the
-/// current.
+/// @brief Current is (sum - offset) * scale / divisor. A current beyond its bounds is rejected.
 /// @verifies FR-125
 TEST(Function, FR125_SampledCurrent) {
   const SampledCurrent function;
@@ -117,7 +116,7 @@ class LeverFunction : public testing::Test {
 using Levers = testing::Types<RcVelocity, RcDirection>;
 TYPED_TEST_SUITE(LeverFunction, Levers);
 
-/// @brief The value of a pulse is in proportion to its distance from the middle.
+/// @brief The value of a pulse is proportional to its distance from the middle.
 /// @verifies FR-52
 TYPED_TEST(LeverFunction, FR52_InProportion) {
   for (std::int32_t width = 1000; width <= 2000; ++width) {
@@ -127,7 +126,7 @@ TYPED_TEST(LeverFunction, FR52_InProportion) {
   }
 }
 
-/// @brief Up to 20 us from the middle the value is 0.
+/// @brief Up to a distance of 20 us from the middle, the value is 0.
 /// @verifies FR-53
 TYPED_TEST(LeverFunction, FR53_MiddleIsZero) {
   for (std::int32_t width = 1480; width <= 1520; ++width) {
@@ -137,7 +136,8 @@ TYPED_TEST(LeverFunction, FR53_MiddleIsZero) {
   EXPECT_EQ(this->function.calculate(Pulse(1521)), 126);
 }
 
-/// @brief A little beyond full deflection counts as full deflection; far beyond there is no value.
+/// @brief A pulse slightly beyond full deflection counts as full deflection. A pulse far beyond
+/// full deflection has no value.
 /// @verifies FR-54
 TYPED_TEST(LeverFunction, FR54_EndsOfTheLever) {
   for (const std::int32_t width : {900, 999, 1000}) {
@@ -182,8 +182,8 @@ TEST(Function, FR120_MissingArgument) {
   }
 }
 
-/// @brief Arguments at the ends of their range never overflow: the result is right, or missing when
-/// it has more than 32 bits.
+/// @brief Arguments at the ends of their range never cause an overflow. The result is right, or it
+/// is missing because it needs more than 32 bits.
 /// @verifies FR-120
 /// @verifies FR-125
 TEST(Function, FR120_NoOverflow) {
@@ -248,7 +248,7 @@ TEST(Scaling, FR120_LargeDivisor) {
   EXPECT_EQ(quotient(-5 * kDivisor, kDivisor), -5);
 }
 
-/// @brief Without a middle range the least deflection of a lever counts.
+/// @brief Without a middle range, the smallest deflection of a lever has a value.
 /// @verifies FR-52
 TEST(Scaling, FR52_LeastDeflection) {
   for (const std::int32_t side : {-1, 0, 1}) {

@@ -8,15 +8,17 @@
 
 namespace wr::fuzz {
 
-/// @brief The behaviour of the PC link as docs/protocol.rst states it, without code of the firmware.
+/// @brief The behaviour of the PC link as docs/protocol.rst states it. The class uses no code of
+/// the firmware.
 ///
-/// It receives the same bytes at the same times, and shows the state that the link must have.
+/// The oracle receives the same bytes at the same times as the link. It returns the state that the
+/// link must have.
 class LinkOracle {
  public:
   /// @brief Time since start [us].
   using Time = std::int64_t;
 
-  /// @brief Counts of dropped frames, as in a report.
+  /// @brief The counts of dropped frames, as in a report.
   struct Counts {
     unsigned damaged = 0;
     unsigned tooLong = 0;
@@ -30,7 +32,7 @@ class LinkOracle {
     friend bool operator==(const Counts&, const Counts&) = default;
   };
 
-  /// @brief Begins without a byte and without a connection.
+  /// @brief Constructs an oracle without received bytes and without a connection.
   LinkOracle();
 
   /// @brief Receives a byte.
@@ -38,16 +40,16 @@ class LinkOracle {
   /// @param at time at which its stop bit ended [us]
   void receive(std::uint8_t byte, Time at);
 
-  /// @brief Ends the work of a cycle on the received bytes.
+  /// @brief Ends the processing of the received bytes in a cycle.
   /// @param pulse clock pulse of the cycle [us]
   /// @return true when a Welcome is due
   bool endService(Time pulse);
 
-  /// @brief Records whether the firmware could answer the Hellos of this cycle.
+  /// @brief Records that the time for the answer to the Hellos of this cycle has ended.
   void serviceEnded() { welcomeDue_ = false; }
 
   /// @brief Records that the Welcome of this cycle was sent.
-  /// @param session the session that it offers
+  /// @param session the session that the Welcome offers
   /// @param pulse clock pulse of the cycle [us]
   void welcomeSent(std::uint8_t session, Time pulse);
 

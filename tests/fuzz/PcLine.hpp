@@ -17,12 +17,13 @@ inline constexpr std::uint8_t kOrder = 0x04;
 inline constexpr std::uint8_t kWelcome = 0x81;
 inline constexpr std::uint8_t kReport = 0x82;
 
-/// @brief A PC whose output the input chooses: valid frames, damaged frames, and other bytes.
+/// @brief A PC that sends valid frames, damaged frames and other bytes. The fuzzer's input selects
+/// them.
 class PcLine {
  public:
   /// @brief Returns the next bytes of the PC.
-  /// @param input chooses them
-  /// @return bytes of the line
+  /// @param input selects the bytes
+  /// @return bytes on the line
   test::Bytes next(FuzzedDataProvider& input) {
     switch (input.ConsumeIntegralInRange(0, 6)) {
       case 0:
@@ -53,8 +54,8 @@ class PcLine {
 
   /// @brief Returns a valid frame with the next sequence number.
   /// @param type type of the frame
-  /// @param payload its payload
-  /// @return bytes of the line
+  /// @param payload payload of the frame
+  /// @return bytes on the line
   test::Bytes good(std::uint8_t type, const test::Bytes& payload = {}) {
     return test::lineBytes(type, sequence_++, payload);
   }
@@ -62,7 +63,7 @@ class PcLine {
   /// @brief Returns an order of one velocity for all wheels.
   /// @param velocity velocity [0.1 rpm]
   /// @param commands bit 0: stop, bit 1: acknowledge
-  /// @return bytes of the line
+  /// @return bytes on the line
   test::Bytes drive(std::int16_t velocity, std::uint8_t commands = 0) {
     return good(kOrder, payload(0, {velocity, velocity, velocity, velocity}, {}, commands));
   }
@@ -71,7 +72,7 @@ class PcLine {
 
  private:
   test::Bytes order(FuzzedDataProvider& input) {
-    // Zeros are frequent: without neutral orders the robot never drives.
+    // Zeros are frequent, because the robot never drives without neutral orders.
     const bool neutral = input.ConsumeBool();
     const auto value = [&input, neutral]() -> std::int16_t {
       return neutral ? std::int16_t{0} : input.ConsumeIntegralInRange<std::int16_t>(-3010, 3010);

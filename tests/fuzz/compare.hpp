@@ -15,7 +15,7 @@
 
 namespace wr::fuzz {
 
-/// @brief The states of a connection, which refer to each other.
+/// @brief The states of a connection. The states refer to each other.
 struct States {
   States()
       : disconnected(handshaking),
@@ -28,7 +28,7 @@ struct States {
 
 /// @brief Compares a connection after its cycle with the oracle that received the same bytes.
 /// @param connection the connection
-/// @param reader its orders
+/// @param reader reader of the connection's orders
 /// @param oracle the oracle
 /// @param now clock pulse of the cycle [us]
 inline void compare(const PcConnection& connection, const SerialReader& reader,
@@ -46,7 +46,7 @@ inline void compare(const PcConnection& connection, const SerialReader& reader,
 }
 
 /// @brief Reads the order that is available, and compares it with the order of the oracle.
-/// @param reader the orders
+/// @param reader reader of the orders
 /// @param oracle the oracle
 /// @param now clock pulse of the cycle [us]
 inline void readAndCompare(SerialReader& reader, LinkOracle& oracle, LinkOracle::Time now) {

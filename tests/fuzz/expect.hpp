@@ -5,7 +5,8 @@
 
 namespace wr::fuzz {
 
-/// @brief Ends the program when a statement about the firmware is false; the fuzzer keeps the input.
+/// @brief Ends the program when a statement about the firmware is false. The fuzzer then keeps the
+/// input.
 /// @param isTrue the statement
 /// @param words the statement in words
 inline void expect(bool isTrue, const char* words) {

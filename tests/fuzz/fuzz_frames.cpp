@@ -1,7 +1,7 @@
-// Fuzzes the connection with short inputs, at a high rate: the line of the PC, and the signed line
-// of a Bluetooth device. Each byte of an input is an operation: a frame that is good or has one
-// error, raw bytes, time, or a control cycle. The oracles were written from docs/protocol.rst and
-// docs/bluetooth.rst alone.
+// Fuzzes the line of the PC and the signed line of a Bluetooth device, with short inputs at a high
+// rate. Each byte of an input is an operation. An operation is a good frame, a frame with one
+// error, raw bytes, a time, or a control cycle. The oracles were written only from
+// docs/protocol.rst and docs/bluetooth.rst.
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@ constexpr std::array<std::int64_t, 8> kTimes{1'000,    // [us] around the limits
                                              1'000'000, 1'000'001};
 constexpr std::array<std::uint8_t, 8> kAhead{1, 1, 1, 0, 2, 127, 128, 255};  // sequence numbers
 constexpr std::array<std::size_t, 4> kLengths{21, 21, 20, 24};               // lengths of an order
-constexpr std::size_t kMostPending = 900;  // bytes: one cycle reads them all
+constexpr std::size_t kMostPending = 900;  // bytes; one cycle reads all of them
 constexpr std::size_t kMostEnds = 30;      // zero bytes among these bytes
 constexpr std::uint64_t kStart = 0x0123456789abcdef;
 constexpr SipHash::Key kKey = {7, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
@@ -53,7 +53,7 @@ class Start final : public RandomSource {
   [[nodiscard]] std::optional<std::uint64_t> draw() override { return kStart; }
 };
 
-// A serial port whose bytes have the time at which they were received. A read ends with a zero.
+// A serial port. Each byte has the time at which it was received. A read ends after a zero byte.
 class Port final : public SerialPort {
  public:
   Port() {
@@ -125,7 +125,8 @@ Bytes trailerOf(char direction, std::uint32_t counter, std::span<const std::uint
   return trailer;
 }
 
-// The rules of the signed line: which frames reach the connection, and how many are challenged.
+// The rules of the signed line. They determine the frames that reach the connection, and the number
+// of challenges.
 class SignedOracle {
  public:
   SignedOracle() { line_.reserve(kLongestSigned + 1); }
@@ -326,7 +327,7 @@ class Link {
     }
   }
 
-  // Checks the sent bytes; returns the session of a Welcome.
+  // Checks the sent bytes. Returns the session of a Welcome.
   std::optional<std::uint8_t> takeSent() {
     std::optional<std::uint8_t> session;
     int challenged = 0;
@@ -365,7 +366,8 @@ class Link {
     return session;
   }
 
-  // The second byte of the body of a frame: the version and the type are not 0.
+  // Returns whether a coded frame is a Welcome. Version and type are not 0, so the type is the
+  // third byte of the coded frame.
   [[nodiscard]] static bool isWelcome(std::span<const std::uint8_t> line) {
     return line[2] == kWelcome;
   }
@@ -391,7 +393,7 @@ class Link {
   std::uint32_t counter_ = 0;   // counter of the newest signed frame to the robot
   std::uint32_t answered_ = 0;  // counter of the newest signed frame of the robot
   Bytes last_;                  // the newest frame to the robot
-  std::uint8_t damage_ = 0;     // place and bit of the error in the next frame; 0: no error
+  std::uint8_t damage_ = 0;     // position and bit of the error in the next frame; 0: no error
 };
 
 }  // namespace
@@ -405,7 +407,8 @@ extern "C" const char* __asan_default_options() {
 
 namespace wr {
 
-// Each target defines this function. Here it ends the program, so that the fuzzer keeps the input.
+// Each target defines this function. In this target, it ends the program, so that the fuzzer keeps
+// the input.
 void assertionFailed(AssertId /*id*/) {
   std::fputs("the fuzzer found an assertion that fails\n", stderr);
   std::abort();
@@ -415,10 +418,11 @@ void assertionFailed(AssertId /*id*/) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size != 0) {
-    wr::fuzz::Link link((data[0] & 3U) == 3);  // each fourth input: tags take time
+    wr::fuzz::Link link((data[0] & 3U) ==
+                        3);  // only each fourth input, because computing the tags takes time
     link.run(std::span(data, size).subspan(1));
     if ((data[0] & 28U) ==
-        0) {  // only each eighth input, because this takes as long as the input itself
+        0) {  // only each eighth input, because the recovery takes as long as the input itself
       link.recover();
     }
   }

@@ -1,5 +1,5 @@
-// Fuzzes the connection to the PC with its codec. Time passes in steps that the input chooses. An
-// oracle that was written from docs/protocol.rst alone receives the same bytes.
+// Fuzzes the connection to the PC with its codec. The input selects the steps of time. An oracle
+// receives the same bytes. The oracle was written only from docs/protocol.rst.
 
 #include <fuzzer/FuzzedDataProvider.h>
 
@@ -25,7 +25,7 @@ constexpr std::int64_t kCycle = 100'000;  // [us]
 constexpr std::size_t kMostInCycle = 1216;
 constexpr std::size_t kRoomForWelcome = 64;
 
-// A serial port whose bytes have the time at which they were received.
+// A serial port. Each byte has the time at which it was received.
 class Port final : public SerialPort {
  public:
   struct Received {
@@ -115,7 +115,7 @@ class Link {
     expect(takeSent(kReport).has_value() == sent, "a report is sent as a whole or not at all");
   }
 
-  // Checks that the firmware sent only whole frames of one type, with consecutive numbers; returns
+  // Checks that the firmware sent only whole frames of one type, with consecutive numbers. Returns
   // the first byte of the payload.
   std::optional<std::uint8_t> takeSent(std::uint8_t type) {
     std::optional<std::uint8_t> first;
@@ -167,7 +167,7 @@ void fuzz(FuzzedDataProvider& input) {
         link.arrive(link.pc.next(input));
     }
   }
-  // After any input, Hello, Confirm and Order work again, each in one cycle.
+  // Checks that Hello, Confirm and Order work again after any input, each in one cycle.
   constexpr int kMostCycles = 100;
   for (int i = 0; i < kMostCycles && !link.port.received.empty(); ++i) {
     link.cycle(false);

@@ -1,6 +1,6 @@
-// Fuzzes the whole firmware with its safety functions, in the simulated robot. The input chooses
-// events, and the time of each event: bytes of the PC, the remote control, extra edges of Hall
-// sensors, faults of sensors, the emergency stop and resets.
+// Fuzzes the whole firmware with its safety functions, in the simulated robot. The input selects
+// events and their times. The events are bytes of the PC, changes of the remote control, extra
+// edges of Hall sensors, faults of sensors, the emergency stop, and resets.
 
 #include <fuzzer/FuzzedDataProvider.h>
 
@@ -24,17 +24,17 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr int kMostCycles = 120;           // greatest number of cycles of a run
-constexpr int kRecoveryCycles = 10;        // one second
-constexpr int kMostBetween = 4;            // events of a cycle
-constexpr int kMostStopped = 12;           // cycles until a stop has lowered every voltage to 0
+constexpr int kMostCycles = 120;     // maximum number of cycles of a run
+constexpr int kRecoveryCycles = 10;  // one second
+constexpr int kMostBetween = 4;      // maximum number of events in a cycle
+constexpr int kMostStopped = 12;     // number of cycles in which a stop lowers every voltage to 0
 constexpr std::size_t kMostUnread = 1500;  // capacity of the port's storage [byte]
 
 class FuzzedRobot {
  public:
   FuzzedRobot() { session_.start(); }
 
-  // Executes an event of the surroundings, which the input chooses.
+  // Executes an event of the surroundings. The input selects the event.
   void event(FuzzedDataProvider& input) {
     switch (input.ConsumeIntegralInRange(0, 9)) {
       case 0:
@@ -76,7 +76,7 @@ class FuzzedRobot {
 
   void wait(milliseconds duration) { session_.runUntil(session_.now() + duration); }
 
-  // Lets the period end, runs the cycle, and checks the invariants of each cycle.
+  // Advances the time to the next cycle, runs the cycle, and checks the invariants of each cycle.
   void cycle() {
     session_.runThroughPulse();
     for (const Received& one : unread_) {
@@ -195,7 +195,8 @@ class FuzzedRobot {
   [[nodiscard]] const Protection& protection() { return data().measurements().protection; }
   [[nodiscard]] bool latched() { return protection().inhibit == Inhibit::ProtectiveStop; }
 
-  // Checks that a stop of the PC that the protocol accepts acts in the same cycle and stays.
+  // Checks a stop of the PC that the protocol accepts. The stop must act in the same cycle, and
+  // must stay.
   void checkStop() {
     expect(!oracle_.stop() || data().stopped(), "a stop of the PC stops the robot in its cycle");
     if (data().setPoints() && data().setPoints()->neutral()) {
@@ -215,7 +216,7 @@ class FuzzedRobot {
     for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
       const host::HostWheelPins& pins = session_.world.robot.pins().wheels.at(wheel);
       const int duty = pins.enable.isOn() ? pins.pwm.dutyCycle().count() : 0;
-      expect(duty >= 0 && duty <= 10'000, "the share of the voltage is in range");
+      expect(duty >= 0 && duty <= 10'000, "the duty cycle is in range");
       expect(free || duty <= voltages_.at(wheel), "no voltage rises unarmed or stopped");
       voltages_.at(wheel) = duty;
       voltage = voltage || duty > 0;
@@ -251,7 +252,7 @@ void connect(FuzzedRobot& robot) {
 
 void fuzz(FuzzedDataProvider& input) {
   FuzzedRobot robot;
-  // Most inputs begin with a robot that can drive.
+  // For most inputs, the robot is able to drive at the start.
   if (input.ConsumeIntegralInRange(0, 3) > 0) {
     connect(robot);
     for (int i = 0; i < 16; ++i) {

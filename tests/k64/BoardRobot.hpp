@@ -18,15 +18,16 @@ using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 using std::chrono::seconds;
 
-/// A pin that the firmware drives, and its level when nobody controls the robot.
+/// A pin that the firmware drives, and its level while the robot is not controlled.
 struct SafePin {
   char port;
   int number;
   bool level;
 };
 
-/// The outputs of the robot, written from the page of the pins and without the firmware's table:
-/// voltage, orientation and enable of the wheels, steering, green light off, red light on.
+/// The outputs of the robot, according to the page about the pins. The firmware's table is not
+/// used. They are the voltages, orientations and enables of the wheels, the steering, the green
+/// light (off) and the red light (on).
 inline constexpr std::array<SafePin, 17> kSafePins{{
     {'C', 1, false},
     {'C', 2, false},
@@ -48,7 +49,7 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
 }};
 
 /// The firmware on the virtual K64. A test also has access to the board. Tests cause faults and
-/// resets, and the board continues after them.
+/// resets. The board continues after a fault or a reset.
 class BoardRobot : public SteppedRobot {
  public:
   explicit BoardRobot(emulator::Options options = {})
@@ -56,14 +57,14 @@ class BoardRobot : public SteppedRobot {
   explicit BoardRobot(std::vector<std::uint8_t> image)
       : BoardRobot(switchBoardOn(std::move(image), testsResets({}))) {}
 
-  /// Lets time pass; a finding ends the test.
+  /// Runs the board for a duration. A finding ends the test.
   void run(nanoseconds duration) {
     if (!board.runUntil(board.now() + duration)) {
       throw std::runtime_error(line.finding().value().text);
     }
   }
 
-  /// Lets the firmware start until it reads its line.
+  /// Runs the start of the firmware, until it reads its line.
   void startUp() { run(milliseconds(20)); }
 
   /// Requests a connection, and reads the answer.
@@ -75,7 +76,7 @@ class BoardRobot : public SteppedRobot {
     return welcome.value();
   }
 
-  /// Returns the pins that are not at their safe level, or are not outputs.
+  /// Returns the pins that are not outputs or do not have their safe level.
   [[nodiscard]] std::string unsafePins() const {
     std::string names;
     for (const SafePin& pin : kSafePins) {
@@ -102,7 +103,7 @@ class BoardRobot : public SteppedRobot {
   emulator::VirtualBoard& board;
 };
 
-// Addresses of registers, as the reference manual of the part gives them.
+// Addresses of registers from the reference manual of the microcontroller.
 inline constexpr std::uint32_t kWatchdogBegin = 0x40052000;
 inline constexpr std::uint32_t kWatchdogEnd = 0x40052018;
 inline constexpr std::uint32_t kWatchdogRefresh = 0x4005200C;

@@ -20,9 +20,10 @@ namespace {
 constexpr unsigned kPulse = 16 + 48;
 constexpr unsigned kHallEdges = 16 + 62;
 constexpr unsigned kMainThread = 16 + 64;
-constexpr int kCyclesToArm = 15;  // the PC commands, and its neutral orders arm the robot
+constexpr int kCyclesToArm =
+    15;  // the PC becomes the source of orders, and its neutral orders arm the robot
 
-/// A connected robot that drives, and the measurements of some of its cycles.
+/// A connected robot that drives, and the measurements of some cycles.
 struct Drive {
   explicit Drive(int cycles, bool profiled = false) {
     robot.startUp();
@@ -40,18 +41,19 @@ struct Drive {
 
   BoardRobot robot;
   std::optional<board_robot::CycleMeter> meter;
-  std::vector<scenario::PcReport> reports;  ///< the first measurement is of the third cycle
+  std::vector<scenario::PcReport> reports;  ///< the first measurement belongs to the third cycle
 };
 
-/// @brief The counts of the firmware agree with the measurements of the board. Its counts begin
-/// when the interrupt of the clock pulse is served; for each sleep it counts a few cycles too many.
+/// @brief The cycle counts of the firmware agree with the measurements of the board. The firmware
+/// begins to count when the interrupt of the clock pulse is served. For each sleep, it counts a few
+/// cycles too many.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303
 TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   const Drive drive(60);
-  constexpr std::int64_t kFew = 700;    // the interrupt of a converter may come in between
-  constexpr std::int64_t kTick = 2000;  // and, in 1 of 20 cycles, a tick of the second timer
+  constexpr std::int64_t kFew = 700;    // the interrupt of a converter may occur in between
+  constexpr std::int64_t kTick = 2000;  // in 1 of 20 cycles, a tick of the second timer also occurs
   std::size_t ticks = 0;
   const auto off = [](std::uint64_t left, std::uint64_t right) {
     return std::abs(static_cast<std::int64_t>(left - right));
@@ -83,8 +85,8 @@ TEST(CyclesOfTheImage, SameRunCostsTheSame) {
   }
 }
 
-/// @brief The costs of the exceptions, of the cycles and of the instructions have the same sum. An
-/// instruction that an IT block skips takes time, and is not executed.
+/// @brief The sum of the costs is the same for all exceptions, for all cycles and for all
+/// instructions. An instruction that an IT block skips takes time, but is not executed.
 TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
   const Drive drive(30, true);
   board_robot::CycleMeter::Cost whole;
@@ -95,7 +97,8 @@ TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
     toReport.instructions += cycle.toReport.instructions;
   }
   ASSERT_GT(whole.instructions, 0U);
-  // The last cycle is incomplete; the counts of exceptions and instructions already include it.
+  // The last cycle is incomplete. The counts of exceptions and instructions already include this
+  // cycle.
   board_robot::CycleMeter::Cost charged;
   for (const auto& [number, exception] : drive.meter->exceptions()) {
     charged.instructions += exception.whole.instructions;
@@ -126,8 +129,8 @@ TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
   }
 }
 
-/// @brief A PC that sends without a pause makes the cycle longer, and each cycle still reports. The
-/// result of the test contains the longest cycle, which the proven bound must exceed.
+/// @brief A PC that sends without a pause makes the cycles longer. Each cycle still sends a report.
+/// The result of the test contains the longest cycle. The proven bound must exceed this cycle.
 /// @verifies FR-244
 TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
   constexpr std::uint8_t kUnknownType = 99;
@@ -156,7 +159,8 @@ TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
   EXPECT_LT(longest, 1'200'000U);
 }
 
-/// @brief Each interrupt has its priority and its latency; a thread, which no device raises, has no latency.
+/// @brief Each interrupt has a priority and a latency. A thread has no latency, because no device
+/// raises it.
 TEST(CyclesOfTheImage, InterruptsHaveLatencies) {
   const Drive drive(60);
   const auto& exceptions = drive.meter->exceptions();

@@ -18,8 +18,8 @@ namespace wr::test {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-/// The program that uses the drivers one by one, on the virtual K64: see program/drivers.cpp. A
-/// finding of the board fails the test.
+/// The program of program/drivers.cpp on the virtual K64. This program uses each driver separately.
+/// A finding of the board fails the test.
 class DriverBoard {
  public:
   explicit DriverBoard(emulator::Options options = {})
@@ -28,10 +28,10 @@ class DriverBoard {
   DriverBoard& operator=(const DriverBoard&) = delete;
   ~DriverBoard() { EXPECT_FALSE(board.finding()) << text(); }
 
-  /// Lets time pass.
+  /// Runs the board for a duration.
   void run(nanoseconds duration) { ASSERT_TRUE(board.runUntil(board.now() + duration)) << text(); }
 
-  /// Lets the program start.
+  /// Runs the start of the program.
   void startUp() { run(milliseconds(15)); }
 
   /// Sends an order, and reads the numbers of the answer.

@@ -32,7 +32,7 @@ void apply(DriverBoard& drivers, std::size_t input, double volts) {
   drivers.board.setAnalog(kInputs.at(input).converter, kInputs.at(input).channel, volts);
 }
 
-/// @brief Each input returns its voltage in 4096 parts of 3.3 V, also at the ends of the range.
+/// @brief Each input returns its voltage in units of 3.3 V / 4096, also at the ends of the range.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
   DriverBoard drivers;
@@ -51,15 +51,15 @@ TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
   }
 }
 
-/// @brief Each of the five inputs has one value per millisecond, although they share two converters
-/// and each input is requested twice.
+/// @brief Each of the five inputs has one value per millisecond, although the inputs share two
+/// converters and each input is requested twice.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesAValueInEachMillisecond) {
   DriverBoard drivers;
   drivers.startUp();
   const std::vector<std::uint16_t> before = drivers.ask('A');
   drivers.run(milliseconds(994));
-  const std::vector<std::uint16_t> after = drivers.ask('A');  // it takes 6 ms
+  const std::vector<std::uint16_t> after = drivers.ask('A');  // the answer takes 6 ms
   ASSERT_EQ(after.size(), 2 * kInputs.size());
   for (std::size_t input = 0; input < kInputs.size(); ++input) {
     EXPECT_EQ(after[2 * input] - before[2 * input], 1000) << input;
@@ -95,8 +95,8 @@ TEST(K64AdcOnBoard, FR142_EachInputIsConvertedOnceInEachTick) {
   }
 }
 
-/// @brief When one converter alone fails its calibration, its inputs have no value, and the inputs
-/// of the other converter have values.
+/// @brief When the calibration of only one converter fails, the inputs of this converter have no
+/// value. The inputs of the other converter have values.
 /// @verifies FR-143
 TEST(K64AdcOnBoard, FR143_OneConverterFailsAlone) {
   for (const int failed : {0, 1}) {
@@ -111,8 +111,8 @@ TEST(K64AdcOnBoard, FR143_OneConverterFailsAlone) {
   }
 }
 
-/// @brief An open input without its resistor to ground has the value of the previously converted
-/// input; with the resistor its value is 0.
+/// @brief An open input without a resistor to ground has the value of the previously converted
+/// input. With the resistor, its value is 0.
 /// @verifies FR-205
 TEST(K64AdcOnBoard, FR205_OpenInputNeedsItsResistor) {
   DriverBoard drivers;
@@ -127,8 +127,8 @@ TEST(K64AdcOnBoard, FR205_OpenInputNeedsItsResistor) {
   EXPECT_EQ(drivers.ask('A')[9], 0);
 }
 
-/// @brief Each converter is calibrated before it converts for the first time, and the start takes less
-/// than 10 ms.
+/// @brief Each converter is calibrated before its first conversion. The start takes less than 10
+/// ms.
 /// @verifies FR-143
 TEST(K64AdcOnBoard, FR143_ConvertersAreCalibratedBeforeTheyConvert) {
   DriverBoard drivers;
@@ -150,7 +150,7 @@ TEST(K64AdcOnBoard, FR143_ConvertersAreCalibratedBeforeTheyConvert) {
   EXPECT_TRUE(converted[0] && converted[1]);
 }
 
-/// @brief When the calibration fails the firmware starts anyway, and no input ever has a value.
+/// @brief When the calibrations fail, the firmware still starts, and no input ever has a value.
 /// @verifies FR-143
 TEST(K64AdcOnBoard, FR143_AfterAFailedCalibrationThereAreNoValues) {
   DriverBoard drivers({.elf = {}, .calibrates = {false, false}});
@@ -169,7 +169,8 @@ TEST(K64AdcOnBoard, FR143_AfterAFailedCalibrationThereAreNoValues) {
 constexpr std::uint16_t kAllCurrents = 0b010'010'010'010;  // bits of scenario::PcReport::measured
 constexpr std::uint16_t kSteeringPosition = 1U << 12U;
 
-/// @brief The reports of a robot at rest have the currents of all wheels and the angle of the steering.
+/// @brief The reports of a robot at rest have the currents of all wheels and the angle of the
+/// steering.
 /// @verifies FR-142
 TEST(K64AdcInTheRobot, FR142_ReportsHaveTheCurrentsAndTheAngle) {
   BoardRobot robot;
@@ -182,7 +183,8 @@ TEST(K64AdcInTheRobot, FR142_ReportsHaveTheCurrentsAndTheAngle) {
   }
 }
 
-/// @brief The report shows no angle when the wire of its sensor is open and its input has the resistor.
+/// @brief The report has no angle when the wire of the angle sensor is broken and the input has a
+/// resistor to ground.
 /// @verifies FR-205
 TEST(K64AdcInTheRobot, FR205_OpenInputOfTheAngleIsMissing) {
   constexpr Input kAngle = kInputs[4];
@@ -199,8 +201,8 @@ TEST(K64AdcInTheRobot, FR205_OpenInputOfTheAngleIsMissing) {
   EXPECT_EQ(robot.report().measured & kSteeringPosition, 0);
 }
 
-/// @brief When the calibration failed the robot runs, and its reports show that the currents and the angle
-/// are missing.
+/// @brief When the calibrations have failed, the robot runs. Its reports show that the currents and
+/// the angle are missing.
 /// @verifies FR-143
 TEST(K64AdcInTheRobot, FR143_AfterAFailedCalibrationTheCurrentsAreMissing) {
   BoardRobot robot(emulator::Options{.calibrates = {false, false}});

@@ -29,12 +29,12 @@ std::vector<std::uint32_t> memoryOf(const emulator::VirtualBoard& board) {
   return words;
 }
 
-// Runs to the next reset. Returns the pins that were not at their safe level at the last check
+// Runs to the next reset. Returns the pins that did not have their safe level at the last check
 // before this reset.
 std::string unsafeAtReset(BoardRobot& robot) {
   const int before = robot.board.resets();
   const nanoseconds limit = robot.board.now() + milliseconds(1);
-  std::string unsafe = "no time passed";
+  std::string unsafe = "the board was not checked before the reset";
   while (robot.board.now() < limit) {
     unsafe = robot.unsafePins();
     robot.run(kSlice);
@@ -42,10 +42,11 @@ std::string unsafeAtReset(BoardRobot& robot) {
       return unsafe;
     }
   }
-  return "no reset came";
+  return "there was no reset";
 }
 
-/// @brief When the first register of the clock is written, all outputs are at their safe level.
+/// @brief When the firmware writes the first register of the clock, all outputs have their safe
+/// level.
 /// @verifies FR-71
 TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeTheClockIsSetUp) {
   BoardRobot robot;
@@ -60,7 +61,8 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeTheClockIsSetUp) {
   EXPECT_EQ(unsafe, "");
 }
 
-/// @brief When the outputs become safe after a reset, memory is unchanged.
+/// @brief When the outputs become safe after a reset, the memory still has its content from before
+/// the reset.
 /// @verifies FR-71
 TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
   BoardRobot robot;
@@ -85,8 +87,8 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
   EXPECT_NE(*atClock, before) << "the comparison would not see the initialisation";
 }
 
-/// @brief In a start no output leaves its safe level, except for the lights when the cycles run.
-/// The first cycle switches the drivers of the wheels on without voltage, which brakes the wheels.
+/// @brief During a start, no output leaves its safe level, except for the lights when the cycles
+/// run. The first cycle enables the drivers of the wheels without voltage, which brakes the wheels.
 /// @verifies FR-71
 /// @verifies FR-141
 TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
@@ -113,8 +115,8 @@ TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
                                                      kNumberOf('C', 11), kNumberOf('B', 20)));
 }
 
-/// @brief The core runs at 120 MHz when the first clock pulse comes, and at 115200 baud each byte of
-/// the first Welcome arrives.
+/// @brief At the first clock pulse, the core runs at 120 MHz. Each byte of the first Welcome
+/// arrives at 115200 baud.
 /// @verifies FR-72
 TEST(K64BoardOnBoard, FR72_CoreRunsAt120MegahertzBeforeTheFirstCycle) {
   BoardRobot robot;
@@ -136,8 +138,8 @@ std::ostream& operator<<(std::ostream& out, const ClockFailure& failure) {
 
 class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
  protected:
-  // Runs to a time of a start attempt. The outputs are safe at each microsecond, except between a
-  // reset and the first stores of the start.
+  // Runs for a duration during a start attempt. Checks that the outputs are safe at each
+  // microsecond, except between a reset and the first stores of the start.
   static void runSafely(BoardRobot& robot, nanoseconds duration) {
     constexpr nanoseconds kFirstStores{100'000};
     const nanoseconds end = robot.board.now() + duration;
@@ -156,9 +158,9 @@ class K64BoardWithoutClock : public testing::TestWithParam<ClockFailure> {
   }
 };
 
-/// @brief When any step of the clock fails, no cycle runs, the outputs are always safe, and the
-/// watchdog repeats the start every 340 ms or sooner. When the clock works again, the robot starts
-/// and reports the step that failed.
+/// @brief When any step of the clock's start fails, no cycle runs, and the outputs are always safe.
+/// The watchdog repeats the start at least every 340 ms. When the clock works again, the robot
+/// starts and reports the step that failed.
 /// @verifies FR-72
 /// @verifies FR-73
 /// @verifies FR-76
@@ -188,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
                     ClockFailure{"NoChangeToPll", {.failingClockStep = 4}, 4}),
     [](const auto& each) { return each.param.name; });
 
-/// @brief Without the external clock no cycle runs. When the clock works again, the cycles begin.
+/// @brief Without the external clock, no cycle runs. When the clock works again, the cycles begin.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -199,9 +201,9 @@ TEST(K64BoardOnBoard, FR73_StartIsTriedAgainUntilTheClockComes) {
   EXPECT_GE(robot.line.pulses().size(), 2U);
 }
 
-/// @brief A clock that comes 26 ms after the reset is too late: by then the start has waited 20 ms
-/// for it. No cycle runs until the watchdog repeats the start; the new start reports the step that
-/// failed.
+/// @brief A clock that starts 26 ms after the reset is too late, because the firmware waits only 20
+/// ms for the clock. No cycle runs until the watchdog repeats the start. The new start reports the
+/// step that failed.
 /// @verifies FR-73
 TEST(K64BoardOnBoard, FR73_ClockThatComesAfter20MillisecondsWaitsForTheNextStart) {
   BoardRobot robot(emulator::Options{.externalClock = false});
@@ -225,7 +227,7 @@ constexpr scenario::PcOrder kDriveOrder{.id = 1,
                                                     {.quantity = 1, .value = 6000},
                                                     {.quantity = 1, .value = 6000}}}};
 
-// Lets the robot follow orders of the PC, with a voltage at each wheel.
+// Runs the robot until it follows orders of the PC, with a voltage at each wheel.
 void driveByPc(BoardRobot& robot) {
   robot.startUp();
   robot.commandByPc(kDriveOrder);
@@ -238,8 +240,8 @@ void driveByPc(BoardRobot& robot) {
   }
 }
 
-/// @brief When the external clock is lost while the robot drives, the outputs are safe within 1 ms, and the
-/// next start reports that the clock was lost.
+/// @brief When the external clock is lost while the robot drives, the outputs are safe within 1 ms.
+/// The next start reports that the clock was lost.
 /// @verifies FR-203
 TEST(K64BoardOnBoard, FR203_OutputsAreSafeWithin1MillisecondOfALostClock) {
   BoardRobot robot;
@@ -253,8 +255,8 @@ TEST(K64BoardOnBoard, FR203_OutputsAreSafeWithin1MillisecondOfALostClock) {
   EXPECT_EQ(robot.askForWelcome().resetCause, kClockLost);
 }
 
-/// @brief When the PLL loses its lock while the robot drives, the outputs are safe within 1 ms, and the next
-/// start reports that the clock was lost.
+/// @brief When the PLL loses its lock while the robot drives, the outputs are safe within 1 ms. The
+/// next start reports that the clock was lost.
 /// @verifies FR-203
 TEST(K64BoardOnBoard, FR203_OutputsAreSafeWithin1MillisecondOfALostLock) {
   BoardRobot robot;
@@ -316,8 +318,8 @@ std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
 
 class K64BoardEnds : public testing::TestWithParam<Ending> {};
 
-/// @brief At each fault the outputs become safe, then a reset follows, and the next Welcome reports
-/// the kind and the address of the fault. The fault is reported for one start only.
+/// @brief At each fault, the outputs become safe, and then a reset follows. The next Welcome
+/// reports the kind and the address of the fault. The fault is reported for one start only.
 /// @verifies FR-75
 /// @verifies FR-76
 /// @verifies FR-77
@@ -330,7 +332,7 @@ TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
   EXPECT_EQ(welcome.fault, kNoFault);
   robot.confirm();
   robot.cycles(2);
-  EXPECT_NE(robot.unsafePins(), "") << "the lights show that cycles run";
+  EXPECT_NE(robot.unsafePins(), "") << "the lights must show that cycles run";
 
   robot.board.raise(static_cast<int>(ending.exception));
   EXPECT_EQ(unsafeAtReset(robot), "");

@@ -16,15 +16,15 @@ constexpr int kChannels = 4;
 constexpr nanoseconds kPeriod{50'000};
 constexpr std::uint32_t kTimerBegin = 0x40038000;
 constexpr std::uint32_t kTimerEnd = 0x4003809C;
-constexpr double kCount = 1.0 / 3000;  // one bus clock as a share of the period
+constexpr double kCount = 1.0 / 3000;  // one bus clock as a fraction of the period
 
 struct Share {
   std::int16_t dutyCycle;  // [0.01 %]
   double share;
 };
 
-/// @brief The output is high for the set share of the period, to the nearest bus clock. All
-/// channels can be fully off and fully on, and a greater value counts as the limit.
+/// @brief The output is high for the fraction of the period that was set, to the nearest bus clock.
+/// All channels can be fully off and fully on. A value above the limit counts as the limit.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
   constexpr std::array kShares{
@@ -55,8 +55,8 @@ TEST(K64FtmOnBoard, FR140_ChannelsAreIndependent) {
   }
 }
 
-/// @brief Widths change only from one period of 50 us to the next, independent of the time at which
-/// they are set.
+/// @brief The width of the pulses changes only between two periods of 50 us. The time at which the
+/// width is set does not matter.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
   DriverBoard drivers;
@@ -89,12 +89,13 @@ TEST(K64FtmOnBoard, FR140_WidthsChangeAtTheBeginningOfAPeriod) {
     EXPECT_LE(changes[i] - writes[i], kPeriod);
     halves.at(changes[i] - writes[i] < kPeriod / 2 ? 0 : 1) = true;
   }
-  EXPECT_TRUE(halves[0] && halves[1]) << "the test would not see a width that changes at once";
+  EXPECT_TRUE(halves[0] && halves[1])
+      << "the test would not detect a width that changes immediately";
 }
 
-/// @brief From the first instruction that makes an output safe until a width is set, no output for
-/// the voltage is ever high. This is true while the pin is an ordinary output, and when the timer
-/// takes over the pin.
+/// @brief After the first instruction that makes an output safe, no voltage output is high until a
+/// width is set. This is true while the pin is an ordinary output, and also when the timer gets
+/// control of the pin.
 /// @verifies FR-141
 TEST(K64FtmOnBoard, FR141_OutputsStayLowUntilAWidthIsSet) {
   DriverBoard drivers;
@@ -108,10 +109,10 @@ TEST(K64FtmOnBoard, FR141_OutputsStayLowUntilAWidthIsSet) {
     }
   }
   EXPECT_TRUE(wasOutput);
-  EXPECT_FALSE(drivers.board.isOutput('C', 1)) << "the timer has the pin";
+  EXPECT_FALSE(drivers.board.isOutput('C', 1)) << "the timer must control the pin";
 }
 
-/// @brief A reset ends the pulses, and they do not come again by themselves.
+/// @brief A reset ends the pulses. They do not start again without an order.
 /// @verifies FR-141
 TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
   DriverBoard drivers({.elf = {}, .resetsAreFindings = false});
@@ -124,7 +125,8 @@ TEST(K64FtmOnBoard, FR141_ResetEndsThePulses) {
   EXPECT_EQ(drivers.board.pwmDuty(kTimer, 2), 0.0);
 }
 
-/// @brief A voltage that the PC orders is output as pulses: 6 V of 24 V are a quarter of the period.
+/// @brief A voltage that the PC orders is output as pulses. For 6 V of 24 V, the output is high for
+/// a quarter of the period.
 /// @verifies FR-140
 TEST(K64FtmInTheRobot, FR140_OrderedTensionComesOutAsPulses) {
   constexpr scenario::PcOrder::Wheel kQuarter{.quantity = 1, .value = 6000};

@@ -16,8 +16,8 @@ constexpr scenario::PcOrder kOrder{
 
 class K64PitOnBoardWithTiming : public testing::TestWithParam<emulator::Timing> {};
 
-/// @brief The clock pulses come every 100 ms while the robot drives, with and without wait states of the
-/// flash. Each pulse comes within 100 us of its time, and no pulse is lost or doubled.
+/// @brief There is a clock pulse every 100 ms while the robot drives, with and without wait states
+/// of the flash. Each pulse is within 100 us of its nominal time. No pulse is lost or repeated.
 /// @verifies FR-1
 TEST_P(K64PitOnBoardWithTiming, FR1_PulsesComeEvery100Milliseconds) {
   BoardRobot robot(emulator::Options{.timing = GetParam()});
@@ -46,8 +46,8 @@ INSTANTIATE_TEST_SUITE_P(Timings, K64PitOnBoardWithTiming,
                                                                               : "NoWaitStates";
                          });
 
-/// @brief The ticks come every 1 ms while wheels turn, the steering moves and the line is busy. Each tick
-/// begins within 50 us of its time, and no tick is lost or doubled.
+/// @brief There is a tick every 1 ms while wheels turn, the steering moves and the line is busy.
+/// Each tick begins within 50 us of its nominal time. No tick is lost or repeated.
 /// @verifies FR-100
 TEST(K64PitOnBoard, FR100_TicksComeEveryMillisecond) {
   constexpr std::uint32_t kTickException = exceptionOf(49);

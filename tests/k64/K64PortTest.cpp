@@ -22,7 +22,8 @@ struct Wire {
   int number;
 };
 
-// The Hall sensors of the wheels, then the remote control: each edge interrupts.
+// The inputs of the Hall sensors of the wheels, then of the remote control. Each edge causes an
+// interrupt.
 constexpr std::array<Wire, 11> kEdgeInputs{{{'D', 0},
                                             {'D', 1},
                                             {'D', 2},
@@ -65,8 +66,8 @@ class K64PortOnBoard : public testing::Test {
   std::vector<std::uint16_t> before;
 };
 
-/// @brief Each rising and each falling edge of an input interrupts, and causes no edge at another
-/// input.
+/// @brief Each rising and each falling edge of an input causes an interrupt. It causes no edge at
+/// another input.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_BothEdgesOfEachInputInterrupt) {
   std::vector<int> expected(kEdgeInputs.size(), 0);
@@ -80,7 +81,8 @@ TEST_F(K64PortOnBoard, FR144_BothEdgesOfEachInputInterrupt) {
   }
 }
 
-/// @brief Edges of several inputs of one port at the same time are each detected once.
+/// @brief Edges of several inputs of one port may occur at the same time. Each edge is detected
+/// once.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_EdgesAtTheSameTimeAreAllSeen) {
   for (const Wire& wire : kEdgeInputs) {
@@ -89,8 +91,8 @@ TEST_F(K64PortOnBoard, FR144_EdgesAtTheSameTimeAreAllSeen) {
   EXPECT_EQ(edges(), std::vector<int>(kEdgeInputs.size(), 1));
 }
 
-/// @brief All four edges of one input within a tick are detected: a wheel at full speed has far
-/// fewer.
+/// @brief Four edges of one input within a tick are all detected. A wheel at full speed has far
+/// fewer edges.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_FourEdgesInATickAreAllSeen) {
   constexpr int kTicks = 100;
@@ -105,8 +107,8 @@ TEST_F(K64PortOnBoard, FR144_FourEdgesInATickAreAllSeen) {
   EXPECT_EQ(edges().at(2), 4 * kTicks);
 }
 
-/// @brief At most four edges of one input interrupt within a tick. In the next tick they interrupt
-/// again, and other inputs are not affected.
+/// @brief At most four edges of one input cause interrupts within a tick. In the next tick, edges
+/// cause interrupts again. Other inputs are not affected.
 /// @verifies FR-201
 TEST_F(K64PortOnBoard, FR201_MoreEdgesInATickDoNotInterrupt) {
   constexpr int kTicks = 100;
@@ -127,7 +129,7 @@ TEST_F(K64PortOnBoard, FR201_MoreEdgesInATickDoNotInterrupt) {
   EXPECT_EQ(seen.at(3), 1);
 }
 
-/// @brief A pulse of 0.5 us at a Hall sensor causes no edge; a pulse of 1 us does.
+/// @brief A pulse of 0.5 us at a Hall sensor causes no edges. A pulse of 1 us causes edges.
 /// @verifies FR-202
 TEST_F(K64PortOnBoard, FR202_ShortPulsesAtHallSensorsHaveNoEdge) {
   const auto pulse = [this](nanoseconds width) {
@@ -144,14 +146,15 @@ TEST_F(K64PortOnBoard, FR202_ShortPulsesAtHallSensorsHaveNoEdge) {
   EXPECT_GE(edges().at(4), 1);
 }
 
-// Returns the widths of the pulses of velocity, direction and enable in microseconds. The program
-// computes for some microseconds after each edge.
+// Returns the pulse widths of velocity, direction and enable in microseconds. After each edge, the
+// program computes for some microseconds.
 std::vector<std::uint16_t> widths(DriverBoard& drivers) {
   return drivers.ask('W');
 }
 
-/// @brief The width of a pulse of the remote control is measured to 1 us. This is true even when
-/// another pulse ends when this pulse begins, or when both begin and end together.
+/// @brief The width of a pulse of the remote control is measured with an accuracy of 1 us. This is
+/// true even when another pulse ends at the beginning of this pulse, or when both pulses begin and
+/// end at the same time.
 /// @verifies FR-200
 TEST_F(K64PortOnBoard, FR200_EdgesThatComeTogetherGetOneTime) {
   using std::chrono::microseconds;
@@ -181,8 +184,8 @@ TEST_F(K64PortOnBoard, FR200_EdgesThatComeTogetherGetOneTime) {
   EXPECT_NEAR(widths(drivers)[2], 1800, 1);
 }
 
-/// @brief The level of each input can be read, including the end stops and the emergency stop,
-/// which do not interrupt.
+/// @brief The level of each input can be read. This includes the end stops and the emergency stop,
+/// which cause no interrupts.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_LevelsAreThoseOfThePins) {
   std::vector<std::uint16_t> expected(kEdgeInputs.size() + kContacts.size(), 0);
@@ -229,8 +232,8 @@ TEST(K64PortInTheRobot, FR201_NoiseDoesNotStarveTheCycles) {
   EXPECT_EQ(robot.report().overruns, 0);
 }
 
-/// @brief In the robot one interrupt serves the end of one pulse of the remote control and the
-/// start of another pulse at the same time.
+/// @brief If a pulse of the remote control begins when another pulse ends, one interrupt of the
+/// robot serves both edges.
 /// @verifies FR-200
 TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
   constexpr std::uint32_t kEdgeException = exceptionOf(60);
@@ -251,8 +254,8 @@ TEST(K64PortInTheRobot, FR200_OneInterruptServesEdgesThatComeTogether) {
   EXPECT_EQ(interrupts, 2);
 }
 
-/// @brief The width of the direction pulse does not depend on the velocity pulse that begins at the
-/// same moment, even with a slow flash.
+/// @brief The velocity pulse begins at the same time as the direction pulse. The width of the
+/// direction pulse is still right, even with a slow flash.
 /// @verifies FR-200
 TEST(K64PortInTheRobot, FR200_PulsesThatComeTogetherHaveTheirWidths) {
   // 1 us of the pulse is 0.064 degrees, and each edge of the pulse may be measured 1 us early or
@@ -273,7 +276,7 @@ TEST(K64PortInTheRobot, FR200_PulsesThatComeTogetherHaveTheirWidths) {
   }
 }
 
-/// @brief A robot at rest counts no edges of pulses of 0.5 us at its Hall sensors.
+/// @brief A robot at rest counts no edges when its Hall sensors have pulses of 0.5 us.
 /// @verifies FR-202
 TEST(K64PortInTheRobot, FR202_ShortPulsesMoveNoWheel) {
   BoardRobot robot;
@@ -295,8 +298,8 @@ TEST(K64PortInTheRobot, FR202_ShortPulsesMoveNoWheel) {
   }
 }
 
-/// @brief When the PC lets wheels turn, their velocity is measured: their Hall sensors interrupt at
-/// each edge.
+/// @brief When orders of the PC turn the wheels, the velocity of the wheels is measured. Each edge
+/// of their Hall sensors causes an interrupt.
 /// @verifies FR-144
 TEST(K64PortInTheRobot, FR144_EdgesOfAWheelThatTurnsAreMeasured) {
   scenario::PcOrder order{.id = 1};

@@ -13,8 +13,8 @@ namespace {
 
 using Kind = emulator::Event::Kind;
 
-/// @brief A clock pulse ends before the cycle begins: the handler of the timer only triggers the thread of the
-/// main controller, which runs once.
+/// @brief The handler of a clock pulse ends before the cycle begins. The handler only triggers the
+/// thread of the main controller. The thread runs once.
 /// @verifies FR-1
 TEST(K64ThreadOnBoard, FR1_CycleRunsAfterThePulseHasEnded) {
   BoardRobot robot;
@@ -37,7 +37,7 @@ TEST(K64ThreadOnBoard, FR1_CycleRunsAfterThePulseHasEnded) {
   EXPECT_EQ(events, two);
 }
 
-/// @brief Bytes that come while a cycle runs interrupt the cycle, because the serial port has the
+/// @brief Bytes that arrive during a cycle interrupt the cycle, because the serial port has a
 /// higher priority.
 /// @verifies FR-171
 TEST(K64ThreadOnBoard, FR171_SerialPortInterruptsTheCycle) {
@@ -63,7 +63,8 @@ TEST(K64ThreadOnBoard, FR171_SerialPortInterruptsTheCycle) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief The thread of each wheel interrupts the main thread that posts it, and runs once for each post.
+/// @brief The main thread posts the thread of a wheel. The thread of the wheel interrupts the main
+/// thread, and runs once for each post.
 /// @verifies FR-172
 TEST(K64ThreadOfAWheel, GoesBeforeTheMainThread) {
   constexpr std::uint16_t kMain = 4;
@@ -71,7 +72,8 @@ TEST(K64ThreadOfAWheel, GoesBeforeTheMainThread) {
   drivers.startUp();
   drivers.ask('T');
   const std::vector<std::uint16_t> once{3, 2, 1, 0, kMain, 0, 0, 0, 5};
-  EXPECT_EQ(drivers.ask('R'), once) << "in the order of the posts; then the number of all";
+  EXPECT_EQ(drivers.ask('R'), once)
+      << "the answer has the numbers in the order of the posts, then their count";
 }
 
 }  // namespace

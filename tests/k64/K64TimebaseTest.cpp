@@ -7,8 +7,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief The time in the reports increases by 100 ms in each cycle, also when the 32-bit counter
-/// overflows: after 71.6 s and after 143.2 s.
+/// @brief The time in the reports increases by 100 ms in each cycle. This is also true when the
+/// 32-bit counter overflows, after 71.6 s and after 143.2 s.
 /// @verifies FR-174
 TEST(K64TimebaseOnBoard, FR174_TimeGoesOnWhereTheCounterWraps) {
   BoardRobot robot;

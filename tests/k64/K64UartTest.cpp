@@ -15,7 +15,7 @@ class K64UartOnBoard : public testing::Test {
  protected:
   K64UartOnBoard() { robot.startUp(); }
 
-  // Sends frames of an undefined type; the robot counts each complete frame.
+  // Sends frames of an undefined type. The robot counts each complete frame.
   void sendUnknown(int frames) {
     for (int i = 0; i < frames; ++i) {
       robot.arrive(robot.pc.frame(0x55, {}));
@@ -28,7 +28,7 @@ class K64UartOnBoard : public testing::Test {
 /// @brief All bytes that the line can transfer between two clock pulses are received.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
-  constexpr int kFrames = 150;  // frames of 7 bytes: 91 ms, after the 9 ms of the report
+  constexpr int kFrames = 150;  // frames of 7 bytes; they take 91 ms, after the 9 ms of the report
   robot.connect();
   sendUnknown(kFrames);
   robot.keepAlive();
@@ -40,7 +40,7 @@ TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief The line to the robot is busy for ten seconds without a pause, and no byte is lost.
+/// @brief No byte is lost while the line to the robot is busy for ten seconds without a pause.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   robot.connect();
@@ -56,19 +56,19 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief At full control load no byte is lost. All wheels have their greatest velocity, and the
-/// steering turns from side to side. The remote control sends pulses, each cycle reports, and the
-/// line to the robot is never idle.
+/// @brief At full control load, no byte is lost. All wheels have their greatest velocity, and the
+/// steering turns from side to side. The remote control sends pulses, each cycle sends a report,
+/// and the line to the robot is never idle.
 /// @verifies FR-37
 /// @verifies FR-49
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   constexpr int kCycles = 70;
-  // Together with an order of 28 bytes this makes 1160 bytes; the line transfers 1152 bytes in a
-  // cycle.
+  // Together with an order of 28 bytes, these frames have 1160 bytes. The line transfers only 1152
+  // bytes in a cycle.
   constexpr int kLong = 11;  // frames of 102 bytes
   const scenario::Bytes kLongPayload(95, 3);
-  const scenario::Bytes kShortPayload(3, 3);  // in one frame of 10 bytes
+  const scenario::Bytes kShortPayload(3, 3);  // for one frame of 10 bytes
   scenario::PcOrder order{.id = 1, .steering = 3000};
   order.wheels.fill({.quantity = 0, .value = 3000});
   robot.commandByPc(order);
@@ -96,11 +96,11 @@ TEST_F(K64UartOnBoard, FR37_FullControlLoadLosesNoByte) {
   EXPECT_GT(robot.report().velocity[0], 2300);
 }
 
-/// @brief While other interrupts keep the port waiting for 600 us, its FIFO stores the received
-/// bytes: seven at 115200 baud.
+/// @brief While other interrupts delay the serial port for 600 us, its FIFO stores the received
+/// bytes. At 115200 baud, these are seven bytes.
 /// @verifies FR-171
 TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
-  constexpr std::uint32_t kRounds = 14'400;  // 600 us of the core, five cycles for each
+  constexpr std::uint32_t kRounds = 14'400;  // 600 us; each round has five cycles of the core
   BoardRobot robot(withHandler(emulator::readImage(imageFile()), kUnusedException,
                                stubs::keepDevicesWaiting(kRounds)));
   robot.startUp();
@@ -120,8 +120,8 @@ TEST(K64UartThatWaits, FR171_BytesWaitInTheFifo) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief When bytes wait in the FIFO before a byte with a wrong stop bit, only the byte with the
-/// wrong stop bit is dropped.
+/// @brief When other bytes wait in the FIFO before a byte with a wrong stop bit, only the byte with
+/// the wrong stop bit is dropped.
 /// @verifies FR-49
 TEST(K64UartThatWaits, FR49_OnlyTheByteWithTheWrongStopBitIsLost) {
   constexpr std::uint32_t kRounds = 14'400;
@@ -166,7 +166,7 @@ class BlockedRobot : public BoardRobot {
   }
 
   void block() {
-    run(std::chrono::microseconds(300));  // between two ticks no other handler runs
+    run(std::chrono::microseconds(300));  // between two ticks, no other handler runs
     board.raise(kUnusedException);
     run(milliseconds(1));
   }
@@ -177,11 +177,12 @@ class BlockedRobot : public BoardRobot {
   }
 
  private:
-  static constexpr std::uint32_t kRounds = 4'728'000;  // 197 ms of the core, five cycles for each
+  static constexpr std::uint32_t kRounds =
+      4'728'000;  // 197 ms; each round has five cycles of the core
 };
 
-/// @brief When the main controller is blocked for so long that the buffer of 2048 bytes is full,
-/// each further byte is counted.
+/// @brief A long blocking of the main controller fills the buffer of 2048 bytes. Each further byte
+/// is lost and counted.
 /// @verifies FR-49
 TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   BlockedRobot robot;
@@ -195,8 +196,8 @@ TEST(K64UartOnBoardThatIsBusy, FR49_BytesBeyondTheStorageAreCounted) {
   EXPECT_EQ(robot.report().overruns, 1);
 }
 
-/// @brief A zero byte after another zero byte uses no storage. A busy robot stores the frame that
-/// follows more zero bytes than its storage has places.
+/// @brief A zero byte after another zero byte uses no space in the buffer. A busy robot stores a
+/// frame even after more zero bytes than its buffer has space for.
 /// @verifies FR-171
 TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
   BlockedRobot robot;
@@ -211,8 +212,8 @@ TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
   EXPECT_EQ(robot.report().unknownType, 1);
 }
 
-/// @brief The second port, which has another clock, receives and sends at the same speed. A line that
-/// is never idle in both directions loses no byte, even while the first port is in use.
+/// @brief The second port has another clock, but receives and sends at the same speed. It loses no
+/// byte when its line is never idle in either direction, even while the first port is in use.
 /// @verifies FR-171
 TEST(K64UartOnSecondPort, LineThatIsNeverIdleLosesNoByte) {
   constexpr int kSecondPort = 4;

@@ -50,8 +50,8 @@ class K64WatchdogOnBoard : public testing::Test {
   std::vector<Write> writes;
 };
 
-/// @brief The first writes of a start, before all other writes, are the keys and the set-up of the
-/// watchdog. Later only the keys of the refresh are written to the watchdog.
+/// @brief The first writes of a start are the keys and the configuration of the watchdog. Later,
+/// only the keys of the refresh are written to the watchdog.
 /// @verifies FR-70
 TEST_F(K64WatchdogOnBoard, FR70_IsConfiguredBeforeAnythingElse) {
   robot.cycles(5);
@@ -68,8 +68,8 @@ TEST_F(K64WatchdogOnBoard, FR70_IsConfiguredBeforeAnythingElse) {
   }));
 }
 
-/// @brief The set-up cannot be changed before the next reset, and lets the watchdog run while the
-/// processor sleeps.
+/// @brief The configuration of the watchdog cannot be changed before the next reset. With this
+/// configuration, the watchdog also runs while the processor sleeps.
 /// @verifies FR-70
 TEST_F(K64WatchdogOnBoard, FR70_StaysLocked) {
   robot.cycle();
@@ -79,13 +79,14 @@ TEST_F(K64WatchdogOnBoard, FR70_StaysLocked) {
       ++setUps;
       EXPECT_EQ(write.value & 0x10U, 0U) << "ALLOWUPDATE";
       EXPECT_EQ(write.value & 0x80U, 0x80U) << "WAITEN";
-      EXPECT_EQ(write.value & 0x0AU, 0U) << "window, or a clock of the clock tree";
+      EXPECT_EQ(write.value & 0x0AU, 0U)
+          << "neither a window nor a clock of the clock tree must be set";
     }
   }
   EXPECT_EQ(setUps, 1);
 }
 
-/// @brief A firmware whose cycles do not run is reset every 300 ms.
+/// @brief If the cycles of the firmware do not run, the watchdog resets the firmware every 300 ms.
 /// @verifies FR-70
 /// @verifies FR-74
 TEST(K64WatchdogOnBoardThatHangs, FR70_ResetsAfter300Milliseconds) {
@@ -108,7 +109,8 @@ TEST(K64WatchdogOnBoardThatHangs, FR70_ResetsAfter300Milliseconds) {
   }
 }
 
-/// @brief Before the first cycle nothing refreshes the watchdog; then each cycle refreshes it once.
+/// @brief Before the first cycle, nothing refreshes the watchdog. Then each cycle refreshes the
+/// watchdog once.
 /// @verifies FR-74
 TEST_F(K64WatchdogOnBoard, FR74_IsRefreshedOnceInEachCycle) {
   robot.run(milliseconds(90));
@@ -122,7 +124,7 @@ TEST_F(K64WatchdogOnBoard, FR74_IsRefreshedOnceInEachCycle) {
   }
 }
 
-/// @brief The refresh comes at the end of the cycle, after its report was passed to the serial
+/// @brief The cycle refreshes the watchdog at its end, after its report was passed to the serial
 /// port.
 /// @verifies FR-74
 TEST_F(K64WatchdogOnBoard, FR74_IsRefreshedAfterTheReport) {

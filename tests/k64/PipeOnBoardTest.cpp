@@ -10,24 +10,24 @@
 namespace wr::test {
 namespace {
 
-// Counts of the program for one pipe, see Handover in program/drivers.cpp.
+// The program's counts for one pipe. See Handover in program/drivers.cpp.
 struct Counts {
-  std::uint16_t interruptions;  // one side was active when the other side interrupted it
+  std::uint16_t interruptions;  // times that one side interrupted the other side during its access
   std::uint16_t torn;
   std::uint16_t older;
   std::uint16_t newest;
   std::uint16_t reads;
 };
 
-// The main thread reads one pipe that the interrupt of the Hall sensors writes, and writes another
-// pipe that this interrupt reads. The edges come in pairs, at different times of the loop of the
-// main thread: in some pairs both edges interrupt the work on the same value.
+// The interrupt of the Hall sensors writes a pipe that the main thread reads. The main thread
+// writes another pipe that the interrupt reads. The edges occur in pairs, at different times in the
+// loop of the main thread. In some pairs, both edges interrupt the access to the same value.
 class PipeOnBoard : public testing::Test {
  protected:
   PipeOnBoard() {
     constexpr int kTicks = 200;
     constexpr int kSensors = 8;
-    constexpr int kPairsInATick = 2 * kSensors;  // four edges of each sensor interrupt
+    constexpr int kPairsInATick = 2 * kSensors;  // four edges of each sensor cause interrupts
     constexpr nanoseconds kBetween{60'000};
     for (int sensor = 0; sensor < kSensors; ++sensor) {
       drivers.board.drive('D', sensor, false);
@@ -67,8 +67,8 @@ class PipeOnBoard : public testing::Test {
   std::vector<std::uint16_t> after;
 };
 
-/// @brief An interrupt that writes while the main thread reads never corrupts a value or its time,
-/// and no value is older than the previous value. This is tested at thousands of instants.
+/// @brief If an interrupt writes while the main thread reads, neither the value nor its time is
+/// corrupted. No value is older than the previous value. This is tested at thousands of instants.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   const Counts counts = counted(0);
@@ -79,8 +79,8 @@ TEST_F(PipeOnBoard, FR173_AReaderThatIsInterruptedGetsWholeValuesInOrder) {
   EXPECT_EQ(counts.older, 0);
 }
 
-/// @brief An interrupt that reads while the main thread writes also gets complete values, and no
-/// value is older than the previous value.
+/// @brief If an interrupt reads while the main thread writes, it gets complete values. No value is
+/// older than the previous value.
 /// @verifies FR-173
 TEST_F(PipeOnBoard, FR173_AWriterThatIsInterruptedLeavesWholeValuesInOrder) {
   const Counts counts = counted(5);

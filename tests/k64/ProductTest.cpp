@@ -20,12 +20,12 @@ namespace {
 constexpr int kBluetooth = 2;
 constexpr int kWaitingK = 4;
 constexpr int kBluetoothPort = 4;
-constexpr std::size_t kKeyAddress = 0x410;  // behind the flash configuration field
+constexpr std::size_t kKeyAddress = 0x410;  // after the flash configuration field
 constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
 
-// The image of a product on a separate board. A finding ends the test. Its calls are not recorded,
-// because the recordings belong to the image under test.
+// The image of a product on a separate board. A finding ends the test. The calls of the product are
+// not recorded, because the recordings belong to the image under test.
 class ProductRobot : public SteppedRobot {
  public:
   explicit ProductRobot(const std::string& product) : ProductRobot(switchedOn(product)) {}
@@ -38,10 +38,10 @@ class ProductRobot : public SteppedRobot {
     ASSERT_EQ(report().mode, mode);
   }
 
-  // Returns the share of the period in which a wheel has the voltage of the supply.
+  // Returns the fraction of the period in which a wheel has the voltage of the supply.
   [[nodiscard]] double duty(int wheel) const { return line_.board.pwmDuty(kWheelTimer, wheel); }
 
-  // Returns whether the red light of the board is on; its pin is then low.
+  // Returns whether the red light of the board is on. When it is on, its pin is low.
   [[nodiscard]] bool redLight() const { return !line_.board.pin('B', 22); }
 
  private:
@@ -64,8 +64,8 @@ class ProductRobot : public SteppedRobot {
   [[nodiscard]] emulator::VirtualBoard& board() { return line_.board; }
 };
 
-// The product with Bluetooth and a device that shares its key. The challenge of the robot gives the
-// device the number of this start.
+// The product with Bluetooth, and a device with the same key. The device gets the number of this
+// start from a challenge of the robot.
 class RobotWithDevice final : public ProductRobot {
  public:
   RobotWithDevice() : ProductRobot("weeding_robot_pc_bluetooth") {}
@@ -85,7 +85,7 @@ class RobotWithDevice final : public ProductRobot {
   // Sends a signed order over the line of the Bluetooth module.
   void deviceOrder(const scenario::PcOrder& order) { send(frames_.order(order)); }
 
-  // Returns the bytes of a signed order, which are not sent.
+  // Returns the bytes of a signed order. Does not send them.
   scenario::Bytes signedOrder(const scenario::PcOrder& order) {
     return device_.sign(frames_.order(order));
   }
@@ -114,7 +114,8 @@ class RobotWithDevice final : public ProductRobot {
     board().receiveOn(kBluetoothPort, device_.sign(frame));
   }
 
-  // Returns the number of this start: the answer of the robot to a frame without a tag contains it.
+  // Returns the number of this start. The robot's answer to a frame without a tag contains this
+  // number.
   std::uint64_t challenge() {
     board().receiveOn(kBluetoothPort, frames_.hello());
     silentCycle();
@@ -136,8 +137,8 @@ class RobotWithDevice final : public ProductRobot {
 
 class Product : public testing::TestWithParam<const char*> {};
 
-/// @brief Each product starts, welcomes the PC, reports in every cycle and follows the PC, without a
-/// finding of the board.
+/// @brief Each product starts, sends a Welcome, sends a report in every cycle, and follows the
+/// orders of the PC. The board has no finding.
 /// @verifies NFR-2
 TEST_P(Product, RunsWithoutFinding) {
   ProductRobot robot(GetParam());
@@ -155,9 +156,10 @@ TEST_P(Product, RunsWithoutFinding) {
   }
 }
 
-/// @brief Each product follows the PC up to its outputs: 0.96 V of 24 V are 4 % of each period, in
-/// the cycle of the order. 6 V are a quarter of each period after at most six cycles, because
-/// safety functions limit the rise. A stop ends the pulses.
+/// @brief The outputs of each product follow the orders of the PC. For an order of 0.96 V of 24 V,
+/// the outputs are high for 4 % of each period, already in the cycle of the order. For 6 V, they
+/// are high for a quarter of each period after at most six cycles, because safety functions limit
+/// the rise. A stop ends the pulses.
 /// @verifies NFR-2
 /// @verifies FR-80
 TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
@@ -193,8 +195,8 @@ INSTANTIATE_TEST_SUITE_P(Products, Product,
                                          "weeding_robot_pc_bluetooth", "weeding_robot_warning"),
                          [](const auto& product) { return std::string(product.param); });
 
-/// @brief A product that only the PC commands never reads from another source, even when the PC is
-/// silent.
+/// @brief A product that receives orders only from the PC never reads from another source, even
+/// when the PC is silent.
 /// @verifies NFR-2
 TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
   ProductRobot robot("weeding_robot_pc");
@@ -206,7 +208,8 @@ TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
   robot.commandByPc();
 }
 
-/// @brief Signed orders over the second serial port command the product with Bluetooth, and the report shows it.
+/// @brief The product with Bluetooth follows signed orders that it receives over the second serial
+/// port. The report shows their source.
 /// @verifies FR-150
 /// @verifies FR-260
 TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {
@@ -261,7 +264,7 @@ TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
   EXPECT_EQ(robot.report().orderId, 903);
 }
 
-/// @brief A stop over the second serial port acts while the PC commands.
+/// @brief A stop over the second serial port acts while the robot follows the PC.
 /// @verifies FR-151
 TEST(ProductWithBluetooth, FR151_StopOfTheDeviceActsInTheModePc) {
   RobotWithDevice robot;

@@ -36,9 +36,9 @@ std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
                          {.resetsAreFindings = false});
 }
 
-// Result of a scenario that the image played.
+// The results of a scenario.
 struct Played {
-  std::string reports;  // reports, and the true values at their times
+  std::string reports;  // the reports, each with the true values at its time
   emulator::EventTrace trace;
   std::vector<std::string> failures;
 };
@@ -59,9 +59,9 @@ Played played(const scenario::Scenario& scenario) {
 
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The image with safety functions meets each scenario, except scenarios that only the
-/// design of the paper can meet. In a second run it sends the same reports, and the same events
-/// occur at the same times.
+/// @brief The image with safety functions meets each scenario, except the scenarios that are only
+/// for the design of the paper. In a second run, the image sends the same reports, and the same
+/// events occur at the same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -109,7 +109,7 @@ class SafeBoard final : public SteppedRobot {
     line_.remoteControl().set(plant::Sticks{.velocity = velocity, .steering = 0});
   }
 
-  // Orders of the PC: one velocity [0.1 rpm] for all wheels.
+  // Sends orders of the PC with one velocity [0.1 rpm] for all wheels.
   void driveByPc(int velocity, int count) {
     scenario::PcOrder wish{.id = 1};
     wish.wheels.fill({.quantity = 0, .value = static_cast<std::int16_t>(velocity)});
@@ -119,14 +119,14 @@ class SafeBoard final : public SteppedRobot {
     }
   }
 
-  // Lets the PC arm the robot and drive.
+  // Sends orders of the PC that arm the robot and drive it.
   void letThePcDrive() {
     enable(plant::EnablePosition::Pc);
     commandByPc();
     driveByPc(1000, 20);
   }
 
-  // Lets the remote control arm the robot and drive.
+  // Arms the robot by the remote control, and drives it.
   void letTheRcDrive() {
     enable(plant::EnablePosition::Drive);
     line_.remoteControl().setTremor(10);
@@ -138,7 +138,7 @@ class SafeBoard final : public SteppedRobot {
 
   [[nodiscard]] emulator::VirtualBoard& board() { return line_.board; }
 
-  // Lets time pass until the processor resets.
+  // Runs the board until the processor is reset. Returns false if the limit is reached first.
   bool resetsWithin(milliseconds limit) {
     const int before = board().resets();
     for (milliseconds passed{0}; passed < limit && board().resets() == before; ++passed) {
@@ -147,16 +147,16 @@ class SafeBoard final : public SteppedRobot {
     return board().resets() != before;
   }
 
-  // Returns the number of the assertion that ended the program, from the Welcome of the next start;
-  // 0 without an assertion.
+  // Returns the number of the assertion that ended the program; 0 without an assertion. The Welcome
+  // of the next start contains this number.
   int failedAssertion() {
     constexpr int kAssertion = 1;
-    static_cast<void>(line_.takeSent());  // a reset cuts the frame that is on the line
+    static_cast<void>(line_.takeSent());  // removes the frame that the reset has cut
     connect();
     return welcome.value().fault == kAssertion ? welcome.value().faultNumber : 0;
   }
 
-  // Lets time pass until no motor consumes power.
+  // Runs the board until no motor consumes power. Returns false if the limit is reached first.
   bool brakesWithin(milliseconds limit) {
     for (milliseconds passed{0}; passed < limit && !physics().braking(); ++passed) {
       wait(milliseconds(1));
@@ -180,7 +180,7 @@ struct Situation {
   void (*reach)(SafeBoard& robot);
 };
 
-constexpr int kUnknown = -1;  // no report: no PC is connected
+constexpr int kUnknown = -1;  // there is no report, because no PC is connected
 
 void PrintTo(const Situation& situation, std::ostream* output) {
   *output << situation.name;
@@ -236,8 +236,8 @@ TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
 INSTANTIATE_TEST_SUITE_P(Situations, SwitchOfTheRemoteControl, testing::ValuesIn(kSituations),
                          [](const auto& situation) { return std::string(situation.param.name); });
 
-/// @brief Without a source of orders the switch also orders the stop, and an order of the PC moves
-/// nothing.
+/// @brief The switch also orders the stop when there is no source of orders. An order of the PC
+/// then moves nothing.
 /// @verifies FR-285
 TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
   SafeBoard robot;
@@ -291,9 +291,9 @@ INSTANTIATE_TEST_SUITE_P(Lines, InterruptsOfTheSafeRobot,
                                          HeldInterrupt{"HallSensors", kHallLine, milliseconds(40)}),
                          [](const auto& held) { return std::string(held.param.name); });
 
-/// @brief The thread of a wheel runs once in a control cycle. It runs twice in the cycle that finds the
-/// cause of a protective stop: it applies the set-point, and then it halts the wheel. The proven
-/// bound of the cycle contains these two activations.
+/// @brief The thread of a wheel runs once in a control cycle. It runs twice in the cycle that
+/// detects the cause of a protective stop. First it applies the set-point, and then it halts the
+/// wheel. The proven bound of the cycle includes both activations.
 /// @verifies FR-270
 TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
   constexpr std::uint32_t kPulse = 16 + board_robot::BoardSession::kPulseInterrupt;
@@ -319,9 +319,9 @@ TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
             std::ssize(cycles) - 2);  // the first period has no cycle
 }
 
-/// @brief A changed bit of the program in RAM causes a reset within 0.3 s. This is tested in a
-/// function that runs in each cycle, in a function that does not run, in the vectors and in the
-/// constants. After the reset the program is correct again.
+/// @brief A changed bit of the program in RAM causes a reset within 0.3 s. The test changes a
+/// function that runs in each cycle, a function that does not run, the vectors and the constants.
+/// After the reset, the program is correct again.
 /// @verifies FR-309
 TEST(ProgramOfTheSafeRobot, FR309_AChangedBitResetsTheRobot) {
   constexpr int kProgramChanged = 8;

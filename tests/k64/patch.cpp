@@ -11,7 +11,8 @@ namespace wr::test {
 
 namespace {
 
-// Appends MOVW (movt = false) or MOVT of 16 bits: ARMv7-M ARM, A7.7.76, encoding T3, and A7.7.79.
+// Appends MOVW (movt is false) or MOVT with 16 bits (ARMv7-M ARM, A7.7.76, encoding T3, and
+// A7.7.79).
 void appendMove(Code& code, unsigned reg, std::uint32_t value, bool movt) {
   const std::uint32_t high = value >> 12U;
   const std::uint32_t i = value >> 11U & 1U;
@@ -35,7 +36,7 @@ void store(Image& image, std::size_t at, std::uint32_t value, std::size_t size) 
 
 Image withHandler(Image image, std::uint32_t exception, const Code& code) {
   if (image.size() > kHandlerAddress) {
-    throw std::logic_error("the image reaches the place of the handler");
+    throw std::logic_error("the image is so large that it overlaps the code of the handler");
   }
   image.resize(kHandlerAddress, 0xFF);
   image.resize(kHandlerAddress + 2 * code.size());

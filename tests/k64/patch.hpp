@@ -6,8 +6,8 @@
 
 namespace wr::test {
 
-// Images with a handler that the firmware does not have. The handler's code is in erased flash
-// after the image; all other bytes are unchanged.
+// Images with a handler that the firmware does not have. The code of the handler is in erased flash
+// after the image. Except for its vector, all other bytes are unchanged.
 
 /// Returns the exception of an interrupt.
 [[nodiscard]] constexpr std::uint32_t exceptionOf(std::uint32_t interrupt) {
@@ -27,43 +27,45 @@ using Code = std::vector<std::uint16_t>;
 /// Address of the code of the handler.
 inline constexpr std::uint32_t kHandlerAddress = 0x80000;
 
-/// Returns the image with this code as handler of an exception.
+/// Returns the image with this code as the handler of an exception.
 [[nodiscard]] Image withHandler(Image image, std::uint32_t exception, const Code& code);
 
-/// Returns the address of a function of the image under test, by its name in C++. Throws when there
-/// is none.
+/// Returns the address of a function of the image under test. Throws std::runtime_error when there
+/// is no function with this C++ name.
 [[nodiscard]] std::uint32_t addressOf(const std::string& function);
 
 namespace stubs {
 
-/// Never ends.
+/// Returns code that never ends.
 [[nodiscard]] Code hang();
 
-/// Reads from an address without memory; the read is the instruction at kHandlerAddress + 4.
+/// Returns code that reads from an address without memory, with the instruction at kHandlerAddress
+/// + 4.
 [[nodiscard]] Code readFromNowhere();
 
-/// Calls assertionFailed with a number; the call is the instruction at kHandlerAddress + 10.
+/// Returns code that calls assertionFailed with a number, with the instruction at kHandlerAddress +
+/// 10.
 [[nodiscard]] Code failAssertion(std::uint8_t number);
 
-/// Jumps to kPeripheral, where no code is allowed.
+/// The target of jumpIntoPeripheral(); no code is allowed at this address.
 inline constexpr std::uint32_t kPeripheral = 0x40000000;
 [[nodiscard]] Code jumpIntoPeripheral();
 
-/// Divides by zero: the instruction at kHandlerAddress + 4.
+/// Returns code that divides by zero, with the instruction at kHandlerAddress + 4.
 [[nodiscard]] Code divideByZero();
 
-/// Executes an undefined instruction, at kHandlerAddress.
+/// Returns code with an undefined instruction at kHandlerAddress.
 [[nodiscard]] Code undefined();
 
-/// Pushes onto the stack endlessly.
+/// Returns code that pushes onto the stack endlessly.
 [[nodiscard]] Code overflowStack();
 
-/// Uses time above the priority of all devices: two instructions for each round. For
-/// kUnusedException.
+/// Returns code for kUnusedException that runs for a time, with a higher priority than all devices.
+/// Each round has two instructions.
 [[nodiscard]] Code keepDevicesWaiting(std::uint32_t rounds);
 
-/// Lowers the priority of kUnusedException below the priority of all devices, then uses time: two
-/// instructions for each round.
+/// Returns code that lowers the priority of kUnusedException below the priority of all devices, and
+/// then runs for a time. Each round has two instructions.
 [[nodiscard]] Code takeTime(std::uint32_t rounds);
 
 }  // namespace stubs

@@ -14,7 +14,7 @@ class ControlDataTest : public testing::Test {
   ControlData data;
 };
 
-/// @brief Before the first cycle all values are zero, and there is no source.
+/// @brief Before the first cycle, all values are zero, and there is no source.
 /// @verifies FR-19
 /// @verifies FR-174
 TEST_F(ControlDataTest, BeginsEmpty) {
@@ -89,8 +89,8 @@ TEST_F(ControlDataTest, FR62_NextCycleForgetsWhatWasMeasured) {
   EXPECT_EQ(report(), expected);
 }
 
-/// @brief While a source orders stop, the report shows the stop as the reason why the robot does
-/// not follow its set-points, also if there are other reasons.
+/// @brief While a source orders a stop, the report contains the stop as the reason for not
+/// following the set-points, even if there are other reasons.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {
@@ -101,8 +101,8 @@ TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {
   EXPECT_TRUE(report().held);
 }
 
-/// @brief Without set-points, and in the state Reconnecting, the reason is that no source sends
-/// orders.
+/// @brief Without set-points and in the state Reconnecting, the reported reason is that no source
+/// sends orders.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
@@ -119,8 +119,8 @@ TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
   EXPECT_TRUE(reconnecting.held);
 }
 
-/// @brief The reason, the cause and the wheel that a safety function has measured are in the report, and
-/// the report shows that the robot is held.
+/// @brief The report contains the reason, the cause and the wheel that a safety function returns.
+/// It shows that the robot is held.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_TheReasonOfASafetyFunctionIsReported) {
@@ -142,13 +142,13 @@ TEST_F(ControlDataTest, FR4_OverrunCountStopsAtItsGreatestValue) {
   EXPECT_EQ(report().overruns, 65'535);
 }
 
-/// @brief The costs are differences between counts of processor cycles; the counter may overflow in
-/// between.
+/// @brief The costs are differences between counts of processor cycles. The counter may overflow
+/// between two counts.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303
 TEST_F(ControlDataTest, FR160_CostsAreDifferences) {
-  constexpr std::uint32_t kFirst = 0xFFFFFF00;  // the count begins again at 0 in the first cycle
+  constexpr std::uint32_t kFirst = 0xFFFFFF00;  // the counter overflows to 0 in the first cycle
   data.beginCycle(Instant(1));
   data.saveStart(kFirst, kFirst + 7);
   EXPECT_EQ(report().costs, (CycleCosts{.report = 0, .awake = 0, .start = 7}));
@@ -159,7 +159,7 @@ TEST_F(ControlDataTest, FR160_CostsAreDifferences) {
   EXPECT_EQ(report().costs, (CycleCosts{.report = 1000, .awake = 5000, .start = 9}));
 }
 
-/// @brief A cycle without a report has no cost of the report.
+/// @brief If a cycle sends no report, its report has no cost.
 /// @verifies FR-160
 TEST_F(ControlDataTest, FR160_NoCostWithoutReport) {
   data.saveReported(50);

@@ -21,7 +21,7 @@
 
 namespace wr::test {
 
-/// A mode that follows the test, and records the calls.
+/// A mode that the test controls. It records the calls of its functions.
 class FakeMode final : public Mode {
  public:
   explicit FakeMode(ModeId id) : Mode(id) {}
@@ -97,7 +97,7 @@ class ControllerFixture : public testing::Test {
     serveLink();
   }
 
-  // Serves the link in a cycle whose clock pulse comes now.
+  // Serves the link in a cycle whose clock pulse has the present time.
   void serveLink() {
     connection.beginCycle(time.now());
     connection.service();

@@ -11,7 +11,7 @@ namespace {
 using MainControllerTest = ControllerFixture;
 using Steps = std::vector<std::string>;
 
-/// @brief A clock pulse before start runs no cycle and counts no overrun.
+/// @brief A clock pulse before the start runs no cycle and counts no overrun.
 /// @verifies FR-1
 TEST_F(MainControllerTest, FR1_NoCycleBeforeStart) {
   controller.clockPulse();
@@ -38,7 +38,7 @@ TEST_F(MainControllerTest, FR1_TimeOutBeginsACycle) {
   EXPECT_EQ(data.cycle(), 1U);
 }
 
-/// @brief A cycle reads, then controls, then writes, each once.
+/// @brief A cycle reads once, then controls once, then writes once.
 /// @verifies FR-2
 TEST_F(MainControllerTest, FR2_CycleReadsControlsWrites) {
   controller.start();
@@ -46,7 +46,7 @@ TEST_F(MainControllerTest, FR2_CycleReadsControlsWrites) {
   EXPECT_EQ(state.steps, (Steps{"read without message", "control", "write"}));
 }
 
-/// @brief When the read changes the state, the new state controls and writes.
+/// @brief When a read changes the state, the new state controls and writes.
 /// @verifies FR-3
 TEST_F(MainControllerTest, FR3_StateAfterTheReadControlsAndWrites) {
   state.next = &other;
@@ -74,14 +74,14 @@ TEST_F(MainControllerTest, FR12_ReadsFromThePresentModeOnly) {
   EXPECT_EQ(second.reads, 1);
 }
 
-/// @brief Without set-points the control systems are held, even when the state orders control.
+/// @brief Without set-points, the control systems are held, even when the state orders control.
 /// @verifies FR-22
 TEST_F(MainControllerTest, FR22_HoldsWithoutSetPoints) {
   controller.applyControl();
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief The control systems follow set-points as soon as set-points exist.
+/// @brief The control systems follow set-points as soon as there are set-points.
 /// @verifies FR-14
 TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   data.saveSetPoints({.orderId = 77});
@@ -90,8 +90,8 @@ TEST_F(MainControllerTest, FR14_AppliesTheSetPoints) {
   EXPECT_EQ(system.applied.orderId, 77);
 }
 
-/// @brief An order to acknowledge reaches the control systems when it is neutral; with a motion in the order
-/// they are held.
+/// @brief A neutral order with an acknowledgement reaches the control systems. If the order
+/// contains a motion, the control systems are held.
 /// @verifies FR-299
 TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   SetPoints order{.acknowledge = true};
@@ -146,8 +146,8 @@ TEST_F(MainControllerTest, FR61_ReportTellsTheCycleAfterTheRead) {
   EXPECT_TRUE(report.orderRead());
 }
 
-/// @brief The report shows the processor cycles between two clock pulses, and the processor cycles
-/// from the clock pulse to the start of the control cycle.
+/// @brief The report contains two numbers of processor cycles. The first number is from one clock
+/// pulse to the next. The second number is from the clock pulse to the start of the control cycle.
 /// @verifies FR-302
 TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   connect();
@@ -163,8 +163,8 @@ TEST_F(MainControllerTest, FR302_ReportTellsWhatTheCyclesCost) {
   EXPECT_EQ(report.reportCycles, 0U);
 }
 
-/// @brief A report shows the processor cycles from the clock pulse to the report of the previous
-/// cycle.
+/// @brief A report contains the number of processor cycles that the previous cycle needed from its
+/// clock pulse to its report.
 /// @verifies FR-160
 TEST_F(MainControllerTest, FR160_ReportTellsWhatThePreviousReportCost) {
   connect();
@@ -176,9 +176,9 @@ TEST_F(MainControllerTest, FR160_ReportTellsWhatThePreviousReportCost) {
   EXPECT_EQ(sentReport().reportCycles, 700U);
 }
 
-/// @brief The report shows that the control systems are held while faults are acknowledged, with and
-/// without a motion in the order. In a cycle in which they follow the set-points, the report does
-/// not show this.
+/// @brief While faults are acknowledged, the report shows that the control systems are held, with
+/// and without a motion in the order. In a cycle in which they follow the set-points, the report
+/// shows that they are not held.
 /// @verifies FR-306
 TEST_F(MainControllerTest, FR306_ReportTellsThatTheSystemsAreHeld) {
   connect();
@@ -205,7 +205,7 @@ TEST_F(MainControllerTest, FR306_ControlAfterAHoldIsNoHold) {
   EXPECT_FALSE(data.report(OperationStateId::Working, ModeId::PC, {}).held);
 }
 
-/// @brief Without a connection no report is sent.
+/// @brief Without a connection, no report is sent.
 /// @verifies FR-60
 TEST_F(MainControllerTest, FR60_NoReportWithoutConnection) {
   controller.start();
@@ -213,7 +213,7 @@ TEST_F(MainControllerTest, FR60_NoReportWithoutConnection) {
   EXPECT_TRUE(port.takeSent().empty());
 }
 
-/// @brief The cycle serves the link before it reads, in the mode RC too.
+/// @brief The cycle serves the link before it reads, also in the mode RC.
 /// @verifies FR-35
 /// @verifies FR-37
 TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
@@ -223,7 +223,8 @@ TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
   EXPECT_TRUE(scenario::welcomeOf(scenario::bodies(port.takeSent()).at(0)).has_value());
 }
 
-/// @brief A line without a pause, 1152 bytes in each cycle at 115200 baud, does not lose a frame.
+/// @brief A line without a pause transfers 1152 bytes in each cycle at 115200 baud. No frame is
+/// lost.
 /// @verifies FR-35
 /// @verifies FR-37
 TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
@@ -249,7 +250,7 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
             static_cast<std::uint16_t>(line.empty() ? sent - 1 : sent - 2));
 }
 
-/// @brief On a line without a pause, the bytes of a cycle that is late by one period exceed the
+/// @brief If a cycle is late by one period, the bytes of a line without a pause do not fit into the
 /// buffer of the port. The loss is counted, and the connection continues.
 /// @verifies FR-49
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
@@ -271,7 +272,7 @@ TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
   EXPECT_EQ(connection.counts().sequenceGaps, before.sequenceGaps + 1);
 }
 
-/// @brief A clock pulse that comes during a cycle is an overrun of this cycle; one more cycle follows.
+/// @brief A clock pulse during a cycle is an overrun of this cycle. One more cycle follows.
 /// @verifies FR-4
 TEST_F(MainControllerTest, FR4_PulseDuringACycleIsAnOverrun) {
   connect();
@@ -309,7 +310,7 @@ TEST_F(MainControllerTest, FR4_CycleOverrunsOnce) {
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
-/// @brief When a control system has not completed this cycle, the cycle is an overrun.
+/// @brief If a control system has not completed a cycle, the cycle is an overrun.
 /// @verifies FR-5
 TEST_F(MainControllerTest, FR5_IncompleteControlSystemIsAnOverrun) {
   connect();
@@ -319,7 +320,8 @@ TEST_F(MainControllerTest, FR5_IncompleteControlSystemIsAnOverrun) {
   EXPECT_TRUE(sentReport().overran());
 }
 
-/// @brief Each cycle that completed refreshes the watchdog once. Time alone does not.
+/// @brief Each completed cycle refreshes the watchdog once. The passing of time does not refresh
+/// it.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_CompletedCycleRefreshesTheWatchdogOnce) {
   controller.start();
@@ -352,8 +354,8 @@ TEST_F(MainControllerTest, FR74_RefreshIsTheLastStep) {
   EXPECT_EQ(watchdog.refreshes(), 1U);
 }
 
-/// @brief A cycle in which a control system did not complete its work does not refresh the
-/// watchdog. Three such cycles in a row cause a reset.
+/// @brief If a control system does not complete its work in a cycle, the cycle does not refresh the
+/// watchdog. Three successive cycles of this kind cause a reset.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_IncompleteCycleDoesNotRefresh) {
   controller.start();
@@ -368,8 +370,8 @@ TEST_F(MainControllerTest, FR74_IncompleteCycleDoesNotRefresh) {
   EXPECT_TRUE(watchdog.missed());
 }
 
-/// @brief The watchdog is not refreshed when only one of several control systems did not complete
-/// its work.
+/// @brief The watchdog is not refreshed if one of several control systems does not complete its
+/// work.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_EachControlSystemMustComplete) {
   SpySystem another;
@@ -383,7 +385,7 @@ TEST_F(MainControllerTest, FR74_EachControlSystemMustComplete) {
   EXPECT_EQ(watchdog.refreshes(), 1U);
 }
 
-/// @brief A cycle with a stop, a cycle that overran, and a cycle without connection count as
+/// @brief A cycle with a stop, a cycle with an overrun and a cycle without connection count as
 /// completed.
 /// @verifies FR-74
 TEST_F(MainControllerTest, FR74_StopAndOverrunCompleteTheirCycle) {

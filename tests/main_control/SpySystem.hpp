@@ -17,8 +17,8 @@ class SpySystem final : public ControlSystem {
   SetPoints applied;
   std::uint32_t cycle = 0;
   bool completes = true;
-  bool whole =
-      false;  // it represents the whole robot: its missing values also replace other values
+  bool whole = false;  // true: it represents the whole robot, so its missing values also replace
+                       // other values
   Measurements measured;
   Outputs outputs;
   std::function<void()> work = [] {};
@@ -45,7 +45,8 @@ class SpySystem final : public ControlSystem {
   }
 
  private:
-  // Adds a value if it exists; a missing value does not change the target of a part of the robot.
+  // Copies a value to the target if the value exists. For a part of the robot, a missing value does
+  // not change the target.
   template <class T>
   void give(const T& value, T& target) const {
     if (whole || value != T{}) {

@@ -20,8 +20,9 @@
 
 namespace wr::test {
 
-/// Builds a control system that records its orders, and does nothing at a tick of the second timer.
-/// It records whether it was built, and started afterwards.
+/// A builder of a control system that records its orders. A tick of the second timer has no effect
+/// on this system. The builder records whether the system was built, and whether it was started
+/// afterwards.
 class SpyBuilder final : public ControlSystemBuilder, public Command {
  public:
   SpySystem spy;
@@ -38,7 +39,7 @@ class SpyBuilder final : public ControlSystemBuilder, public Command {
   void execute() override {}
 };
 
-/// The builders of a robot on the host, and its cycles. Each test adds the director of a product.
+/// The builders and the cycles of a robot on the host. Each test adds the director of a product.
 class ProductFixture : public testing::Test {
  protected:
   template <class Director>
@@ -50,7 +51,7 @@ class ProductFixture : public testing::Test {
     director.start();
   }
 
-  // Lets the PC connect, in two cycles.
+  // Connects the PC in two cycles.
   void connect() {
     port.arrive(pc.hello());
     cycle();

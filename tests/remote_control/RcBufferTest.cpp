@@ -22,7 +22,7 @@
 namespace wr::test {
 namespace {
 
-/// One signal of the remote control, from its pin to its pipe.
+/// One signal of the remote control with all parts from its pin to its pipe.
 template <class Buffer, class Lever, class Value>
 struct Signal {
   explicit Signal(FakeTimebase& timebase) : time(timebase) { pin.start(); }
@@ -32,7 +32,7 @@ struct Signal {
     pin.serve();
   }
 
-  /// Generates a pulse, and the pause that completes the given period.
+  /// Generates a pulse and the pause after the pulse, up to the end of the period.
   void pulse(int width, int period = 20'000) {
     level(true);
     time.advance(Microseconds(width));
@@ -67,8 +67,8 @@ class RcBufferTest : public testing::Test {
   DirectionSignal direction{time};
 };
 
-/// @brief The pulses at the pins set a velocity, positive forwards, and an angle, positive to the
-/// left.
+/// @brief The pulses at the pins set a velocity and an angle. The velocity is positive forwards,
+/// and the angle is positive to the left.
 /// @verifies FR-52
 TEST_F(RcBufferTest, FR52_PulsesSetVelocityAndAngle) {
   EXPECT_TRUE(velocity.input.started);
@@ -116,8 +116,8 @@ TEST_F(RcBufferTest, FR53_MiddleSetsZero) {
   }
 }
 
-/// @brief Pulses beyond the ends of the lever count as full deflection; far beyond the ends they
-/// set no value.
+/// @brief Pulses slightly beyond the ends of the lever count as full deflection. Pulses far beyond
+/// the ends set no value.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_WidthOutOfRange) {
   velocity.pulse(1500);
@@ -171,14 +171,14 @@ TEST_F(RcBufferTest, FR55_LostEdges) {
     velocity.buffer.signal(rising, time.now());
     return velocity.value();
   };
-  EXPECT_EQ(edge(false, 1700), 600);  // the edge before it was lost
-  edge(true, 18'300);                 // the edge after it is lost
+  EXPECT_EQ(edge(false, 1700), 600);  // the previous edge was lost
+  edge(true, 18'300);                 // the next edge is lost
   edge(true, 20'000);
   EXPECT_EQ(edge(false, 1700), 1200);
 }
 
 /// @brief A line that stays high and falls much later sets no value, even when the lower 32 bits of
-/// this width look like a pulse.
+/// its width are the width of a valid pulse.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_LineThatStaysHigh) {
   for (const std::int64_t width : {std::int64_t{21'500}, (std::int64_t{1} << 32) + 1600}) {
@@ -206,7 +206,7 @@ class RcPathTest : public RcBufferTest {
   RC mode{basic, basic};
 };
 
-/// @brief With pulses on both pins the remote control has a message.
+/// @brief With pulses on both pins, the remote control has a message.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_MessageWithPulses) {
   EXPECT_FALSE(mode.newMessage());
@@ -226,7 +226,7 @@ TEST_F(RcPathTest, FR56_NoMessageWithoutPulses) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief Pulses on one pin alone are not a message.
+/// @brief Pulses on only one pin are not a message.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_OnePinIsNoMessage) {
   bothPulse(3);

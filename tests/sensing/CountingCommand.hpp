@@ -4,7 +4,7 @@
 
 namespace wr::test {
 
-/// @brief Command that counts its executions.
+/// @brief A command that counts its executions.
 class CountingCommand final : public Command {
  public:
   void execute() override { ++executions; }

@@ -8,7 +8,7 @@
 
 namespace wr::test {
 
-/// @brief Input whose conversions end at calls of the test.
+/// @brief An analog input. Its conversions end when the test calls a function.
 class FakeAnalogInput final : public AnalogInput {
  public:
   [[nodiscard]] std::optional<std::uint16_t> sample() override {

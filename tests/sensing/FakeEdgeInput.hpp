@@ -4,7 +4,7 @@
 
 namespace wr::test {
 
-/// @brief Input whose level the test sets.
+/// @brief An edge input. The test sets its level.
 class FakeEdgeInput final : public EdgeInput {
  public:
   void start() override { started = true; }
@@ -16,7 +16,7 @@ class FakeEdgeInput final : public EdgeInput {
     return edge;
   }
 
-  /// @brief Changes the level: an edge waits to be acknowledged.
+  /// @brief Changes the level. The edge then waits for an acknowledgement.
   void set(bool level) {
     pending = pending || level != high;
     high = level;

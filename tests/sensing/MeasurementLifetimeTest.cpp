@@ -28,7 +28,7 @@ TEST(MeasurementLifetime, FR127_Current) {
   SensedWheel wheel;
   WheelWork work;
   wheel.pass(false, SensedWheel::kMiddle);
-  wheel.pass(false, SensedWheel::kMiddle);  // 200 samples: 25 groups of 8
+  wheel.pass(false, SensedWheel::kMiddle);  // 200 samples are 25 groups of 8
   wheel.time.advance(kLifetime);
   work.at = wheel.time.now();
   wheel.readCurrent.execute(work);

@@ -8,7 +8,7 @@
 namespace wr {
 namespace {
 
-/// @brief Thread with the test as its platform: it runs when the test dispatches it.
+/// @brief A thread whose platform is the test. The thread runs when the test dispatches it.
 class TestThread final : public ControlThread {
  public:
   void dispatch() { run(); }
@@ -27,8 +27,8 @@ class TestThread final : public ControlThread {
   void pend() override { ++pended; }
 };
 
-/// @brief Body that counts its activations, and posts its own thread a number of times in the first
-/// activation.
+/// @brief A body that counts its activations. In its first activation, it posts its own thread a
+/// number of times.
 class Body final : public Command {
  public:
   explicit Body(ControlThread& thread, int posts = 0) : thread_(thread), posts_(posts) {}
@@ -47,7 +47,7 @@ class Body final : public Command {
   int posts_;
 };
 
-/// @brief A thread without a body rejects posts, and a spurious dispatch does nothing.
+/// @brief A thread without a body rejects posts. A spurious dispatch has no effect.
 /// @verifies FR-172
 TEST(ControlThread, IsNotPostedBeforeItHasABody) {
   TestThread thread;
@@ -72,7 +72,7 @@ TEST(ControlThread, RunsItsBodyOncePerPost) {
   EXPECT_EQ(thread.overruns(), 0);
 }
 
-/// @brief A post while the body runs is an overrun, and the body runs once more.
+/// @brief A post while the body runs is an overrun. The body runs once more.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostWhileRunningIsCountedAndKept) {
@@ -99,7 +99,8 @@ TEST(ControlThread, FR4_OnlyOnePostIsKept) {
   EXPECT_EQ(thread.overruns(), 5);
 }
 
-/// @brief A post before the body has begun is an overrun too. Its activation is kept.
+/// @brief A second post before the body has begun is also an overrun. The activation of the first
+/// post is kept.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostBeforeTheBodyBeganIsCountedAndKept) {
@@ -114,7 +115,7 @@ TEST(ControlThread, FR4_PostBeforeTheBodyBeganIsCountedAndKept) {
   EXPECT_EQ(thread.overruns(), 1);
 }
 
-/// @brief A post that is not kept is an overrun, and is reported like any post.
+/// @brief A post whose activation is not kept is an overrun. It is reported like all other posts.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostThatIsNotKeptIsCounted) {
@@ -150,8 +151,8 @@ TEST(ControlThreadDeathTest, HasOneBody) {
   EXPECT_DEATH(thread.start(body), "assertion 3 failed");
 }
 
-/// @brief Posts at any time of an activation are never lost, and the thread does not stay triggered
-/// for ever.
+/// @brief Posts at any time of an activation are never lost. The thread does not stay triggered
+/// without end.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostsAtAnyMomentAreNeverLost) {

@@ -8,14 +8,14 @@
 namespace wr {
 namespace {
 
-/// @brief Before the first write there is no value.
+/// @brief Before the first write, there is no value.
 /// @verifies FR-173
 TEST(Pipe, IsEmptyBeforeTheFirstWrite) {
   Pipe<int> pipe;
   EXPECT_FALSE(pipe.read());
 }
 
-/// @brief A value stays in the pipe with its time until the next value comes.
+/// @brief A value stays in the pipe with its time until the next value is written.
 /// @verifies FR-173
 TEST(Pipe, KeepsItsValueWithItsTime) {
   Pipe<int> pipe;
@@ -40,7 +40,7 @@ TEST(Pipe, TellsTheNewestValue) {
   EXPECT_EQ(pipe.read()->value, 6);
 }
 
-/// @brief The newest value keeps its address until the next read, even during a write.
+/// @brief The value that was read last keeps its address until the next read, even during a write.
 /// @verifies FR-173
 TEST(Pipe, NewestValueStandsUntilTheNextRead) {
   Pipe<int> pipe;
@@ -56,7 +56,8 @@ TEST(Pipe, NewestValueStandsUntilTheNextRead) {
   EXPECT_EQ(pipe.read()->at, Instant(300));
 }
 
-/// @brief A reader never gets a partly written value, and never an older value after a newer value.
+/// @brief A reader never gets a partly written value. It never gets an older value after a newer
+/// value.
 /// @verifies FR-173
 TEST(Pipe, ReadsWholeValuesInOrder) {
   struct Pair {

@@ -45,8 +45,8 @@ struct DirControl {
                             .initial = states.off}};
 };
 
-/// @brief A controller with ticks, orders, positions and a motor from the test. A tick comes every
-/// 10 ms, so that the motor moves little between two ticks.
+/// @brief A controller whose ticks, orders, positions and motor belong to the test. There is a tick
+/// every 10 ms, so that the motor moves little between two ticks.
 class DirControllerFixture : public testing::Test {
  protected:
   void follow(std::int32_t angle) {
@@ -57,13 +57,13 @@ class DirControllerFixture : public testing::Test {
 
   void measure(std::int32_t angle) { control.position.write(Angle(angle), control.clock.now()); }
 
-  /// @brief Lets 10 ms pass, and makes a tick with the present values.
+  /// @brief Advances the time by 10 ms, and executes a tick with the present values.
   void tickOnly() {
     control.clock.advance(milliseconds(10));
     control.controller.tick(feedback);
   }
 
-  /// @brief Lets 10 ms pass, and makes a tick with a new order and a new position.
+  /// @brief Advances the time by 10 ms, and executes a tick with a new order and a new position.
   void tick() {
     control.clock.advance(milliseconds(10));
     follow(ordered);
@@ -71,7 +71,7 @@ class DirControllerFixture : public testing::Test {
     control.controller.tick(feedback);
   }
 
-  /// @brief Lets 10 ms pass, and makes a tick with an order to hold.
+  /// @brief Advances the time by 10 ms, and executes a tick with an order to hold.
   void tickHolding() {
     control.clock.advance(milliseconds(10));
     hold();
@@ -88,7 +88,7 @@ class DirControllerFixture : public testing::Test {
     ASSERT_EQ(state(), SteeringState::Holding);
   }
 
-  /// @brief Begins to turn to the left, towards an angle that is far away.
+  /// @brief Begins a turn to the left, towards an angle that is far away.
   void beginTurn() {
     switchOn();
     ordered = measured + 3000;
@@ -96,7 +96,7 @@ class DirControllerFixture : public testing::Test {
     ASSERT_EQ(state(), SteeringState::Turning);
   }
 
-  /// @brief Returns the demand on the motor, as one tick of the motor shows it.
+  /// @brief Returns the demanded rate, which one tick of the motor shows.
   StepRate demand() {
     while (!control.motor.device.ready()) {
       control.motor.device.tick();

@@ -10,7 +10,7 @@ namespace {
 /// @brief Tests of the motion monitoring of the controller.
 class DirControllerTest : public DirControllerFixture {
  protected:
-  /// @brief Turns for some ticks or until the turn has ended; each tick has the given number of
+  /// @brief Turns for some ticks or until the turn has ended. Each tick has the given number of
   /// steps and the given movement.
   SteeringState turn(std::int32_t steps, std::int32_t moved, int ticks = 100) {
     for (int i = 0; i < ticks && state() == SteeringState::Turning; ++i) {
@@ -37,7 +37,8 @@ TEST_F(DirControllerTest, FR111_AMotionThatFollowsIsNoStall) {
   EXPECT_EQ(turn(4, 20), SteeringState::Turning);
 }
 
-/// @brief Half of the expected motion is sufficient; less is a stall. A step is 0.05 degrees.
+/// @brief Half of the expected motion is sufficient. Less motion is a stall. A step is 0.05
+/// degrees.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   beginTurn();
@@ -45,7 +46,7 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnough) {
   EXPECT_EQ(turn(2, 4, 25), SteeringState::Fault);
 }
 
-/// @brief To the right, half of the expected motion is sufficient too.
+/// @brief Half of the expected motion is also sufficient to the right.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   beginTurnRight();
@@ -53,21 +54,21 @@ TEST_F(DirControllerTest, FR111_HalfOfTheMotionIsEnoughToTheRight) {
   EXPECT_EQ(turn(-2, -4, 25), SteeringState::Fault);
 }
 
-/// @brief A steering that moves the wrong way is stalled.
+/// @brief A steering that moves in the wrong direction is stalled.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
   beginTurn();
   EXPECT_EQ(turn(1, -5, 25), SteeringState::Fault);
 }
 
-/// @brief Steps that add up to less than 0.6 degrees are not sufficient for a decision. The window
-/// lasts until they add up to 0.6 degrees, so that a slow stall is also detected.
+/// @brief If the sum of the steps is less than 0.6 degrees, it is not sufficient for a decision.
+/// The window lasts until the sum is 0.6 degrees, so that a slow stall is also detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   beginTurn();
   const Instant begin = control.clock.now();
   for (int i = 0; i < 23; ++i) {
-    feedback.steps += i % 2;  // 11 steps in 230 ms: 0.55 degrees
+    feedback.steps += i % 2;  // 11 steps in 230 ms are 0.55 degrees
     tick();
     ASSERT_EQ(state(), SteeringState::Turning);
   }
@@ -102,8 +103,8 @@ TEST_F(DirControllerTest, FR227_PositionFollowsTheStepsWithin3Degrees) {
   }
 }
 
-/// @brief The difference is first reduced one second after the motor was switched on, also when it
-/// was on before.
+/// @brief The first reduction of the difference is one second after the motor was switched on, even
+/// if the motor was also on earlier.
 /// @verifies FR-227
 TEST_F(DirControllerTest, FR227_EachStartBeginsItsOwnSecond) {
   switchOn();
@@ -127,8 +128,8 @@ TEST_F(DirControllerTest, FR227_EachStartBeginsItsOwnSecond) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief A single end stop is no fault; both end stops together are a fault, while turning and
-/// while holding.
+/// @brief A single active end stop is not a fault. Both end stops together are a fault, while
+/// turning and while holding.
 /// @verifies FR-226
 TEST_F(DirControllerTest, FR226_BothEndStopsAreAFault) {
   beginTurn();
@@ -148,7 +149,7 @@ class SlowTurn final : public SteeringAlgorithm {
   }
 };
 
-/// @brief Also at the lowest speed the steering makes no turn towards an end stop that is reached.
+/// @brief Even at the lowest speed, the steering does not turn towards an end stop that is reached.
 /// @verifies FR-105
 TEST_F(DirControllerTest, FR105_NoSlowTurnTowardsAnEnd) {
   SlowTurn algorithm;
@@ -183,7 +184,7 @@ TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
   EXPECT_LE(control.clock.now() - begin, milliseconds(600));
 }
 
-/// @brief The status of each tick has the time of the tick, and shows the work of the motor, the end
+/// @brief The status of each tick has the time of the tick. It shows the work of the motor, the end
 /// stops, and the newest position with the time of its measurement.
 /// @verifies FR-116
 TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {
@@ -235,8 +236,8 @@ TEST_F(DirControllerTest, FR110_APositionIsYoungFor20Milliseconds) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief A release that comes in the tick of the fault does not end it, because it was sent before
-/// anybody could notice the fault.
+/// @brief A release in the tick of the fault does not end the fault, because it was sent before the
+/// fault was reported.
 /// @verifies FR-112
 TEST_F(DirControllerTest, FR112_AReleaseOfTheTickOfTheFaultDoesNotEndIt) {
   tickOnly();

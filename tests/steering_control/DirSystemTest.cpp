@@ -8,7 +8,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The steering as Main Control sees it; the test generates the ticks.
+/// @brief The steering with the interface for Main Control. The test generates the ticks.
 struct DirSystemTest : testing::Test {
   DirSystemTest() { pool.add(system); }
 
@@ -93,7 +93,7 @@ TEST_F(DirSystemTest, FR116_TheTurnIsTheSignOfTheRate) {
   }
 }
 
-/// @brief The collected values belong to the cycle: a later tick does not change them.
+/// @brief The collected values belong to the cycle. A later tick does not change them.
 /// @verifies FR-116
 TEST_F(DirSystemTest, FR116_TheCycleKeepsItsValues) {
   publish({.state = SteeringState::Holding});
@@ -126,8 +126,8 @@ TEST_F(DirSystemTest, FR116_APositionThatIsUnknownIsMissing) {
   EXPECT_EQ(measurements.steering, std::nullopt);
 }
 
-/// @brief The work of a cycle is complete when the steering got an order in this cycle, and its
-/// last tick was at most 20 ms ago.
+/// @brief The work of a cycle is complete when the steering got an order in this cycle and its last
+/// tick was at most 20 ms ago.
 /// @verifies FR-117
 TEST_F(DirSystemTest, FR117_OnlyASteeringThatTicksCompletes) {
   publish({});
@@ -143,7 +143,7 @@ TEST_F(DirSystemTest, FR117_OnlyASteeringThatTicksCompletes) {
   EXPECT_TRUE(pool.completed(3));
 }
 
-/// @brief Before its first tick the steering completes no work, and reports that it is off.
+/// @brief Before its first tick, the steering completes no work and reports that it is off.
 /// @verifies FR-117
 TEST_F(DirSystemTest, FR117_BeforeTheFirstTickNothingIsComplete) {
   outputs.turn = std::int8_t{1};

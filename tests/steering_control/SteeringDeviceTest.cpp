@@ -52,7 +52,7 @@ TEST_F(SteeringDeviceTest, FR103_TheRateIsLimited) {
   EXPECT_EQ(device.rate(), StepRate(-500));
 }
 
-/// @brief In a second the motor makes as many steps as its rate demands.
+/// @brief In one second, the number of steps of the motor is equal to its rate.
 /// @verifies FR-103
 TEST_F(SteeringDeviceTest, FR103_TheStepsOfASecondAreTheRate) {
   for (const std::int32_t rate : {1, 7, 333, 500, -1, -250, -499, -500}) {
@@ -63,7 +63,7 @@ TEST_F(SteeringDeviceTest, FR103_TheStepsOfASecondAreTheRate) {
   }
 }
 
-/// @brief Each step is one pulse; each pulse lasts one tick, and a tick without pulse follows.
+/// @brief Each step is one pulse. Each pulse lasts one tick. A tick without a pulse follows.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_AStepIsAPulseOfOneTick) {
   device.turn(StepRate(500));
@@ -79,8 +79,8 @@ TEST_F(SteeringDeviceTest, FR104_AStepIsAPulseOfOneTick) {
   EXPECT_GT(pulses, 800);
 }
 
-/// @brief At every change of a random turn the direction is set before the first pulse in the new
-/// direction, with a tick in between. The steps are counted in the direction of the direction
+/// @brief The test changes the turn at random. At every change, the direction is set one tick
+/// before the first pulse in the new direction. Steps are counted in the direction of the direction
 /// output.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
@@ -100,8 +100,8 @@ TEST_F(SteeringDeviceTest, FR104_TheDirectionStandsBeforeThePulse) {
   }
 }
 
-/// @brief At 1 step/s a step takes 1000 ticks. When the motor reverses, a step that was nearly due
-/// is not made in the other direction: the step begins again.
+/// @brief At 1 step/s, a step takes 1000 ticks. When the motor reverses, a step that was nearly due
+/// is not executed in the other direction. The step begins again.
 /// @verifies FR-104
 TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {
   device.turn(StepRate(1));
@@ -117,7 +117,7 @@ TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {
   EXPECT_EQ(device.steps(), -1);
 }
 
-/// @brief An end stop is reached when its switch pulls the input low.
+/// @brief An end stop is reached when its switch opens and its input is high.
 /// @verifies FR-105
 TEST_F(SteeringDeviceTest, FR105_ASwitchThatIsLowTellsTheEnd) {
   EXPECT_FALSE(device.leftEnd());
@@ -129,7 +129,7 @@ TEST_F(SteeringDeviceTest, FR105_ASwitchThatIsLowTellsTheEnd) {
   EXPECT_TRUE(device.rightEnd());
 }
 
-/// @brief A motor that turns left stops at once at the left end stop, and still turns right.
+/// @brief A motor that turns left stops immediately at the left end stop. It can still turn right.
 /// @verifies FR-105
 TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheLeftEnd) {
   reach(400);
@@ -143,7 +143,7 @@ TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheLeftEnd) {
   EXPECT_LT(device.steps(), atEnd);
 }
 
-/// @brief A motor that turns right stops at once at the right end stop, and still turns left.
+/// @brief A motor that turns right stops immediately at the right end stop. It can still turn left.
 /// @verifies FR-105
 TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheRightEnd) {
   reach(-400);
@@ -157,7 +157,8 @@ TEST_F(SteeringDeviceTest, FR105_NoStepTowardsTheRightEnd) {
   EXPECT_GT(device.steps(), atEnd);
 }
 
-/// @brief When both switches are low, as with a broken cable, the motor makes no step.
+/// @brief When the inputs of both end stops are high, as with a broken cable, the motor does not
+/// execute a step.
 /// @verifies FR-105
 TEST_F(SteeringDeviceTest, FR105_NoStepBetweenTwoEnds) {
   motor.leftEnd.reached = true;

@@ -9,7 +9,7 @@
 
 namespace wr::test {
 
-/// @brief Output that keeps its level, and reports each change to on to its listener.
+/// @brief An output that stores its level. It calls its listener at each change from off to on.
 class FakeOutput final : public DigitalOutput {
  public:
   void set(bool level) override {
@@ -24,7 +24,8 @@ class FakeOutput final : public DigitalOutput {
   std::function<void()> onRise = [] {};
 };
 
-/// @brief Switch of an end stop: a contact to ground that opens when the end stop is reached.
+/// @brief The switch of an end stop. It is a contact to ground that opens when the end stop is
+/// reached.
 class FakeEnd final : public EdgeInput {
  public:
   void start() override {}
@@ -32,7 +33,7 @@ class FakeEnd final : public EdgeInput {
   [[nodiscard]] bool acknowledge() override { return false; }
 
   bool reached = false;
-  bool broken = false;  // the wire
+  bool broken = false;  // true: the wire is broken
 };
 
 }  // namespace wr::test

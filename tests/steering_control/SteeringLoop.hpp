@@ -18,7 +18,8 @@
 
 namespace wr::test {
 
-/// @brief The mechanics of the steering: 0.05 degrees a step, switches at 33.5 degrees, stops at 34.
+/// @brief The mechanics of the steering. A step is 0.05 degrees. The switches are at 33.5 degrees,
+/// and the mechanical stops are at 34 degrees.
 struct SteeringPlant {
   void step(bool left) {
     if (!stalled) {
@@ -30,11 +31,12 @@ struct SteeringPlant {
   [[nodiscard]] double degrees() const { return steps * 0.05 + pushed; }
 
   int steps = 0;      // steps from the middle, positive to the left
-  double pushed = 0;  // degrees that a push moved the steering, without steps
+  double pushed = 0;  // degrees by which a push has moved the steering without steps
   bool stalled = false;
 };
 
-/// @brief Converter of the angle sensor: 12 bits over 80 degrees, with noise, or with a broken cable.
+/// @brief The converter of the angle sensor, with 12 bits over 80 degrees. It can have noise or a
+/// broken cable.
 class FakeAngleInput final : public AnalogInput {
  public:
   /// @brief Binds the converter to the mechanics.
@@ -51,9 +53,9 @@ class FakeAngleInput final : public AnalogInput {
 
   double noise = 0;  // standard deviation of a sample, degrees
   bool broken = false;
-  double drift = 0;               // degrees in a second
+  double drift = 0;               // degrees per second
   double drifted = 0;             // degrees
-  std::optional<double> stuckAt;  // degrees that do not change
+  std::optional<double> stuckAt;  // constant value of a stuck sensor, degrees
   std::function<void()> onSample = [] {};
 
  private:
@@ -63,7 +65,7 @@ class FakeAngleInput final : public AnalogInput {
   std::optional<std::uint16_t> sample_;
 };
 
-/// @brief Timer whose ticks the test triggers.
+/// @brief A timer whose ticks the test triggers.
 class FakePeriodicTimer final : public PeriodicTimer {
  public:
   void start(Microseconds /*period*/) override {}
@@ -71,11 +73,12 @@ class FakePeriodicTimer final : public PeriodicTimer {
   void acknowledge() override {}
 };
 
-/// @brief The whole steering in a closed loop: control system, timer, sensor, controller, motor, and
-/// the mechanics.
+/// @brief The whole steering in a closed loop, with control system, timer, sensor, controller,
+/// motor and mechanics.
 class SteeringLoop {
  public:
-  /// @brief Closes the loop, and lets the sensor find the position. A measurement has just ended.
+  /// @brief Closes the loop, and runs it until the sensor has a position. A measurement has just
+  /// ended.
   /// @param seed seed of the noise
   explicit SteeringLoop(unsigned seed = 0) : input(plant, seed) {
     pool.add(system);
@@ -86,7 +89,7 @@ class SteeringLoop {
 
   static constexpr int kMeasurement = 8;  // ticks
 
-  /// @brief Lets ticks pass. Each 100th tick begins a control cycle with the present order.
+  /// @brief Runs ticks. Each 100th tick begins a control cycle with the present order.
   void run(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
       if (time % 100 == 0) {
@@ -115,7 +118,7 @@ class SteeringLoop {
     order();
   }
 
-  /// @brief Returns the state and the values that Main Control sees now.
+  /// @brief Returns the state and the values that Main Control gets now.
   Measurements measured() {
     order();
     Measurements measurements;
@@ -146,10 +149,10 @@ class SteeringLoop {
   ControlSystemPool pool;
   int time = 0;  // ms
   std::uint32_t cycle = 0;
-  bool ordering = true;  // false: no control cycle comes
+  bool ordering = true;  // false: there are no control cycles
   bool acknowledges = false;
   int moves = 0;      // moves that are separated by pauses of more than 100 ms
-  int reversals = 0;  // steps that go back on the previous step
+  int reversals = 0;  // steps in the opposite direction of the previous step
 
  private:
   void order() {

@@ -20,8 +20,8 @@ struct SteeringLoopTest : testing::Test {
   SteeringPlant& plant = loop.plant;
 };
 
-/// @brief At each tick the sensor samples. At each eighth tick the controller then acts, and after
-/// it the motor moves.
+/// @brief At each tick, the sensor samples. At each eighth tick, the controller acts after the
+/// sensor, and the motor moves after the controller.
 /// @verifies FR-114
 TEST_F(SteeringLoopTest, FR114_MeasureControlActuate) {
   std::string sequence;
@@ -56,8 +56,8 @@ TEST_F(SteeringLoopTest, FR101_ANewAngleTurnsTheSteering) {
 }
 
 /// @brief The steering reaches any angle between the stops within 0.5 degrees in one move. It
-/// overshoots the angle by at most 0.1 degrees, and then stands still for a minute. Its rate
-/// changes by at most one step/s in each tick, to at most 500 steps/s.
+/// overshoots the angle by at most 0.1 degrees, and then stays at rest for a minute. Its rate
+/// changes by at most one step/s in each tick, and is at most 500 steps/s.
 /// @verifies FR-101
 /// @verifies FR-102
 /// @verifies FR-103
@@ -87,7 +87,7 @@ TEST_F(SteeringLoopTest, FR101_ArrivesInOneMoveAndStandsStill) {
   }
 }
 
-/// @brief From one limit to the other the steering turns within 3.5 s.
+/// @brief The steering turns from one limit to the other within 3.5 s.
 /// @verifies FR-118
 TEST_F(SteeringLoopTest, FR118_FromLimitToLimit) {
   loop.plant.steps = -640;
@@ -100,9 +100,8 @@ TEST_F(SteeringLoopTest, FR118_FromLimitToLimit) {
   EXPECT_NEAR(plant.degrees(), 32, 0.5);
 }
 
-/// @brief With the noise of a real sensor the steering reaches random angles within 0.5 degrees in
-/// one move, and makes no other move in the minute after it. The angles are at least 0.3 degrees
-/// away.
+/// @brief With the noise of a real sensor, the steering reaches random angles within 0.5 degrees in
+/// one move. In the next minute, there is no other move. The angles are at least 0.3 degrees away.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   const unsigned first = seed();
@@ -124,8 +123,8 @@ TEST(SteeringLoopNoiseTest, FR101_NoHuntingWithNoise) {
   }
 }
 
-/// @brief An angle that is less than 0.3 degrees away starts at most one move in a minute, however
-/// close it is to the edge of the dead band.
+/// @brief An angle that is less than 0.3 degrees away starts at most one move in a minute. This is
+/// true even if the angle is very close to the edge of the dead band.
 /// @verifies FR-101
 TEST(SteeringLoopNoiseTest, FR101_AtMostOneMoveToACloseAngle) {
   const unsigned first = seed();
@@ -140,8 +139,8 @@ TEST(SteeringLoopNoiseTest, FR101_AtMostOneMoveToACloseAngle) {
   }
 }
 
-/// @brief When the ordered angle changes in every cycle, by 10 degrees per second, the steering
-/// stays within 2 degrees of this angle. It is never reported as stalled.
+/// @brief The ordered angle changes in every cycle, by 10 degrees per second. The steering stays
+/// within 2 degrees of this angle. It is never reported as stalled.
 /// @verifies FR-101
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
@@ -157,8 +156,8 @@ TEST_F(SteeringLoopTest, FR101_FollowsAnAngleThatMoves) {
   EXPECT_EQ(loop.reversals, 0);
 }
 
-/// @brief When the angle is beyond the end stop, the steering stops at the switch of the end stop.
-/// It makes no further step, has no fault, and can turn back.
+/// @brief If the ordered angle is beyond the end stop, the steering stops at the switch of the end
+/// stop. It executes no further step, has no fault, and can turn back.
 /// @verifies FR-105
 TEST_F(SteeringLoopTest, FR105_StopsAtTheEnd) {
   for (const std::int32_t side : {1, -1}) {
@@ -194,8 +193,8 @@ TEST_F(SteeringLoopTest, FR108_HoldEndsATurn) {
 }
 
 /// @brief When the control cycles end, the motor is switched off at the end of the first
-/// measurement after 300 ms. When the cycles begin again the motor is switched on, and the steering
-/// continues to its angle.
+/// measurement after 300 ms. When the cycles begin again, the motor is switched on, and the
+/// steering continues to its angle.
 /// @verifies FR-109
 TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
   loop.follow(3000);
@@ -215,8 +214,8 @@ TEST_F(SteeringLoopTest, FR109_WithoutCyclesTheMotorIsOff) {
 }
 
 /// @brief A broken cable of the sensor ends the turn within 30 ms. An order to hold does not end
-/// the fault; an acknowledgement does. The next order to follow a set-point then turns the steering
-/// again.
+/// the fault. An acknowledgement ends the fault. The next order to follow a set-point then turns
+/// the steering again.
 /// @verifies FR-110
 /// @verifies FR-112
 /// @verifies FR-113
@@ -244,8 +243,8 @@ TEST_F(SteeringLoopTest, FR110_ABrokenCableIsAFault) {
   EXPECT_NEAR(plant.degrees(), 30, 0.5);
 }
 
-/// @brief A steering that is blocked at full rate, at half rate or just before its angle is a fault within
-/// 0.4 s, and its motor is off.
+/// @brief If the steering is blocked at full rate, at half rate or just before its angle, it is in
+/// fault within 0.4 s, and its motor is off.
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR111_ABlockedTurnIsFoundWithin400Milliseconds) {
   for (const int blockedAfter : {900, 300, 150, 1300}) {
@@ -261,8 +260,8 @@ TEST_F(SteeringLoopTest, FR111_ABlockedTurnIsFoundWithin400Milliseconds) {
   }
 }
 
-/// @brief A steering that is blocked before it begins to turn is a fault within 0.4 s after its
-/// first step, also near its angle.
+/// @brief If the steering is blocked before it begins to turn, it is in fault within 0.4 s after
+/// its first step, even near its angle.
 /// @verifies FR-111
 TEST_F(SteeringLoopTest, FR111_ABlockedSteeringIsFound) {
   for (const std::int32_t angle : {3000, 100, 25, -25}) {
@@ -275,8 +274,8 @@ TEST_F(SteeringLoopTest, FR111_ABlockedSteeringIsFound) {
   }
 }
 
-/// @brief A push of 2.5 degrees off the angle is corrected, without a fault. A push of more than 3
-/// degrees is a fault: steps were lost, or the sensor is loose.
+/// @brief A push of 2.5 degrees off the angle is corrected without a fault. A push of more than 3
+/// degrees is a fault, because steps were lost or the sensor is loose.
 /// @verifies FR-101
 /// @verifies FR-102
 /// @verifies FR-227
@@ -292,7 +291,7 @@ TEST_F(SteeringLoopTest, FR101_FR227_APushIsCorrected) {
   EXPECT_EQ(loop.state(), SteeringState::Fault);
 }
 
-/// @brief Pushes that come a minute apart do not add up to a fault.
+/// @brief Several pushes do not cause a fault if there is a minute between them.
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_PushesAreForgotten) {
   loop.follow(1000);
@@ -304,8 +303,8 @@ TEST_F(SteeringLoopTest, FR227_PushesAreForgotten) {
   }
 }
 
-/// @brief A sensor that drifts by 2 degrees in a second is a fault before the steering has followed it by
-/// more than 3.5 degrees, also at rest.
+/// @brief If a sensor drifts by 2 degrees per second, the fault is detected before the steering has
+/// followed the drift by more than 3.5 degrees. This is also true at rest.
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_ADriftingSensorIsAFault) {
   for (const double drift : {2.0, -2.0, 0.5}) {
@@ -319,7 +318,7 @@ TEST_F(SteeringLoopTest, FR227_ADriftingSensorIsAFault) {
   }
 }
 
-/// @brief A stuck sensor is a fault within 0.4 s after the steering begins to turn.
+/// @brief A stuck sensor is detected as a fault within 0.4 s after the steering begins to turn.
 /// @verifies FR-111
 /// @verifies FR-227
 TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
@@ -331,7 +330,7 @@ TEST_F(SteeringLoopTest, FR227_AStuckSensorIsAFault) {
   EXPECT_EQ(loop.state(), SteeringState::Fault);
 }
 
-/// @brief A broken wire of an end stop counts as reached: the steering turns only to the other
+/// @brief An end stop with a broken wire counts as reached. The steering turns only to the other
 /// side.
 /// @verifies FR-225
 TEST_F(SteeringLoopTest, FR225_ABrokenWireOfAnEndStopIsReached) {
@@ -346,8 +345,8 @@ TEST_F(SteeringLoopTest, FR225_ABrokenWireOfAnEndStopIsReached) {
   EXPECT_NEAR(plant.degrees(), -10, 0.5);
 }
 
-/// @brief The steering cannot reach both end stops at once. When both are reported, the steering is
-/// in fault within 10 ms, also at rest, and its motor is off.
+/// @brief The steering cannot reach both end stops at the same time. If both end stops are active,
+/// the steering is in fault within 10 ms, also at rest, and its motor is off.
 /// @verifies FR-226
 TEST_F(SteeringLoopTest, FR226_BothEndStopsAreAFault) {
   loop.follow(1000);
@@ -361,8 +360,8 @@ TEST_F(SteeringLoopTest, FR226_BothEndStopsAreAFault) {
   EXPECT_FALSE(loop.powered());
 }
 
-/// @brief While the steering works, Main Control finds the work of each cycle complete, and gets
-/// the present position. A steering that no longer ticks completes no work.
+/// @brief While the steering works, it completes the work of each cycle, and Main Control gets the
+/// present position. A steering without ticks completes no work.
 /// @verifies FR-116
 /// @verifies FR-117
 TEST_F(SteeringLoopTest, FR117_AWorkingSteeringCompletesEachCycle) {

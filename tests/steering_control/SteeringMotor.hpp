@@ -7,16 +7,16 @@
 
 namespace wr::test {
 
-/// @brief A steering device with its power states, between fake pins.
+/// @brief A steering device with its power states and with fake pins.
 struct SteeringMotor {
-  /// @brief Lets ticks pass.
+  /// @brief Runs a number of ticks.
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) {
       device.tick();
     }
   }
 
-  /// @brief Switches the motor on and lets it settle.
+  /// @brief Switches the motor on, and runs ticks until the motor has settled.
   void settle() {
     device.enable();
     run(kSettling);

@@ -10,7 +10,7 @@
 
 namespace wr::test {
 
-/// @brief Serial port whose far end is the test. Its bytes are received at the time of the clock.
+/// @brief A serial port whose far end is the test. Its bytes are received at the time of the clock.
 class FakeSerialPort final : public SerialPort {
  public:
   std::size_t read(std::span<std::uint8_t> bytes) override {

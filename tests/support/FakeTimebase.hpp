@@ -6,7 +6,7 @@
 
 namespace wr::test {
 
-/// @brief Clock that only the test advances.
+/// @brief A clock that only the test advances.
 class FakeTimebase final : public Timebase {
  public:
   [[nodiscard]] Instant now() const override { return now_; }

@@ -9,10 +9,10 @@
 
 namespace wr::test {
 
-/// @brief Bytes of a frame, encoded and decoded without the code under test.
+/// @brief The bytes of a frame. They are encoded and decoded without the code under test.
 using Bytes = std::vector<std::uint8_t>;
 
-/// @brief Returns bytes that count from 0.
+/// @brief Returns bytes whose values count from 0.
 inline Bytes counting(std::size_t count) {
   Bytes bytes(count);
   std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
@@ -40,7 +40,8 @@ inline Bytes withCrc(Bytes body) {
   return body;
 }
 
-/// @brief Stuffs a body of at most 253 bytes: each group of bytes without zero follows its length.
+/// @brief Stuffs a body of at most 253 bytes. Each group of bytes without a zero has its length
+/// before it.
 inline Bytes stuffed(const Bytes& body) {
   Bytes line;
   line.reserve(body.size() + 2);
@@ -63,7 +64,7 @@ inline Bytes stuffed(const Bytes& body) {
   return line;
 }
 
-/// @brief Returns the bytes on the line of a frame.
+/// @brief Returns the bytes of a frame on the line.
 inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& payload,
                        std::uint8_t version = 2) {
   Bytes body;
@@ -73,7 +74,8 @@ inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& pa
   return stuffed(withCrc(std::move(body)));
 }
 
-/// @brief Splits bytes on the line into bodies, each with its CRC. Zero bytes between them are ignored.
+/// @brief Splits bytes on the line into bodies, each with its CRC. Zero bytes between them are
+/// ignored.
 inline std::vector<Bytes> bodies(const Bytes& line) {
   std::vector<Bytes> found;
   Bytes body;

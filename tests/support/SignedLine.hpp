@@ -19,7 +19,7 @@ namespace wr::test {
 inline constexpr SipHash::Key kSharedKey = {7, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 inline constexpr std::uint64_t kStartNumber = 0x0123456789abcdef;
 
-/// A random source whose number the test chooses.
+/// A random source that returns a number of the test.
 class FixedRandom final : public RandomSource {
  public:
   explicit FixedRandom(std::optional<std::uint64_t> number) : number_(number) {}
@@ -29,8 +29,8 @@ class FixedRandom final : public RandomSource {
   std::optional<std::uint64_t> number_;
 };
 
-/// A Bluetooth device that has the key. It puts counter and tag on its frames, as the page of the
-/// protocol describes.
+/// A Bluetooth device that has the key. It adds a counter and a tag to its frames, as the page
+/// about the protocol describes.
 class SigningDevice {
  public:
   explicit SigningDevice(const SipHash::Key& key = kSharedKey, std::uint64_t nonce = kStartNumber)
@@ -41,7 +41,7 @@ class SigningDevice {
     return signWith(++counter_, frame);
   }
 
-  /// Returns the bytes of a frame with a chosen counter and its tag.
+  /// Returns the bytes of a frame with the given counter and its tag.
   [[nodiscard]] scenario::Bytes signWith(std::uint32_t counter,
                                          const scenario::Bytes& frame) const {
     scenario::Bytes bytes(frame.begin(), frame.end() - 1);

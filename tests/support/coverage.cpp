@@ -1,9 +1,8 @@
-// Records the arcs of the firmware's flow graphs that each test executes. The build includes this
-// file only with WR_TRACE.
-//
-// Each test writes one file in the folder WR_TRACE_DIR, named <suite>.<test>.arcs. A line with a
-// name names a file of counters, and the lines below it belong to this file. Each of these lines
-// has the number of a function that ran, and the counters of this function.
+// Records the arcs of the firmware's control-flow graphs that each test executes. The build
+// includes this file only with WR_TRACE. Each test writes one file <suite>.<test>.arcs in the
+// folder WR_TRACE_DIR. A line with a name is the name of a counter file. The next lines belong to
+// this counter file. Each of these lines has the number of a function that ran, and the counters of
+// this function.
 //
 // The counters of the whole run are also written to the files of gcc, for other programs.
 
@@ -19,12 +18,12 @@
 #include <string>
 #include <vector>
 
-// The header of the compiler is a C header. The counters of all units are between two symbols that
-// the linker defines. The runtime of the compiler registers a unit by __gcov_init; without this
-// call, it does not clear the counters or write them to a file.
+// The header of the compiler is a C header. The linker defines two symbols. The counters of all
+// units are between these symbols. The function __gcov_init registers a unit in the runtime of the
+// compiler. Without this call, the runtime neither clears the counters nor writes them to a file.
 extern "C" {
 #include <gcov.h>
-// Linker and compiler define these names.
+// The linker and the compiler define these names.
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 extern const gcov_info* const __start_wr_counters[];
 extern const gcov_info* const __stop_wr_counters[];
@@ -34,8 +33,8 @@ void __gcov_init(const gcov_info* unit);
 
 namespace {
 
-// The format of gcc: a header of four words, then records of a tag, a length in bytes and words.
-// A negative length means counters that are all zero.
+// The file format of gcc has a header of four words and then records. A record has a tag, a length
+// in bytes, and words. A negative length means that all counters are zero.
 constexpr std::size_t kHeader = 4;
 constexpr std::uint32_t kFunction = 0x01000000;
 constexpr std::uint32_t kArcs = 0x01A10000;
@@ -63,7 +62,7 @@ void* allocate(unsigned bytes, void* /*unit*/) {
   return std::malloc(bytes);  // the runtime of the compiler requests this kind of memory
 }
 
-// Returns the growth of the counters of a function.
+// Returns the increments of a function's counters since the previous call.
 std::vector<std::uint64_t> grown(std::vector<std::uint64_t>& before, const std::uint32_t* words,
                                  std::size_t count) {
   std::vector<std::uint64_t> found(count);

@@ -4,8 +4,8 @@
 
 namespace wr::test {
 
-/// @brief Expects that a default value changes when any single member is changed. Each member is
-/// followed by its new value.
+/// @brief Checks that a default value is no longer equal to itself after a change of any single
+/// member. In the arguments, each member is followed by its new value.
 template <class T, class Member, class Value, class... Rest>
 void expectDifference(Member T::*member, const Value& value, const Rest&... rest) {
   T changed{};

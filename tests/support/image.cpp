@@ -1,10 +1,8 @@
-// Boards with the image under test. With WR_GDB=PORT the firmware waits for GDB at this TCP port,
-// each time a test switches a board on.
-//
-// With the image that is built to record calls, the calls of the firmware are recorded as on the
-// host: one file for each test in the folder WR_TRACE_DIR, see trace.cpp. The file
-// <suite>.<test>.bits in the same folder contains the executed instructions: the bits of
-// ExecutedCode, up to the last bit that is set.
+// Boards with the image under test. With WR_GDB=PORT, the firmware waits for GDB at this TCP port
+// each time a test switches a board on. With the image that is built for recordings, the calls of
+// the firmware are recorded as on the host. Each test writes one file in the folder WR_TRACE_DIR
+// (see trace.cpp). The file <suite>.<test>.bits in the same folder contains the executed
+// instructions. It has the bits of ExecutedCode, up to the last bit that is set.
 
 #include "support/image.hpp"
 
@@ -40,8 +38,8 @@ emulator::ExecutedCode& executed() {
   return instance;
 }
 
-/// The debugger of the firmware. A test cannot be restarted while it runs: its time only goes
-/// forwards.
+/// The debugger of the firmware. A running test cannot be restarted, so the debugger cannot go back
+/// in time.
 class Debug {
  public:
   explicit Debug(const std::string& port) : line_(programs::openLine("tcp:" + port)) {}
@@ -64,7 +62,7 @@ bool isRecorded() {
   return imageFile() == WR_RECORDED_IMAGE;
 }
 
-// The results of the test name the image that it runs.
+// Writes the name of the image to the results of the test.
 void nameInResults(const std::filesystem::path& image) {
   const std::string recorded = image == WR_RECORDED_IMAGE ? "_calls" : "";
   testing::Test::RecordProperty("image", image.stem().string() + recorded);
@@ -128,8 +126,8 @@ std::unique_ptr<board_robot::BoardSession> switchBoardOn(emulator::Options optio
 std::unique_ptr<board_robot::BoardSession> switchBoardOn(std::vector<std::uint8_t> image,
                                                          emulator::Options options) {
   options.elf = elfFile();
-  // An image in which a test changed a few instructions, to cause a fault, counts as the same
-  // image.
+  // A test may change a few instructions of the image to cause a fault. Such an image counts as the
+  // same image.
   const bool asLinked = image.size() == emulator::readImage(imageFile()).size();
   auto robot = std::make_unique<board_robot::BoardSession>(std::move(image), std::move(options));
   nameInResults(imageFile());

@@ -6,8 +6,8 @@
 
 namespace wr::test {
 
-/// @brief States in the results that a test is for one product. All other tests of the image also
-/// run with the image of the default product.
+/// @brief Writes to the results that a test is only for one product. All other tests of the image
+/// also run with the image of the default product.
 /// @param product name of the product
 inline void onlyWith(const std::string& product) {
   testing::Test::RecordProperty("only", product);

@@ -21,8 +21,8 @@ inline std::vector<std::filesystem::path> allScenarios() {
   return files;
 }
 
-/// @brief Checks whether a scenario expects behaviour of the paper's design that safety functions
-/// change. The safety functions stop the robot, or let it follow a ramp.
+/// @brief Returns whether a scenario is only for the paper's design. In such a scenario, safety
+/// functions would stop the robot or limit its acceleration by a ramp.
 /// @param file file of the scenario
 inline bool isOfThePaperAlone(const std::filesystem::path& file) {
   constexpr std::array<const char*, 4> kNames{"one_hall_sensor", "reversal", "sensors_broken",

@@ -9,8 +9,8 @@
 
 namespace wr::test {
 
-/// @brief Returns the seed of a random test. It is printed, and is in the results; the variable WR_SEED sets
-/// it.
+/// @brief Returns the seed of a random test. The seed is printed and written to the results. The
+/// environment variable WR_SEED sets the seed.
 inline unsigned seed() {
   const char* const given = std::getenv("WR_SEED");
   const unsigned value =

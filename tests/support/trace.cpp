@@ -1,13 +1,11 @@
-// Records which functions of the firmware each test calls. The build includes it only with
-// WR_TRACE.
-//
-// Each test writes one file in the folder WR_TRACE_DIR, named <suite>.<test>.bin. The file has one
-// little-endian number of 64 bits for each event: the address of the function, with bit 63 set when
-// the function is left. After kWhole events, a call of the test or of the simulated platform is not
-// written again when it contains the same calls as an earlier call, because timers would fill the
-// file. Instead the file contains the number of the event at which the earlier call begins, with
-// bit 62 set, once for a sequence of equal calls. After kMost events nothing more is recorded, and
-// a file <suite>.<test>.truncated marks it.
+// Records the functions of the firmware that each test calls. The build includes this file only
+// with WR_TRACE. Each test writes one file <suite>.<test>.bin in the folder WR_TRACE_DIR. The file
+// has one little-endian 64-bit number for each event. The number is the address of the function.
+// Bit 63 is set when the function is left. After kWhole events, calls that repeat an earlier call
+// of the test or of the simulated platform are shortened, because timers would fill the file.
+// Instead of the repeated call, the file contains the number of the event at which the earlier call
+// begins, with bit 62 set. A sequence of equal calls has only one such number. After kMost events,
+// nothing more is recorded, and a file <suite>.<test>.truncated shows this.
 
 #include <gtest/gtest.h>
 
@@ -31,8 +29,8 @@ std::array<std::uint64_t, kMost> events;
 std::size_t count = 0;
 bool truncated = false;
 std::size_t depth = 0;
-std::size_t begin = 0;  // begin of the outermost call
-// Outermost calls with the calls in them, and the positions at which they begin.
+std::size_t begin = 0;  // beginning of the outermost call
+// The outermost calls with their inner calls, and the positions at which the outermost calls begin.
 std::map<std::vector<std::uint64_t>, std::size_t> before;
 thread_local bool recording = false;  // only the thread that runs the tests records
 

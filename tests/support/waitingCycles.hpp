@@ -4,7 +4,7 @@
 
 namespace wr::test {
 
-/// @brief The waiting cycles of the paper: N.
+/// @brief Number N of waiting cycles in the paper.
 inline constexpr int kWaitingCycles = SystemConstants::instance().waitingCycles();
 
 }  // namespace wr::test

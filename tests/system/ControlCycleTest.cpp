@@ -12,7 +12,7 @@ class ControlCycleOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
-/// @brief A clock pulse comes every 100 ms, and each clock pulse begins one cycle.
+/// @brief There is a clock pulse every 100 ms. Each clock pulse begins one cycle.
 /// @verifies FR-1
 TEST_F(ControlCycleOfRobot, FR1_EachClockPulseBeginsOneCycle) {
   robot.connect();

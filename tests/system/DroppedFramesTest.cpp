@@ -15,7 +15,7 @@ class DroppedFramesOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
-/// @brief Frames with errors are counted by kind in the report of their cycle, and all other values
+/// @brief The report of a cycle counts the frames with errors by kind of error. All other values
 /// are the same as in a cycle without these frames.
 /// @verifies FR-48
 /// @verifies FR-63

@@ -23,15 +23,15 @@ void play(const std::string& example) {
   EXPECT_GE(outcome.reports, 50U);
 }
 
-// Plays an example that only the paper's design can meet: safety functions stop the robot, or let
-// it follow a ramp.
+// Plays an example that is only for the paper's design. Safety functions would stop the robot or
+// limit its acceleration by a ramp.
 void playWithThePapersDesign(const std::string& example) {
   onlyWith("weeding_robot_paper");
   play(example);
 }
 
-/// @brief In closed loop with the robot, the wheels have the voltage of an order in the cycle that
-/// reads it.
+/// @brief In closed loop with the robot, the wheels have the ordered voltage in the cycle that
+/// reads the order.
 /// @verifies FR-80
 TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
@@ -45,13 +45,13 @@ TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
   play("velocity_step");
 }
 
-/// @brief Uphill the velocity stays within 2 %.
+/// @brief Uphill, the error of the velocity is at most 2 %.
 /// @verifies FR-300
 TEST(ClosedLoopOfRobot, FR300_VelocityIsKeptUphill) {
   play("uphill");
 }
 
-/// @brief Downhill the robot does not become too fast.
+/// @brief Downhill, the robot does not become too fast.
 /// @verifies FR-84
 TEST(ClosedLoopOfRobot, FR84_NotMuchFasterDownhill) {
   play("downhill");
@@ -63,8 +63,8 @@ TEST(ClosedLoopOfRobot, FR85_CurrentSettles) {
   play("current_step");
 }
 
-/// @brief From full speed forwards to full speed backwards, the wheels are slow before their
-/// orientation changes.
+/// @brief At a reversal from full speed forwards to full speed backwards, the wheels are slow
+/// before their orientation changes.
 /// @verifies FR-87
 TEST(ClosedLoopOfRobot, FR87_WheelsStopBeforeTheyTurn) {
   playWithThePapersDesign("reversal");
@@ -76,13 +76,13 @@ TEST(ClosedLoopOfRobot, FR128_BlockedWheelIsCutOff) {
   playWithThePapersDesign("wheel_blocked");
 }
 
-/// @brief A wheel with one dead Hall sensor is found to be without motion feedback.
+/// @brief A wheel with one dead Hall sensor is detected as a wheel without motion feedback.
 /// @verifies FR-91
 TEST(ClosedLoopOfRobot, FR91_WheelWithADeadSensorIsBlind) {
   playWithThePapersDesign("one_hall_sensor");
 }
 
-/// @brief When the PC becomes silent at 0.85 m/s, the robot is at rest within 1.5 m.
+/// @brief When the PC becomes silent at 0.85 m/s, the robot stops within 1.5 m.
 /// @verifies FR-95
 /// @verifies FR-18
 TEST(ClosedLoopOfRobot, FR95_RobotIsAtRestSoonAfterTheLastMessage) {
@@ -95,21 +95,21 @@ TEST(ClosedLoopOfRobot, FR101_SteeringArrivesAndStays) {
   play("steering");
 }
 
-/// @brief Pulses of the remote control drive the robot, and without them it stops.
+/// @brief The robot drives with pulses of the remote control. Without pulses, it stops.
 /// @verifies FR-52
 /// @verifies FR-56
 TEST(ClosedLoopOfRobot, FR52_RemoteControlDrives) {
   play("rc_drive");
 }
 
-/// @brief A stop brings the wheels to rest and keeps the angle of the steering until the stop is
-/// released. The end of the connection does not release it.
+/// @brief Until a stop is released, the wheels are at rest, and the steering keeps its angle. The
+/// end of the connection does not release the stop.
 /// @verifies FR-21
 TEST(ClosedLoopOfRobot, FR21_StopBringsTheWheelsToRest) {
   play("stop");
 }
 
-/// @brief A wheel whose Hall sensors or whose current sensor fail is switched off; the other wheels
+/// @brief A wheel is switched off if its Hall sensors or its current sensor fail. The other wheels
 /// continue.
 /// @verifies FR-91
 TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
@@ -118,8 +118,8 @@ TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
 
 class ExampleScenarios : public testing::TestWithParam<const char*> {};
 
-/// @brief The robot meets each other example of a scenario. The tests of the programs play the
-/// example of ten minutes.
+/// @brief The robot meets all other example scenarios. The tests of the programs play the example
+/// of ten minutes.
 /// @verifies NFR-6
 TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
   play(GetParam());

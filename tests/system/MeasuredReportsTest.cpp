@@ -15,10 +15,10 @@ constexpr int kSteeringOff = 0;
 constexpr int kSteeringHolding = 1;
 constexpr int kSteeringTurning = 2;
 
-// Values of the motors and sensors in reports, for robots that have motors and sensors.
+// Values of motors and sensors in reports. These tests are for robots that have motors and sensors.
 class MeasuredReportsOfRobot : public testing::Test {
  protected:
-  // Orders the same voltage for all wheels in some cycles.
+  // Orders the same voltage for all wheels for some cycles.
   static void orderTensions(SteppedRobot& robot, std::int16_t millivolts, int cycles) {
     scenario::PcOrder order{.id = 100};
     order.wheels.fill({.quantity = 1, .value = millivolts});
@@ -32,7 +32,7 @@ class MeasuredReportsOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
-/// @brief A value that is measured or applied is marked as valid, also if it is 0.
+/// @brief A value that is measured or applied is marked as valid, even if it is 0.
 /// @verifies FR-62
 TEST_F(MeasuredReportsOfRobot, FR62_ValuesThatExistAreMarkedAsValid) {
   robot.connect();
@@ -42,7 +42,7 @@ TEST_F(MeasuredReportsOfRobot, FR62_ValuesThatExistAreMarkedAsValid) {
   EXPECT_EQ(robot.report().tension[0], 0);
 }
 
-/// @brief A value whose sensor is broken is marked as missing and is 0, and the other values stay
+/// @brief A value whose sensor is broken is marked as missing and is 0. The other values stay
 /// valid.
 /// @verifies FR-62
 TEST_F(MeasuredReportsOfRobot, FR62_MissingValuesAreMarked) {
@@ -71,7 +71,8 @@ TEST_F(MeasuredReportsOfRobot, FR65_StateOfTheSteeringIsTold) {
   EXPECT_NEAR(robot.physics().steeringDegrees(), 5.0, 0.5);
 }
 
-/// @brief The report shows which end stop is reached; the test has moved the steering there.
+/// @brief The report shows the end stop that is reached. The test has moved the steering to this
+/// end stop.
 /// @verifies FR-66
 TEST_F(MeasuredReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   for (const bool left : {true, false}) {
@@ -88,9 +89,9 @@ TEST_F(MeasuredReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   }
 }
 
-/// @brief The report shows that the overcurrent trip of one wheel acted, and that the trips of the
-/// other wheels did not. This test is not for safety functions, which limit the current before the
-/// trip acts.
+/// @brief The report shows that the overcurrent trip of one wheel has acted. It shows that the
+/// trips of the other wheels have not acted. This test is not for safety functions, because they
+/// limit the current before the trip acts.
 /// @verifies FR-67
 TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   onlyWith("weeding_robot_paper");
@@ -101,9 +102,9 @@ TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   EXPECT_EQ(robot.report().cutOffs, 0b0100);
 }
 
-/// @brief The report shows that one wheel has no motion feedback, and that the other wheels have
-/// motion feedback. One or both Hall sensors of this wheel are broken. This test is not for safety
-/// functions, which stop the robot earlier.
+/// @brief One or both Hall sensors of one wheel are broken. The report shows that this wheel has no
+/// motion feedback and that the other wheels have motion feedback. This test is not for safety
+/// functions, because they stop the robot earlier.
 /// @verifies FR-68
 TEST_F(MeasuredReportsOfRobot, FR68_BlindWheelIsTold) {
   onlyWith("weeding_robot_paper");
@@ -127,9 +128,9 @@ TEST_F(MeasuredReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
   EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{}));
 }
 
-/// @brief Each rejected edge of the whole robot is in the count of its wheel, from start on. A
-/// wheel at rest gets a pulse of 30 us in each ms. The first edge is a step; each later edge
-/// reverses the direction too soon.
+/// @brief From the start on, each rejected edge of the robot is in the count of its wheel. A wheel
+/// at rest gets a pulse of 30 us in each ms. The first edge is a step. Each later edge reverses the
+/// direction too soon.
 /// @verifies FR-69
 /// @verifies FR-123
 TEST_F(MeasuredReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {

@@ -20,8 +20,8 @@ inline constexpr int kN = 4;
 inline constexpr std::int64_t kPeriod = 100'000;
 inline constexpr std::int64_t kLifetime = 200'000;
 
-/// The required behaviour of the robot, written from the requirements and without the firmware's
-/// code. Times are in microseconds.
+/// The required behaviour of the robot. It was written from the requirements, without the
+/// firmware's code. Times are in microseconds.
 struct Reference {
   int state = kWorking;
   int failedReads = 0;
@@ -89,7 +89,7 @@ struct Reference {
   }
 };
 
-/// A source that alternates between active and silent, for random times.
+/// A source that alternates between active and silent. Each phase has a random duration.
 class Runs {
  public:
   Runs(bool speaks, int longestSpeech, int longestSilence)
@@ -120,7 +120,7 @@ class Comparison {
   Comparison& operator=(const Comparison&) = delete;
   virtual ~Comparison() = default;
 
-  /// Runs one sequence; the robot and its reference continue from the end of the previous sequence.
+  /// Runs one sequence. The robot and its reference continue from the end of the previous sequence.
   void sequence() {
     beginSequence();
     Runs pc(oneIn(2), 5, 12);
@@ -200,7 +200,7 @@ class Comparison {
     ASSERT_EQ(report.held(), reference_.held || report.inhibit == kNotArmed) << cycles;
   }
 
-  // Counts the observed behaviour of the robot; cycles without report do not count.
+  // Counts the observed behaviour of the robot. Cycles without a report are not counted.
   void note(int stateBefore, int modeBefore) {
     static const std::array<std::string, 4> names{"Working", "Waiting", "WaitingN", "Reconnecting"};
     if (robot_.reported()) {
@@ -226,8 +226,8 @@ struct Compared {
   ComparisonOfRobot comparison;
 };
 
-/// Runs random sequences, a hundred with one robot, and expects that each transition of both
-/// machines occurred at least the given number of times.
+/// Runs random sequences. Each robot runs a hundred sequences. Checks that each transition of both
+/// state machines has occurred at least the given number of times.
 template <class Robot, class ComparisonOfRobot>
 void compareInSequences(int sequences, int enough) {
   const unsigned seedOfRun = seed();

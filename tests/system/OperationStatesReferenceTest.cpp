@@ -3,8 +3,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief In random sequences of orders of the PC, the robot behaves in every cycle like a
-/// reference that was written from the requirements. The remote control is silent, and the robot
+/// @brief The PC sends random sequences of orders, and the remote control is silent. In every
+/// cycle, the robot behaves like a reference that was written from the requirements. The robot
 /// executes each transition of both state machines.
 /// @verifies FR-12
 /// @verifies FR-13

@@ -18,8 +18,8 @@ class OperationStatesOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
-/// @brief After start the robot is in the state Working and in the mode RC. Without any order the
-/// N-th read sets WaitingN.
+/// @brief After the start, the robot is in the state Working and in the mode RC. Without any order,
+/// the N-th read sets WaitingN.
 /// @verifies FR-10
 TEST(OperationStatesAfterStart, FR10_FailedReadsAreCountedFromWorking) {
   SteppedRobot robot;
@@ -41,8 +41,8 @@ TEST_F(OperationStatesOfRobot, FR15_FirstFailedReadSetsWaiting) {
   EXPECT_FALSE(robot.report().orderRead());
 }
 
-/// @brief The first N - 1 failed reads leave the robot in Waiting, the N-th failed read sets WaitingN,
-/// and the next failed read sets Reconnecting.
+/// @brief After the first N - 1 failed reads, the robot is in Waiting. The N-th failed read sets
+/// WaitingN. The next failed read sets Reconnecting.
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStatesOfRobot, FR16_FailedReadsLeadThroughTheWaitingStates) {
@@ -71,7 +71,7 @@ TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
   EXPECT_EQ(robot.report().state, kWaitingN);
 }
 
-/// @brief In each state a message is read and sets Working.
+/// @brief In each state, a message is read and sets Working.
 /// @verifies FR-13
 TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
   for (int failed = 0; failed <= kWaitingCycles + 1; ++failed) {
@@ -84,7 +84,7 @@ TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
   }
 }
 
-/// @brief In the waiting states the control systems follow the set-points that were read last.
+/// @brief In the waiting states, the control systems follow the set-points that were read last.
 /// @verifies FR-14
 TEST_F(OperationStatesOfRobot, FR14_WaitingStatesFollowTheLastSetPoints) {
   for (int failed = 1; failed <= kWaitingCycles; ++failed) {
@@ -108,7 +108,7 @@ TEST_F(OperationStatesOfRobot, FR17_ReconnectingAlternatesTheMode) {
   }
 }
 
-/// @brief In Reconnecting the wheels are halted and the steering is held, until an order is read.
+/// @brief In Reconnecting, the wheels are halted and the steering is held until an order is read.
 /// @verifies FR-18
 TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   robot.silentCycles(kWaitingCycles + 1);
@@ -125,7 +125,7 @@ TEST_F(OperationStatesOfRobot, FR18_ReconnectingHoldsTheRobot) {
   EXPECT_FALSE(robot.report().held());
 }
 
-/// @brief The state after the read of a cycle controls and reports in this cycle.
+/// @brief The state that is current after the read of a cycle controls and reports in this cycle.
 /// @verifies FR-3
 TEST_F(OperationStatesOfRobot, FR3_ControlAndWriteFollowTheRead) {
   robot.silentCycles(kWaitingCycles);

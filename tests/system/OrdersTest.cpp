@@ -25,8 +25,8 @@ class OrdersOfRobot : public testing::Test {
   SteppedRobot robot;
 };
 
-/// @brief With a silent remote control, a PC that connects at power-up and orders commands the robot
-/// within N + 4 cycles.
+/// @brief The remote control is silent, and a PC connects at power-up and sends orders. Within N +
+/// 4 cycles, the robot follows the PC.
 /// @verifies FR-12
 /// @verifies FR-13
 /// @verifies FR-16
@@ -44,7 +44,7 @@ TEST_F(OrdersOfRobot, FR17_PcThatConnectsAtPowerUpCommandsSoon) {
   EXPECT_EQ(robot.report().source, kPc);
 }
 
-/// @brief Of two orders in one cycle only the newer order is read, once.
+/// @brief If there are two orders in one cycle, only the newer order is read. It is read once.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
   robot.commandByPc();
@@ -59,7 +59,8 @@ TEST_F(OrdersOfRobot, FR20_OnlyTheNewestOrderIsReadAndOnce) {
   EXPECT_FALSE(robot.report().orderRead());
 }
 
-/// @brief An order that waits for the mode PC is read when its last byte came 199 ms before the clock pulse.
+/// @brief An order that waits for the mode PC is read if its last byte arrived 199 ms before the
+/// clock pulse.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
   connectAndFail(kWaitingCycles);
@@ -74,7 +75,7 @@ TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
   EXPECT_EQ(robot.report().state, kWorking);
 }
 
-/// @brief An order whose last byte came 201 ms before the clock pulse is not a message.
+/// @brief An order whose last byte arrived 201 ms before the clock pulse is not a message.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
   connectAndFail(kWaitingCycles);
@@ -88,7 +89,7 @@ TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
   EXPECT_EQ(robot.report().orderId, 0);
 }
 
-/// @brief The report of an order repeats the time of the sender's clock.
+/// @brief The report of an order contains the time of the sender's clock from the order.
 /// @verifies FR-249
 TEST_F(OrdersOfRobot, FR249_ReportRepeatsTheTimeOfTheSender) {
   robot.commandByPc();
@@ -100,7 +101,7 @@ TEST_F(OrdersOfRobot, FR249_ReportRepeatsTheTimeOfTheSender) {
   EXPECT_EQ(robot.report().sentAt, 0x89ABCDEF);
 }
 
-/// @brief An order that comes twice is read once, and the second order is counted.
+/// @brief If an order arrives twice, it is read once. The second order is counted as stale.
 /// @verifies FR-243
 TEST_F(OrdersOfRobot, FR243_AnOrderThatIsRepeatedIsStale) {
   robot.commandByPc();
@@ -114,7 +115,8 @@ TEST_F(OrdersOfRobot, FR243_AnOrderThatIsRepeatedIsStale) {
   EXPECT_EQ(robot.report().staleOrders, 1);
 }
 
-/// @brief A stop acts before the PC is connected, and the report of the connection shows its source.
+/// @brief A stop acts before the PC is connected, and the report of the connection shows its
+/// source.
 /// @verifies FR-240
 /// @verifies FR-242
 TEST_F(OrdersOfRobot, FR240_StopActsWithoutConnection) {
@@ -166,7 +168,7 @@ TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
   EXPECT_EQ(robot.report().state, kReconnecting);
 }
 
-/// @brief A stop lasts after the end of the connection.
+/// @brief A stop continues after the end of the connection.
 /// @verifies FR-21
 TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
   robot.commandByPc();
@@ -187,7 +189,7 @@ TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
   EXPECT_FALSE(robot.report().held());
 }
 
-/// @brief Before the first order the control systems are held, in every operation state.
+/// @brief Before the first order, the control systems are held in every operation state.
 /// @verifies FR-22
 /// @verifies FR-305
 /// @verifies FR-306
@@ -214,7 +216,7 @@ TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
   EXPECT_EQ(robot.report().unexpected, kWaitingCycles + 6);
 }
 
-/// @brief An order that arrived is no longer a message when the connection ends before it is read.
+/// @brief If the connection ends before an order is read, the order is no longer a message.
 /// @verifies FR-36
 TEST_F(OrdersOfRobot, FR36_OrderOfAnEndedConnectionIsNoMessage) {
   robot.commandByPc();
@@ -228,7 +230,8 @@ TEST_F(OrdersOfRobot, FR36_OrderOfAnEndedConnectionIsNoMessage) {
   EXPECT_FALSE(robot.report().orderRead());
 }
 
-/// @brief An order whose last byte comes just before clock pulse n is in report n, with its set-points.
+/// @brief If the last byte of an order arrives just before clock pulse n, report n contains the
+/// order and its set-points.
 /// @verifies FR-37
 /// @verifies FR-61
 TEST_F(OrdersOfRobot, FR37_OrderIsInTheReportOfItsCycle) {
@@ -246,7 +249,7 @@ TEST_F(OrdersOfRobot, FR37_OrderIsInTheReportOfItsCycle) {
   EXPECT_EQ(robot.report().setPoint[3], -4);
 }
 
-/// @brief An order whose last byte comes after clock pulse n has no effect in cycle n.
+/// @brief An order whose last byte arrives after clock pulse n has no effect in cycle n.
 /// @verifies FR-37
 TEST_F(OrdersOfRobot, FR37_OrderThatIsNotWholeWaitsForTheNextCycle) {
   robot.commandByPc();

@@ -23,7 +23,8 @@ TEST_F(ReportsOfRobot, FR60_NoReportWithoutConnection) {
   EXPECT_FALSE(robot.reported());
 }
 
-/// @brief A connected PC gets one report in every cycle, each numbered and timed by its clock pulse.
+/// @brief A connected PC gets one report in every cycle. Each report has the number and the time of
+/// its clock pulse.
 /// @verifies FR-60
 /// @verifies FR-61
 /// @verifies FR-174

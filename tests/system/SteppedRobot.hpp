@@ -16,8 +16,8 @@ namespace wr::test {
 
 using std::chrono::microseconds;
 
-/// Switches a new robot on, and returns when it reads its line. Its target is chosen when
-/// the tests are linked.
+/// Switches a new robot on. Returns when the robot reads its line. The linker selects the target of
+/// the robot.
 [[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 
 /// Returns the number of sequences of the comparison with the reference that this target can run in
@@ -43,7 +43,8 @@ class SteppedRobot {
   SteppedRobot& operator=(const SteppedRobot&) = delete;
   virtual ~SteppedRobot() = default;
 
-  /// Lets the rest of the period pass, and runs the cycle of the clock pulse at its end.
+  /// Advances the time to the end of the period, and runs the cycle of the clock pulse at this
+  /// time.
   virtual void cycle() {
     require(line_->runThroughPulse());
     take();
@@ -55,10 +56,10 @@ class SteppedRobot {
     }
   }
 
-  /// Lets a part of the period pass.
+  /// Advances the time by a part of the period.
   void wait(microseconds duration) { require(line_->runUntil(line_->now() + duration)); }
 
-  /// Returns the physics of the robot: its true values, its ground, its faults.
+  /// Returns the physics of the robot, which contain its true values, its ground and its faults.
   [[nodiscard]] plant::Robot& physics() { return line_->robot(); }
 
   void arrive(std::span<const std::uint8_t> bytes) { line_->send(bytes); }
@@ -71,7 +72,7 @@ class SteppedRobot {
   void keepAlive() { arrive(pc.keepAlive()); }
   void order(const scenario::PcOrder& order) { arrive(pc.order(order)); }
 
-  /// Connects the PC. This takes two cycles; the second cycle reports.
+  /// Connects the PC. This takes two cycles. The second cycle sends a report.
   void connect() {
     hello();
     cycle();
@@ -79,8 +80,8 @@ class SteppedRobot {
     cycle();
   }
 
-  /// Connects the PC, and sends orders until the robot works with its order. If the robot is not
-  /// armed, it gets neutral orders first.
+  /// Connects the PC. Then sends orders until the robot follows them. If the robot is not armed, it
+  /// first gets neutral orders.
   void commandByPc(const scenario::PcOrder& first = {.id = 1}) {
     connect();
     for (int i = 0; i < kMostTries && !worksForPc(); ++i) {
@@ -132,7 +133,7 @@ class SteppedRobot {
   [[nodiscard]] bool reported() const { return report_.has_value(); }
 
   scenario::PcSender pc;
-  std::optional<scenario::PcWelcome> welcome;  // the last one
+  std::optional<scenario::PcWelcome> welcome;  // the last Welcome
 
  private:
   static constexpr int kMostTries = SystemConstants::instance().waitingCycles() + 4;

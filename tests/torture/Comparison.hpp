@@ -8,19 +8,19 @@
 
 namespace wr::torture {
 
-/// @brief Returns the number of the first record that differs; none when all records are equal.
+/// @brief Returns the number of the first record that differs; nothing when all records are equal.
 [[nodiscard]] std::optional<std::size_t> firstDifference(const Records& left, const Records& right);
 
-/// @brief Returns a record in words.
+/// @brief Returns a description of a record.
 [[nodiscard]] std::string described(const Record& record);
 
-/// @brief Returns both records of a number, and the records before them.
+/// @brief Returns both records with a number, and the records before them.
 [[nodiscard]] std::string context(const Records& left, const Records& right, std::size_t number);
 
 /// @brief Returns the number of entries to and exits from exceptions.
 [[nodiscard]] std::size_t exceptionEvents(const Records& records);
 
-/// @brief Returns the checks of the program that failed, in words; empty when no check failed.
+/// @brief Returns descriptions of the failed checks of the program; empty when no check has failed.
 [[nodiscard]] std::string failedChecks(const Records& records);
 
 /// @brief Returns whether the program reached its end.

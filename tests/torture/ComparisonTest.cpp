@@ -20,7 +20,8 @@ TEST(TortureComparisonTest, SameRecordsDoNotDiffer) {
   EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kLeft, kEnd}), std::nullopt);
 }
 
-/// @brief Runs with the same records in another order differ at the first record that has moved.
+/// @brief Runs with the same records in another order differ at the first record that has another
+/// position.
 TEST(TortureComparisonTest, AnotherOrderDiffers) {
   EXPECT_EQ(firstDifference({kEntered, kLeft, kEnd}, {kEntered, kEnd, kLeft}), 1U);
 }
@@ -61,7 +62,7 @@ TEST(TortureComparisonTest, TheContextShowsBothRecords) {
   EXPECT_THAT(text, HasSubstr("1 right acted end"));
 }
 
-/// @brief A record is printed with the names that its kind gives to its numbers.
+/// @brief A record is printed with the names of its numbers, which depend on its kind.
 TEST(TortureComparisonTest, EachKindNamesItsNumbers) {
   constexpr std::array<std::uint32_t, 5> kWords{1, 2, 3, 4, 5};
   EXPECT_THAT(described({Kind::Entered, 20, 1, 0xE9, kWords}),
@@ -75,14 +76,14 @@ TEST(TortureComparisonTest, EachKindNamesItsNumbers) {
   EXPECT_THAT(described({Kind::FpMode, 3, 1, 0xE9, kWords}), HasSubstr(", FPSCR 1"));
 }
 
-/// @brief A check of the program that failed is reported with the expected and the actual value.
+/// @brief A failed check of the program is reported with the expected and the actual value.
 TEST(TortureComparisonTest, FailedChecksAreTold) {
   EXPECT_EQ(failedChecks({kEntered, kLeft, kEnd}), "");
   EXPECT_THAT(failedChecks({kEntered, {Kind::CheckFailed, 4, 1, 0xE9, {0xAB, 0xCD}}}),
               HasSubstr("check failed register 4, link E9, wanted AB, found CD"));
 }
 
-/// @brief A run is complete only when its last record is its end.
+/// @brief A run is complete only when its last record is the record of the end.
 TEST(TortureComparisonTest, ARunWithoutItsEndIsNotComplete) {
   EXPECT_TRUE(complete({kEntered, kLeft, kEnd}));
   EXPECT_FALSE(complete({kEntered, kLeft}));

@@ -4,14 +4,14 @@
 
 namespace wr::torture {
 
-/// @brief QEMU's Cortex-M4, as a machine that has memory at 0 and at 0x20000000.
+/// @brief The Cortex-M4 of QEMU, in a machine with memory at 0 and at 0x20000000.
 class Qemu {
  public:
   /// @brief Returns whether QEMU is installed.
   [[nodiscard]] static bool installed();
 
   /// @brief Runs a program to its end.
-  /// @return its records
+  /// @return the records of the program
   /// @throws std::runtime_error when the program does not end in a minute
   [[nodiscard]] static Records run(const Image& image);
 };

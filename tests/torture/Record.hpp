@@ -10,12 +10,13 @@ enum class Kind : std::uint8_t {
   Entered,      ///< an exception was entered
   Left,         ///< an exception is about to be left
   Acted,        ///< an action and all exceptions that it caused have ended
-  Fault,        ///< fault status: configurable, hard, address
-  CheckFailed,  ///< checked item, wanted, found
+  Fault,        ///< status registers of a fault: configurable fault, hard fault and address
+  CheckFailed,  ///< a check has failed; the record has the checked item, the expected value and the
+                ///< actual value
   FpMode        ///< modes in FPSCR at the first use of the floating-point registers
 };
 
-/// @brief Actions of the program: the detail of a record Acted.
+/// @brief Actions of the program, which are the detail of a record Acted.
 enum class Action : std::uint8_t {
   PendLines,
   PendSystem,
@@ -40,18 +41,18 @@ enum class Action : std::uint8_t {
   End
 };
 
-/// @brief Checked items: the detail of a record CheckFailed. Other numbers: 0 to 12 are the core
-/// registers, 32 to 63 the floating-point registers.
+/// @brief Checked items, which are the detail of a record CheckFailed. Numbers 0 to 12 are the core
+/// registers. Numbers 32 to 63 are the floating-point registers.
 enum class Check : std::uint8_t { Flags = 16, StackPointer = 17, FpStatus = 18, LogFull = 19 };
 
-/// @brief An event, as the program writes it.
+/// @brief An event in the form in which the program writes it.
 struct Record {
   Kind kind;
   std::uint8_t detail;  ///< exception, action or check
   std::uint8_t depth;   ///< number of exceptions that are active
   std::uint8_t link;    ///< low byte of EXC_RETURN of the running exception
   std::array<std::uint32_t, 5>
-      words;  ///< state of the processor, or numbers that depend on the kind
+      words;  ///< state of the processor or other numbers, depending on the kind
 
   friend bool operator==(const Record&, const Record&) = default;
 };
@@ -61,7 +62,7 @@ static_assert(sizeof(Record) == 24);
 inline constexpr std::uint32_t kSeedAddress = 0xC0;
 inline constexpr std::uint32_t kActionsAddress = 0xC4;
 
-/// @brief Memory that the program uses, besides the vectors and code at 0.
+/// @brief Memory of the program, besides the vectors and the code at address 0.
 inline constexpr std::uint32_t kCodeSize = 0x10000;
 inline constexpr std::uint32_t kRamStart = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x80000;

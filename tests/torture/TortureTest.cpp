@@ -13,14 +13,16 @@ namespace wr::torture {
 namespace {
 
 constexpr std::uint32_t kActions = 3000;
-constexpr std::size_t kFewestEvents = 25'000;  // in each run: 100,000 with the fixed seeds
+constexpr std::size_t kFewestEvents =
+    25'000;  // in each run; the runs with the fixed seeds together have 100,000
 
-/// @brief Random exceptions, on the processor of the virtual K64 and on the processor of QEMU.
+/// @brief Runs random exceptions on the processor of the virtual K64 and on the processor of QEMU.
 class TortureTest : public testing::Test {
  protected:
   void SetUp() override {
     if (!Qemu::installed()) {
-      GTEST_SKIP() << "qemu-system-arm is not installed: there is nothing to compare with";
+      GTEST_SKIP()
+          << "qemu-system-arm is not installed, so there is no second processor to compare with";
     }
   }
 

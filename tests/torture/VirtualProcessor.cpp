@@ -21,7 +21,8 @@ constexpr std::uint32_t kOpen = 0x01;
 constexpr std::uint32_t kWrite = 0x05;
 constexpr std::uint32_t kExit = 0x18;
 
-/// @brief Requests of the program to the machine: to write bytes, and to end.
+/// @brief The requests of the program to the machine. The program requests to write bytes and to
+/// end.
 class Semihosting {
  public:
   void serve(CortexM4& processor) {
@@ -63,7 +64,7 @@ std::string reason(const CortexM4& processor, CortexM4::Stop stop) {
     return processor.problem()->id + ": " + processor.problem()->what + ", at " +
            std::to_string(processor.problem()->pc);
   }
-  return stop == CortexM4::Stop::Sleep ? "it sleeps and nothing wakes it" : "it does not end";
+  return stop == CortexM4::Stop::Sleep ? "it sleeps, and no exception wakes it" : "it does not end";
 }
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace wr::torture {
 class VirtualProcessor {
  public:
   /// @brief Runs a program to its end.
-  /// @return its records
+  /// @return the records of the program
   /// @throws std::runtime_error when the program does not end, or stops the processor
   [[nodiscard]] static Records run(const Image& image);
 };

@@ -1,4 +1,4 @@
-# The torture program. It is built for the processor, not for this machine.
+# The torture program. It is built for the processor of the K64.
 set(torture_program ${CMAKE_BINARY_DIR}/torture/torture.bin)
 set(torture_folder ${CMAKE_CURRENT_SOURCE_DIR}/torture)
 set(torture_sources

@@ -13,7 +13,7 @@
 namespace wr {
 namespace {
 
-/// @brief Arithmetic with quantities of one unit is possible, and the result has this unit.
+/// @brief Arithmetic with quantities of the same unit is possible. The result has this unit.
 /// @verifies NFR-11
 TEST(Quantity, Computes) {
   EXPECT_EQ(Velocity(30) + Velocity(12), Velocity(42));
@@ -31,20 +31,20 @@ concept Mix = requires(A a, B b) { a + b; } || requires(A a, B b) { a - b; } || 
   a < b;
 } || requires(A a, B b) { a == b; } || requires(A a, B b) { a = b; } || std::convertible_to<B, A>;
 
-/// Number of the types B that can be combined with A.
+/// The number of types B that can be combined with A.
 template <class A, class... B>
 constexpr int mixed() {
   return (0 + ... + (Mix<A, B> ? 1 : 0));
 }
 
-/// Number of pairs of types that can be combined, including each type with itself.
+/// The number of pairs of types that can be combined. A pair may have the same type twice.
 template <class... Types>
 constexpr int mixedPairs() {
   return (0 + ... + mixed<Types, Types...>());
 }
 
-/// @brief Each unit can be combined only with itself, and not with a plain number. All pairs of
-/// units are tested.
+/// @brief Each unit can be combined only with itself. It cannot be combined with a plain number.
+/// All pairs of units are tested.
 /// @verifies NFR-11
 TEST(Quantity, NFR11_NoTwoUnitsMix) {
   EXPECT_EQ((mixedPairs<Velocity, Tension, Current, Angle, StepRate, HallCount, DutyCycle,
@@ -64,8 +64,8 @@ TEST(Quantity, NFR11_NoTwoUnitsMix) {
                 Mix<DutyCycle, std::int32_t>));
 }
 
-/// @brief Arithmetic with instants and durations is in microseconds; the two types cannot be
-/// confused.
+/// @brief Arithmetic with instants and durations is in microseconds. The compiler distinguishes the
+/// two types.
 /// @verifies NFR-11
 TEST(Instant, Computes) {
   const Instant start(1000);
@@ -87,7 +87,8 @@ concept SetsTension = requires(Value value) { WheelSetPoint::tension(value); };
 template <class Value>
 concept SetsCurrent = requires(Value value) { WheelSetPoint::current(value); };
 
-/// @brief A set-point of a wheel can be made only of a value with the unit of its quantity.
+/// @brief A set-point of a wheel can be constructed only from a value with the unit of its
+/// quantity.
 /// @verifies NFR-11
 TEST(WheelSetPoint, NFR11_IsMadeOfItsOwnUnit) {
   EXPECT_EQ(WheelSetPoint::velocity(Velocity(-3000)),
@@ -112,7 +113,7 @@ TEST(WheelSetPoint, NFR11_IsReadInItsUnit) {
   EXPECT_TRUE((std::same_as<decltype(WheelSetPoint().current()), Current>));
 }
 
-/// @brief Set-points are equal only when each of their values is equal.
+/// @brief Set-points are equal only when all their values are equal.
 TEST(SetPoints, DifferInEachValue) {
   test::expectDifference(&WheelSetPoint::quantity, WheelQuantity::Current, &WheelSetPoint::value,
                          std::int16_t{1});
@@ -121,8 +122,8 @@ TEST(SetPoints, DifferInEachValue) {
       std::array<WheelSetPoint, kWheelCount>{WheelSetPoint{WheelQuantity::Velocity, 1}});
 }
 
-/// @brief Measurements and outputs are equal only when each of their values is equal; a value of
-/// zero is not equal to a missing value.
+/// @brief Measurements and outputs are equal only when all their values are equal. A value of zero
+/// is not equal to a missing value.
 /// @verifies FR-62
 TEST(Measurements, FR62_ZeroIsNotMissing) {
   WheelMeasurements wheel;

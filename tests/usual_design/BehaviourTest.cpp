@@ -1,5 +1,5 @@
-// Behaviour of Main Control and one wheel. The same tests run for the baseline design and for the
-// design of the robot.
+// Tests of the behaviour of Main Control and one wheel. The same tests run for the baseline design
+// and for the design of the robot.
 
 #include <array>
 #include <cstdlib>
@@ -18,7 +18,8 @@ TYPED_TEST_SUITE(Behaviour, Designs, DesignName);
 
 // ---- link to the PC ----------------------------------------------------------------------------
 
-/// @brief A Hello is answered with a Welcome, with session, period, N and the cause of the reset.
+/// @brief A Hello is answered with a Welcome. It contains session, period, N and the cause of the
+/// reset.
 TYPED_TEST(Behaviour, WelcomesThePc) {
   this->robot.hello();
   this->robot.cycle();
@@ -42,7 +43,8 @@ TYPED_TEST(Behaviour, ReportsInEachCycle) {
   EXPECT_EQ(this->robot.report().timeMs, 300U);
 }
 
-/// @brief A Confirm of another session, and an order before the connection, are unexpected.
+/// @brief A Confirm of another session is unexpected. An order before the connection is also
+/// unexpected.
 TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
   this->robot.order({.id = 1});
   this->robot.hello();
@@ -53,8 +55,8 @@ TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
   EXPECT_EQ(this->robot.report().unexpected, 2);
 }
 
-/// @brief Damaged frames, impossible lengths, types and versions, and values out of range are
-/// counted separately; none of these frames is an order.
+/// @brief Damaged frames, impossible lengths, types and versions, and values out of range have
+/// separate counts. None of these frames is an order.
 TYPED_TEST(Behaviour, CountsBadFrames) {
   this->robot.commandByPc();
   scenario::Bytes damaged = this->robot.pc.keepAlive();
@@ -74,7 +76,8 @@ TYPED_TEST(Behaviour, CountsBadFrames) {
   EXPECT_FALSE(report.orderRead());
 }
 
-/// @brief A PC that is silent for a second is disconnected, and gets no report until it confirms again.
+/// @brief A PC that is silent for a second is disconnected. It gets no report until it confirms
+/// again.
 TYPED_TEST(Behaviour, DisconnectsASilentPc) {
   this->robot.commandByPc();
   for (int i = 1; i < 9; ++i) {
@@ -87,7 +90,7 @@ TYPED_TEST(Behaviour, DisconnectsASilentPc) {
   EXPECT_TRUE(this->robot.reported());
 }
 
-/// @brief An order is read once, and for at most 200 ms after it came.
+/// @brief An order is read once. It can be read for at most 200 ms after its arrival.
 TYPED_TEST(Behaviour, ReadsAnOrderOnce) {
   this->robot.commandByPc();
   this->robot.order({.id = 40, .steering = 100, .wheels = {{{0, 20}, {1, -30}, {2, 40}, {0, 5}}}});
@@ -106,15 +109,15 @@ TYPED_TEST(Behaviour, ReadsAnOrderOnce) {
 
 // ---- reading modes and operation states --------------------------------------------------------
 
-/// @brief The robot begins in the mode RC, without set-points, and holds.
+/// @brief The robot starts in the mode RC without set-points, and is held.
 TYPED_TEST(Behaviour, BeginsHeldInTheModeRc) {
   this->robot.connect();
   EXPECT_EQ(this->robot.report().mode, kRc);
   EXPECT_TRUE(this->robot.report().held());
 }
 
-/// @brief Failed reads lead through the waiting states, in which the last set-points are followed,
-/// to Reconnecting, which holds the robot; an order leads back to Working.
+/// @brief Failed reads lead through the waiting states to Reconnecting. In the waiting states, the
+/// robot follows the last set-points. In Reconnecting, it is held. An order leads back to Working.
 TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   const auto order = this->robot.velocity(300);
   this->robot.commandByPc(order);
@@ -134,7 +137,7 @@ TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   EXPECT_FALSE(this->robot.report().held());
 }
 
-/// @brief Without orders the modes alternate. Each design defines the failed read at which this
+/// @brief Without orders, the modes alternate. Each design defines the failed read at which this
 /// begins.
 TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
   this->robot.commandByPc();
@@ -148,7 +151,8 @@ TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
   }
 }
 
-/// @brief The remote control commands while its pulses come: velocity and steering follow its levers.
+/// @brief While there are pulses of the remote control, the robot follows it. Velocity and steering
+/// follow its levers.
 TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.5, .steering = -1});
   this->robot.connect();
@@ -162,7 +166,7 @@ TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
   EXPECT_EQ(report.orderId, 0);
 }
 
-/// @brief Levers in the middle order a velocity of 0; without pulses there is no order.
+/// @brief Levers in the middle order a velocity of 0. Without pulses, there is no order.
 TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.03, .steering = 0});
   this->robot.connect();
@@ -174,8 +178,8 @@ TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   EXPECT_FALSE(this->robot.report().orderRead());
 }
 
-/// @brief A stop of the PC holds the robot until the PC sends an order without a stop. Orders of the
-/// remote control do not end this stop.
+/// @brief A stop of the PC holds the robot until the PC sends an order without a stop. Orders of
+/// the remote control do not end this stop.
 TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.2, .steering = 0});
   this->robot.connect();
@@ -202,7 +206,7 @@ TYPED_TEST(Behaviour, RefreshesTheWatchdogInEachCycle) {
 
 // ---- the wheel ---------------------------------------------------------------------------------
 
-/// @brief A velocity is reached, and stays within 2 percent in the mean of 2 seconds.
+/// @brief An ordered velocity is reached. Then the mean over 2 s is within 2 percent of the order.
 TYPED_TEST(Behaviour, ReachesAVelocity) {
   const auto order = this->robot.velocity(1000);
   this->robot.commandByPc(order);
@@ -224,7 +228,7 @@ TYPED_TEST(Behaviour, AppliesATension) {
   EXPECT_TRUE(this->robot.line.pins.wheels[0].enable.isOn());
 }
 
-/// @brief A current is reached within 5 percent in a second.
+/// @brief After 1 s, the current is within 5 percent of the order.
 TYPED_TEST(Behaviour, ReachesACurrent) {
   const scenario::PcOrder order{.id = 4, .wheels = {{{2, 6000}}}};
   this->robot.commandByPc(order);
@@ -265,8 +269,8 @@ TYPED_TEST(Behaviour, LowersTheTensionWhenItIsHeld) {
   EXPECT_EQ(this->robot.line.pins.wheels[0].pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief A wheel with voltage whose Hall sensors send no edge is stopped, and stays stopped when
-/// it is held.
+/// @brief A wheel is stopped if it has voltage and its Hall sensors have no edges. It stays stopped
+/// when it is held.
 TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
   this->robot.physics().setFault(plant::Fault::Hall, 0, true);
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
@@ -279,7 +283,8 @@ TYPED_TEST(Behaviour, StopsAWheelWithoutMotionFeedback) {
   EXPECT_EQ(this->robot.report().blindWheels, 1);
 }
 
-/// @brief A wheel whose current is missing is stopped, and the report shows that it is missing.
+/// @brief A wheel whose current is missing is stopped. The report shows that the current is
+/// missing.
 TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
   const auto order = this->robot.velocity(500);
   this->robot.commandByPc(order);
@@ -291,8 +296,8 @@ TYPED_TEST(Behaviour, StopsAWheelWithoutCurrent) {
   EXPECT_EQ(this->robot.report().measured & 2U, 0U);
 }
 
-/// @brief A current that is too high trips the wheel: the wheel gets no voltage, and brakes with
-/// its driver on. A hold does not end the trip.
+/// @brief A current that is too high causes an overcurrent trip. The wheel gets no voltage, and
+/// brakes with its driver on. A hold does not end the trip.
 TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
   this->robot.physics().setFault(plant::Fault::Block, 0, true);
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 24000}}}};
@@ -311,7 +316,7 @@ TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
 
 // ---- both side by side -------------------------------------------------------------------------
 
-// Two robots on one line: both get the same bytes.
+// Two robots on one line. Both robots get the same bytes.
 struct SideBySide {
   OneWheelLine<UsualDesign> usual;
   OneWheelLine<PatternDesign> patterns;
@@ -329,7 +334,8 @@ struct SideBySide {
     return {usual.takeSent(), patterns.takeSent()};
   }
 
-  // Runs a cycle in which both robots get the same bytes; checks that both send the same bytes.
+  // Runs a cycle in which both robots get the same bytes. Checks that both robots send the same
+  // bytes.
   void cycle(const scenario::Bytes& bytes) {
     give(bytes);
     const auto [ofUsual, ofPatterns] = cycleApart();
@@ -352,12 +358,12 @@ scenario::PcOrder anyOrder(std::mt19937& random, std::uint16_t id) {
           .stop = between(1, 8) == 1};
 }
 
-/// @brief After the PC has begun to send orders, both robots get the same bytes. They answer with
-/// the same bytes, for any order and any movement of the wheel.
+/// @brief After the PC has begun to send orders, both robots get the same bytes. They send the same
+/// answers, for any order and any movement of the wheel.
 TEST(BothDesigns, SendTheSameBytes) {
   std::mt19937 random(seed());
   SideBySide both;
-  // After N + 2 failed reads both look for the orders of the PC.
+  // After N + 2 failed reads, both robots read orders from the PC.
   both.cycle(both.pc.hello());
   both.give(both.pc.confirm(1));
   for (int failed = 2; failed <= kN + 2; ++failed) {

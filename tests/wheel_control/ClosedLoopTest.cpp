@@ -12,7 +12,7 @@
 namespace wr::test {
 namespace {
 
-/// The controller and a model of motor and robot, in a loop.
+/// The controller in a closed loop with a model of the motor and the robot.
 class ClosedLoopTest : public testing::Test, protected ControlledWheel {
  protected:
   void run(const WheelSetPoint& setPoint, int cycles) {
@@ -42,12 +42,12 @@ class ClosedLoopTest : public testing::Test, protected ControlledWheel {
   Velocity velocityAtFlip{};
 };
 
-// Torques at the shaft: for a quarter of 175 kg behind a gear of 10 to 1.
+// Torques at the shaft, for a quarter of 175 kg behind a gear of 10 to 1.
 constexpr double kRolling = 0.55;  // [N m]
 constexpr double kSlope = 1.17;    // [N m] torque of a slope of 10 %
 
-/// @brief A wheel goes from 0 to 150 rpm in less than 2 s, with less than 10 % overshoot, with and
-/// without a load.
+/// @brief A wheel accelerates from 0 rpm to 150 rpm in less than 2 s, with less than 10 %
+/// overshoot. This is true with and without a load.
 /// @verifies FR-82
 TEST_F(ClosedLoopTest, FR82_StepReachesTheVelocity) {
   for (const double inertia : {0.037, 0.028, 0.048}) {
@@ -68,7 +68,7 @@ TEST_F(ClosedLoopTest, FR82_StepReachesTheVelocity) {
   }
 }
 
-/// @brief After 3 s a wheel keeps 150 rpm within 1 % on the flat.
+/// @brief After 3 s on flat ground, the velocity of a wheel stays within 1 % of 150 rpm.
 /// @verifies FR-83
 TEST_F(ClosedLoopTest, FR83_VelocityIsKeptOnTheFlat) {
   plant.load = kRolling;
@@ -79,7 +79,8 @@ TEST_F(ClosedLoopTest, FR83_VelocityIsKeptOnTheFlat) {
   EXPECT_LE(greatest, 1515);
 }
 
-/// @brief 3 s after the beginning of a slope uphill a wheel keeps 150 rpm within 2 %.
+/// @brief From 3 s after the beginning of an uphill slope on, the velocity of a wheel stays within
+/// 2 % of 150 rpm.
 /// @verifies FR-300
 TEST_F(ClosedLoopTest, FR300_VelocityIsKeptUphill) {
   plant.load = kRolling;
@@ -92,8 +93,8 @@ TEST_F(ClosedLoopTest, FR300_VelocityIsKeptUphill) {
   EXPECT_LE(greatest, 1530);
 }
 
-/// @brief When the robot drives from flat ground onto a downhill slope, the wheel turns at most at
-/// 165 rpm while the wheelbase passes the edge. It settles on the slope.
+/// @brief The robot drives from flat ground onto a downhill slope. While the wheelbase passes the
+/// edge, the velocity of the wheel is at most 165 rpm. It settles on the slope.
 /// @verifies FR-84
 TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   plant.load = kRolling;
@@ -110,7 +111,8 @@ TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   EXPECT_NEAR(plant.present().count(), 1500, 15);
 }
 
-/// @brief The current is within 5 % of its order, or 0.1 A, after 1 s, while the wheel accelerates.
+/// @brief After 1 s, while the wheel accelerates, the error of the current is at most 5 % of the
+/// order or 0.1 A.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   plant.load = kRolling;
@@ -122,7 +124,7 @@ TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   }
 }
 
-/// @brief A new current order is reached within 1 s also when it brakes.
+/// @brief A new current order is also reached within 1 s when the current brakes the wheel.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   run(currentOf(3000), 14);
@@ -131,9 +133,10 @@ TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   EXPECT_NEAR(plant.current().count(), -500, 100);
 }
 
-/// @brief After 1 s the current is within 5 % of its order, or 0.1 A. This is tested over the whole
-/// range of currents, in both directions, for any supply, winding and motor constant. Friction
-/// consumes 97 % of the torque, so the wheel stays slow and the supply is sufficient.
+/// @brief After 1 s, the error of the current is at most 5 % of the order or 0.1 A. This is tested
+/// over the whole range of currents, in both directions, for any supply, winding and motor
+/// constant. Friction consumes 97 % of the torque, so the wheel stays slow, and the supply is
+/// sufficient.
 /// @verifies FR-85
 TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   for (const double supply : {21.0, 24.0, 29.0}) {
@@ -164,7 +167,8 @@ TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   }
 }
 
-/// @brief A step to 300 rpm, which the limited rise delays, causes less than 10 % overshoot.
+/// @brief The limited rise of the voltage delays a step to 300 rpm. The overshoot is less than 10
+/// %.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   run(velocityOf(3000), 1);
@@ -174,11 +178,11 @@ TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
   EXPECT_NEAR(plant.present().count(), 3000, 30);
 }
 
-/// @brief The supply cannot drive the first current order. The second current is reached within 5 % in
-/// 1 s, with an overshoot of less than 10 %.
+/// @brief The supply is not sufficient for the first current order. The second current is reached
+/// within 5 % after 1 s, with an overshoot of less than 10 %.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUp) {
-  plant.load = 1.455;  // 3 A carry it
+  plant.load = 1.455;  // 3 A carry this load
   run(currentOf(10000), 60);
   ASSERT_EQ(controller.applied(), Tension(24000));
   ASSERT_NEAR(plant.current().count(), 3000, 30);
@@ -208,8 +212,8 @@ TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   }
 }
 
-/// @brief A wheel reverses from 150 rpm forwards to 150 rpm backwards. It is slower than 40 rpm when its
-/// orientation changes, and exceeds its new set-point by less than 10 %.
+/// @brief A wheel reverses from 150 rpm forwards to 150 rpm backwards. It is slower than 40 rpm
+/// when its orientation changes, and exceeds its new set-point by less than 10 %.
 /// @verifies FR-87
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR87_FR301_ReverseSlowsDownFirst) {
@@ -283,9 +287,9 @@ WheelPlant plantOf(const Variant& variant) {
   return plant;
 }
 
-/// @brief A wheel settles in 3 s with less than 30 % overshoot, and its mean velocity is within 1 %
-/// or 0.5 rpm. This is tested over the whole range of velocities, in both directions, with any
-/// supply, inertia, winding and motor constant.
+/// @brief A wheel settles in 3 s with less than 30 % overshoot. The error of its mean velocity is
+/// at most 1 % or 0.5 rpm. This is tested over the whole range of velocities, in both directions,
+/// with any supply, inertia, winding and motor constant.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   for (const Variant& variant : variants()) {
@@ -304,8 +308,8 @@ TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   }
 }
 
-/// @brief Steps between velocities and reversals settle like steps from rest. A reversal from 150
-/// rpm may take 5 s, because the wheel needs up to 2 s to slow down.
+/// @brief Steps between velocities, and reversals, settle like steps from rest. A reversal from 150
+/// rpm may take 5 s, because the wheel needs up to 2 s to become slow.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   for (const Variant& variant : variants()) {
@@ -337,7 +341,7 @@ TEST(VelocityLoop, FR222_ReversalFromFullSpeedIsInTime) {
   }
 }
 
-/// @brief A wheel that is halted at 300 rpm comes to rest, short-circuited.
+/// @brief A wheel that is halted at 300 rpm comes to rest and is then short-circuited.
 /// @verifies FR-88
 TEST_F(ClosedLoopTest, FR88_HaltBringsToRest) {
   run(velocityOf(3000), 40);

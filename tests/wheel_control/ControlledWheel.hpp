@@ -36,7 +36,7 @@ constexpr WheelSetPoint currentOf(std::int16_t value) {
   return WheelSetPoint::current(Current(value));
 }
 
-/// A wheel with its controller, composed as in the robot. The test replaces the sensors.
+/// A wheel with its controller. They are composed as in the robot. The test replaces the sensors.
 class ControlledWheel {
  public:
   host::HostPwmOutput pwm;
@@ -65,14 +65,14 @@ class ControlledWheel {
        .stop = stop,
        .stopWheel = stopWheel}};
 
-  /// Lets a cycle pass, and measures at its end.
+  /// Advances the time by a cycle, and measures at its end.
   void measure(Velocity velocity, Current current) {
     time.advance(SystemConstants::instance().cyclePeriod());
     velocities.write(velocity, time.now());
     currents.write(current, time.now());
   }
 
-  /// Runs one cycle of a wheel that turns: its position changes by more edges than a single sensor
+  /// Runs one cycle of a wheel that turns. Its position changes by more edges than a single sensor
   /// can cause.
   void control(const WheelSetPoint& setPoint, Velocity velocity = Velocity(),
                Current current = Current()) {
@@ -81,7 +81,7 @@ class ControlledWheel {
     controller.control(setPoint, measured());
   }
 
-  /// Returns the values that the controller measures, and the position.
+  /// Returns the measured values of the controller, and the position.
   [[nodiscard]] WheelMeasurements measured() const {
     return {.velocity = controller.velocity(time.now()),
             .current = controller.current(time.now()),

@@ -25,7 +25,7 @@ class SimulatedWheel : public SensedWheel {
   /// Returns the torque of the motor at the shaft [N m], at present.
   [[nodiscard]] double torque() const { return constant * current(); }
 
-  /// Moves the shaft, and reports the Hall edges on the way.
+  /// Turns the shaft, and generates the Hall edges of this movement.
   void turn(double seconds) {
     constexpr double kEdgesPerRadian = 60 / (2 * std::numbers::pi);
     place_ += speed * seconds * kEdgesPerRadian;
@@ -37,7 +37,7 @@ class SimulatedWheel : public SensedWheel {
     passed_ = passed;
   }
 
-  /// Ends a millisecond: the current is sampled.
+  /// Ends a millisecond, and samples the current.
   void tick() {
     time.advance(milliseconds(1));
     samples.collect(static_cast<std::uint16_t>(
@@ -70,11 +70,11 @@ class SimulatedWheel : public SensedWheel {
   std::int64_t passed_ = 0;
 };
 
-/// Four wheels of one robot that the ground couples; each tyre slips a little.
+/// Four wheels of one robot. The ground couples the wheels, and each tyre slips a little.
 class CoupledWheels {
  public:
   std::array<SimulatedWheel, kWheelCount> wheels;
-  double rolling = 2.2;  // torque against the motion, of the whole robot at the shafts [N m]
+  double rolling = 2.2;  // torque of the whole robot against the motion, at the shafts [N m]
 
   /// Runs a control cycle in which all wheels follow one set-point.
   void cycle(const WheelSetPoint& setPoint) {
@@ -102,7 +102,7 @@ class CoupledWheels {
   }
 
  private:
-  static constexpr int kParts = 4;                 // parts of a millisecond
+  static constexpr int kParts = 4;                 // number of parts of a millisecond
   static constexpr double kPart = 0.001 / kParts;  // [s]
   static constexpr double kWheelInertia = 0.006;   // inertia of a wheel at the shaft [kg m2]
   static constexpr double kBodyInertia = 0.13;     // inertia of the body at the shafts

@@ -21,8 +21,8 @@
 
 namespace wr::test {
 
-/// A wheel with controller, sensors and orders, composed as in the robot. The test triggers the
-/// interrupts.
+/// A wheel with controller, sensors and orders. They are composed as in the robot. The test
+/// triggers the interrupts.
 class SensedWheel : public ControlledWheel {
  public:
   BasicCollector basic;
@@ -47,7 +47,8 @@ class SensedWheel : public ControlledWheel {
     edges.collect(0, time.now());
   }
 
-  /// Lets 100 ms pass. A turning wheel has an edge each 10 ms. The current has a sample each 1 ms.
+  /// Advances the time by 100 ms. A turning wheel has an edge every 10 ms. The current has a sample
+  /// every 1 ms.
   void pass(bool turning, std::uint16_t raw) {
     for (int tick = 0; tick < 100; ++tick) {
       time.advance(milliseconds(1));

@@ -21,7 +21,8 @@ class WheelControllerTest : public testing::Test, protected ControlledWheel {
   }
 };
 
-/// @brief A tension order is at the output in the cycle that reads it, within 0.5 % or 6 mV.
+/// @brief The output has the voltage of an order in the cycle that reads the order, within 0.5 % or
+/// 6 mV.
 /// @verifies FR-80
 TEST_F(WheelControllerTest, FR80_TensionStandsAtTheOutputAtOnce) {
   for (const std::int16_t tension :
@@ -32,7 +33,7 @@ TEST_F(WheelControllerTest, FR80_TensionStandsAtTheOutputAtOnce) {
   }
 }
 
-/// @brief The rise of a tension order is limited to 12 V in a cycle.
+/// @brief The rise of an ordered voltage is limited to 12 V per cycle.
 /// @verifies FR-81
 TEST_F(WheelControllerTest, FR81_RiseIsLimited) {
   control(tensionOf(24000));
@@ -66,8 +67,8 @@ TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief For any demand the wheel gets at most the supply voltage; the algorithm receives the
-/// applied voltage, so that its integral does not grow.
+/// @brief For any demand, the wheel gets at most the supply voltage. The algorithm gets the applied
+/// voltage, so that its integral does not grow.
 /// @verifies FR-86
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
@@ -94,7 +95,7 @@ TEST_F(WheelControllerTest, FR90_MeasuredValuesGrowOld) {
   EXPECT_EQ(controller.current(time.now()), std::nullopt);
 }
 
-/// @brief Without a velocity the wheel is stopped step by step.
+/// @brief Without a measured velocity, the wheel is stopped step by step.
 /// @verifies FR-90
 TEST_F(WheelControllerTest, FR90_WithoutVelocityItIsStopped) {
   control(tensionOf(5000));
@@ -106,8 +107,8 @@ TEST_F(WheelControllerTest, FR90_WithoutVelocityItIsStopped) {
   }
 }
 
-/// @brief Without a current the wheel is stopped; when the current is available again, control
-/// starts without memory.
+/// @brief Without a measured current, the wheel is stopped. When the current is available again,
+/// control starts without memory.
 /// @verifies FR-90
 TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
   control(velocityOf(1500));
@@ -120,7 +121,8 @@ TEST_F(WheelControllerTest, FR90_WithoutCurrentItIsStopped) {
   EXPECT_EQ(controller.applied(), Tension(7854));
 }
 
-/// @brief A wheel that was stopped without a current forgets the voltage that its load needed.
+/// @brief When a wheel was stopped because of a missing current, control starts again without the
+/// voltage that the load needed before.
 /// @verifies FR-90
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR90_ControlStartsWithoutMemory) {
@@ -143,7 +145,7 @@ TEST_F(WheelControllerTest, FR90_UnmeasuredWheelGetsNoTension) {
   EXPECT_EQ(output(), Tension(0));
 }
 
-/// @brief A halt lowers the voltage by 2.4 V a cycle, then short-circuits the wheel.
+/// @brief A halt lowers the voltage by 2.4 V per cycle, and then short-circuits the wheel.
 /// @verifies FR-88
 TEST_F(WheelControllerTest, FR88_HaltLowersThenShortCircuits) {
   control(tensionOf(6000));
@@ -164,8 +166,8 @@ TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   EXPECT_EQ(controller.applied(), Tension(7600 + 12000));
 }
 
-/// @brief After a halt a reversal begins at the remaining voltage: the orientation changes only without
-/// voltage.
+/// @brief After a halt, a reversal begins at the remaining voltage. The orientation changes only
+/// without voltage.
 /// @verifies FR-87
 TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -180,8 +182,9 @@ TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   EXPECT_TRUE(orientation.isOn());
 }
 
-/// @brief A wheel that does not move has no motion feedback after 6 V for 0.75 s, 3 V for 1.5 s or
-/// 12 V for 0.375 s, rounded up to whole cycles. The wheel is stopped step by step.
+/// @brief A wheel that does not move counts as a wheel without motion feedback after 6 V for 0.75
+/// s, 3 V for 1.5 s or 12 V for 0.375 s. These times are rounded up to whole cycles. The wheel is
+/// then stopped step by step.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   struct Case {
@@ -212,9 +215,10 @@ TEST_F(WheelControllerTest, FR91_VoltageAndTimeWithoutMotion) {
   }
 }
 
-/// @brief A wheel that its load keeps at rest draws the full current of its voltage. Up to 14 V
-/// only a sixteenth of the voltage counts, above 14 V an eighth. A current of half the voltage or
-/// less does not reduce the count, and an order of 3.2 V always counts fully.
+/// @brief A wheel that its load keeps at rest draws the full current of its voltage. In this case,
+/// only a sixteenth of the voltage is counted up to 14 V, and an eighth above 14 V. A current of at
+/// most half of the full current does not reduce the count. An order of 3.2 V is always counted
+/// fully.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   struct Case {
@@ -240,8 +244,8 @@ TEST_F(WheelControllerTest, FR91_AHeldWheelHasTime) {
   }
 }
 
-/// @brief A wheel that stopped without motion feedback stays stopped until the release. Neither a
-/// motion nor a halt ends the stop.
+/// @brief A wheel that was stopped without motion feedback stays stopped until the release. Neither
+/// a motion nor a halt ends the stop.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
   for (int cycle = 0; cycle < 11; ++cycle) {
@@ -270,7 +274,7 @@ TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
     one.measure(Velocity(), Current());
     one.controller.control(tensionOf(static_cast<std::int16_t>(tension)), one.measured());
   };
-  // Each of these functions ends with the same voltage at the output, and returns the count.
+  // Each of these functions ends with the same voltage at the output. It returns the count.
   const auto afterMotion = [](ControlledWheel& one) {
     one.control(tensionOf(kUsual));
     return 0;
@@ -307,7 +311,8 @@ TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
   }
 }
 
-/// @brief The count falls by 2 V s for each second with a voltage that need not turn a wheel, down to 0.
+/// @brief The count falls by 2 V s for each second with a voltage that need not turn a wheel, down
+/// to 0.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_TheCountFalls) {
   control(tensionOf(7000));
@@ -324,7 +329,7 @@ TEST_F(WheelControllerTest, FR91_TheCountFalls) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief A halt does not clear the count: pulses of voltage are added up.
+/// @brief A halt does not clear the count. Pulses of voltage are added.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   for (int pulse = 0; pulse < 3; ++pulse) {
@@ -337,8 +342,8 @@ TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief One edge forwards and one edge backwards are no motion: a single working sensor causes
-/// them.
+/// @brief One edge forwards and one edge backwards do not count as motion, because a single working
+/// sensor causes such edges.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   control(tensionOf(7000));
@@ -349,7 +354,7 @@ TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief A voltage of 2.0 V need not turn a wheel, and a creeping wheel counts as moving.
+/// @brief A voltage of 2.0 V need not turn a wheel. A creeping wheel counts as a moving wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   for (int cycle = 0; cycle < 100; ++cycle) {
@@ -363,7 +368,7 @@ TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   EXPECT_FALSE(controller.blind());
 }
 
-/// @brief A wheel that is ordered to stand still keeps the voltage that its load needs, for any time.
+/// @brief A wheel whose ordered velocity is 0 keeps the voltage that its load needs, for any time.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_StandingStillOnASlopeIsNoFault) {
   for (int cycle = 0; cycle < 6; ++cycle) {
@@ -377,8 +382,8 @@ TEST_F(WheelControllerTest, FR91_StandingStillOnASlopeIsNoFault) {
   EXPECT_FALSE(controller.blind());
 }
 
-/// @brief A reversal waits until a wheel without voltage is slow. A wait of 2 s is in time, and a wait of
-/// one more cycle is late. The wheel is then stopped until the release.
+/// @brief A reversal waits until a wheel without voltage is slow. A wait of 2 s is in time. A wait
+/// of one more cycle is too late, and the wheel is then stopped until the release.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_ReversalThatWaitsTooLongIsLate) {
   control(tensionOf(2000), Velocity(1000));
@@ -425,8 +430,8 @@ TEST_F(WheelControllerTest, FR222_TheWaitBeginsAgain) {
   }
 }
 
-/// @brief A reversal waits also for the least set-point, and for the least demand that counts; a
-/// wheel that is ordered to stand still waits for nothing.
+/// @brief A reversal also waits at the smallest set-point and at the smallest demand that counts. A
+/// wheel whose ordered velocity is 0 does not wait.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_WhichReversalsWait) {
   struct Case {
@@ -452,7 +457,7 @@ TEST_F(WheelControllerTest, FR222_WhichReversalsWait) {
   }
 }
 
-/// @brief A wheel that creeps with 39 rpm down a slope can be driven uphill.
+/// @brief A wheel that creeps down a slope at 39 rpm can be driven uphill.
 /// @verifies FR-87
 TEST_F(WheelControllerTest, FR87_CreepingWheelCanBeReversed) {
   control(tensionOf(2000), Velocity(390));
@@ -463,7 +468,8 @@ TEST_F(WheelControllerTest, FR87_CreepingWheelCanBeReversed) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief A wheel that is dragged faster than its set-point, while its demand brakes, is never late.
+/// @brief A wheel that is dragged faster than its set-point while its demand brakes never has a
+/// late reversal.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_ADraggedWheelIsNeverLate) {
   for (int cycle = 0; cycle < 50; ++cycle) {
@@ -473,8 +479,8 @@ TEST_F(WheelControllerTest, FR222_ADraggedWheelIsNeverLate) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief A demand of less than 0.5 V against the orientation, or no demand, is not a late
-/// reversal.
+/// @brief A demand of less than 0.5 V against the orientation never causes a late reversal. The
+/// same is true without a demand.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_SlightDemandIsNeverLate) {
   for (int cycle = 0; cycle < 50; ++cycle) {
@@ -483,7 +489,7 @@ TEST_F(WheelControllerTest, FR222_SlightDemandIsNeverLate) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief After an overcurrent trip nothing is applied, and control begins without memory afterwards.
+/// @brief After an overcurrent trip, no voltage is applied. Control then begins without memory.
 /// @verifies FR-89
 TEST_F(WheelControllerTest, FR89_DriverOffAppliesNothing) {
   for (int cycle = 0; cycle < 5; ++cycle) {
@@ -496,7 +502,8 @@ TEST_F(WheelControllerTest, FR89_DriverOffAppliesNothing) {
   EXPECT_EQ(controller.applied(), Tension(7854));
 }
 
-/// @brief After an overcurrent trip control forgets the voltage that the load of the wheel needed.
+/// @brief After an overcurrent trip, control begins without the voltage that the load of the wheel
+/// needed before.
 /// @verifies FR-89
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR89_DriverOffClearsTheMemory) {
@@ -509,7 +516,7 @@ TEST_F(WheelControllerTest, FR89_DriverOffClearsTheMemory) {
   EXPECT_EQ(controller.applied(), Tension(5236));
 }
 
-/// @brief After an overcurrent trip the voltage rises from 0.
+/// @brief After an overcurrent trip, the voltage rises from 0.
 /// @verifies FR-81
 /// @verifies FR-89
 TEST_F(WheelControllerTest, FR81_RiseBeginsAtZeroAfterATrip) {

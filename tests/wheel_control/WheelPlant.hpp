@@ -10,8 +10,8 @@
 
 namespace wr::test {
 
-/// Motor, gear and a quarter of the robot, as a first-order system with friction and a load. Its
-/// motor and its battery may differ from the assumptions of the controller.
+/// Motor, gear and a quarter of the robot, as a first-order system with friction and a load. The
+/// motor and the battery may differ from the assumptions of the controller.
 class WheelPlant {
  public:
   double supply = 25.0;      // a charged battery of 24 V [V]
@@ -21,7 +21,7 @@ class WheelPlant {
   double friction = 0;       // torque at the shaft against the motion [N m]
   double load = 0;           // constant torque at the shaft, positive against forward motion [N m]
 
-  /// Lets a cycle pass with the voltage that the driver applies to the motor.
+  /// Simulates a cycle with the voltage that the driver applies to the motor.
   void cycle(const ControlledWheel& wheel) {
     begin();
     for (int part = 0; part < kParts; ++part) {
@@ -30,13 +30,13 @@ class WheelPlant {
     end();
   }
 
-  /// Begins a cycle of single steps.
+  /// Begins a cycle that consists of single steps.
   void begin() {
     speeds_ = 0;
     currents_ = 0;
   }
 
-  /// Returns the torque at the shaft in the present step, of motor and load.
+  /// Returns the torque of motor and load at the shaft in the present step.
   double torque(const ControlledWheel& wheel) {
     const double share = wheel.pwm.dutyCycle().count() / 10000.0;
     const double tension = (wheel.orientation.isOn() ? -share : share) * supply;
@@ -53,7 +53,7 @@ class WheelPlant {
     speeds_ += speed_;
   }
 
-  /// Ends a cycle: computes the means that the sensors measure.
+  /// Ends a cycle. Computes the means that the sensors measure.
   void end() {
     velocity_ = toVelocity(speeds_ / kParts);
     current_ = Current(static_cast<std::int32_t>(std::lround(currents_ / kParts * 1000)));
@@ -65,13 +65,13 @@ class WheelPlant {
   /// Returns the mean current of the last cycle.
   [[nodiscard]] Current current() const { return current_; }
 
-  /// Returns the velocity now.
+  /// Returns the present velocity.
   [[nodiscard]] Velocity present() const { return toVelocity(speed_); }
 
-  /// Returns the speed of the shaft now [rad/s].
+  /// Returns the present speed of the shaft [rad/s].
   [[nodiscard]] double speed() const { return speed_; }
 
-  static constexpr int kParts = 100;      // steps in a cycle
+  static constexpr int kParts = 100;      // number of steps in a cycle
   static constexpr double kPart = 0.001;  // [s]
 
  private:

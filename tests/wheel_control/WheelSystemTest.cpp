@@ -12,7 +12,8 @@ namespace {
 constexpr int kMainPriority = 1;
 constexpr int kWheelPriority = 2;
 
-/// One wheel of the robot, from its interrupts to the values that the main controller collects.
+/// One wheel of the robot, with all parts from its interrupts to the values for the main
+/// controller.
 class WheelSystemTest : public testing::Test, protected SensedWheel {
  protected:
   static SetPoints orderOf(const WheelSetPoint& setPoint) {
@@ -34,7 +35,7 @@ class WheelSystemTest : public testing::Test, protected SensedWheel {
                       .haltWheel = haltWheel}};
 };
 
-/// @brief Before its start a system does no work, completes no cycle, and returns no value.
+/// @brief Before its start, a system does no work, completes no cycle and returns no value.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_NoWorkBeforeStart) {
   system.control(orderOf(tensionOf(5000)), 1);
@@ -47,8 +48,8 @@ TEST_F(WheelSystemTest, FR92_NoWorkBeforeStart) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief The thread executes the orders of a cycle when the scheduler runs it, and not earlier;
-/// each cycle completes.
+/// @brief The thread executes the orders of a cycle when the scheduler runs the thread. It does not
+/// execute them earlier. Each cycle completes.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_ThreadExecutesTheOrders) {
   system.start();
@@ -63,7 +64,8 @@ TEST_F(WheelSystemTest, FR92_ThreadExecutesTheOrders) {
   EXPECT_NEAR(output().count(), 5000, 25);
 }
 
-/// @brief When a thread of lower priority sends orders, the wheel's thread executes them at once.
+/// @brief When a thread of lower priority sends orders, the thread of the wheel executes them
+/// immediately.
 /// @verifies FR-92
 TEST_F(WheelSystemTest, FR92_WorkIsDoneWhenTheMainThreadGoesOn) {
   class Order final : public Command {
@@ -101,7 +103,7 @@ TEST_F(WheelSystemTest, FR92_ThreadIsNotShared) {
   EXPECT_DEATH(other.start(), "assertion 3 failed");
 }
 
-/// @brief Measured and applied values are collected in the entry of the wheel; other entries do not
+/// @brief Measured and applied values are collected in the entry of the wheel. Other entries do not
 /// change.
 /// @verifies FR-93
 /// @verifies FR-94
@@ -126,7 +128,7 @@ TEST_F(WheelSystemTest, FR93_FR94_CollectsAtItsPlace) {
   EXPECT_EQ(outputs.tensions[1], Tension(88));
 }
 
-/// @brief A cycle does not depend on the previous cycle: a current without samples is missing.
+/// @brief A cycle does not use values of the previous cycle. A current without samples is missing.
 /// @verifies FR-93
 TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
   system.start();
@@ -138,7 +140,7 @@ TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
   Outputs outputs;
   system.collect(measurements, outputs);
   EXPECT_EQ(measurements.wheels.at(kWheel).current, std::nullopt);
-  EXPECT_EQ(outputs.tensions.at(kWheel), Tension(2600)) << "it is being stopped";
+  EXPECT_EQ(outputs.tensions.at(kWheel), Tension(2600)) << "the wheel is being stopped";
 }
 
 /// @brief A hold also measures, and stops the wheel.
@@ -160,7 +162,7 @@ TEST_F(WheelSystemTest, FR88_HoldStopsTheWheel) {
   EXPECT_EQ(output(), Tension(0));
 }
 
-/// @brief An acknowledgement releases only the faults of the cycle in which it comes.
+/// @brief An acknowledgement releases faults only in its own cycle.
 /// @verifies FR-89
 TEST_F(WheelSystemTest, FR89_AcknowledgementActsOnce) {
   system.start();

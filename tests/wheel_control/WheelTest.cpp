@@ -11,7 +11,7 @@
 namespace wr::test {
 namespace {
 
-/// An output that an overcurrent trip interrupts just before it changes its level.
+/// An output whose level change is interrupted by an overcurrent trip, just before the change.
 class Interrupted final : public DigitalOutput {
  public:
   Wheel* wheel = nullptr;
@@ -32,8 +32,8 @@ class WheelTest : public testing::Test {
   Wheel wheel{pwm, orientation, enable};
 };
 
-/// @brief The driver of a new wheel is off, and its orientation is forwards, until the wheel is
-/// stopped or gets a voltage.
+/// @brief Until a new wheel is stopped or gets a voltage, its driver is off, and its orientation is
+/// forwards.
 /// @verifies FR-88
 TEST_F(WheelTest, FR88_NewWheelIsOff) {
   EXPECT_FALSE(enable.isOn());
@@ -55,8 +55,8 @@ TEST_F(WheelTest, FR80_TensionBecomesShareOfTheSupply) {
   }
 }
 
-/// @brief A voltage above the supply voltage counts as the supply voltage, and a voltage below 0 as
-/// 0.
+/// @brief A voltage above the supply voltage counts as the supply voltage. A voltage below 0 counts
+/// as 0.
 /// @verifies FR-86
 TEST_F(WheelTest, FR86_TensionStaysWithinTheSupply) {
   wheel.setTension(Tension(30000));
@@ -65,7 +65,7 @@ TEST_F(WheelTest, FR86_TensionStaysWithinTheSupply) {
   EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief A stopped wheel is short-circuited: the duty cycle is 0, and the driver is on.
+/// @brief A stopped wheel is short-circuited. Its duty cycle is 0, and its driver is on.
 /// @verifies FR-88
 TEST_F(WheelTest, FR88_StopShortCircuits) {
   wheel.setTension(Tension(5000));
@@ -83,7 +83,7 @@ TEST_F(WheelTest, FR87_OrientationStandsAtItsOutput) {
   EXPECT_FALSE(orientation.isOn());
 }
 
-/// @brief The overcurrent trip switches the driver off at once, and no voltage is applied before
+/// @brief The overcurrent trip switches the driver off immediately. No voltage is applied before
 /// the release.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripIsLatched) {
@@ -99,8 +99,8 @@ TEST_F(WheelTest, FR89_TripIsLatched) {
   }
 }
 
-/// @brief The driver stays off for one whole control cycle, in which the current decays; then it is
-/// on without voltage, so that the motor brakes.
+/// @brief The driver stays off for one whole control cycle, in which the current decays. Then the
+/// driver is on without voltage, so that the motor brakes.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_BrakesWhenTheCurrentHasDecayed) {
   wheel.setTension(Tension(5000));
@@ -132,7 +132,7 @@ TEST_F(WheelTest, FR221_SecondTripKeepsTheDriverOff) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A second trip that comes while the driver is switched on for braking has priority.
+/// @brief A second trip that occurs while the driver is switched on for braking has priority.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_TripWinsAgainstBraking) {
   wheel.cutOff().execute();
@@ -142,7 +142,7 @@ TEST_F(WheelTest, FR221_TripWinsAgainstBraking) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief A second trip that comes just before the driver is switched on for braking has priority.
+/// @brief A second trip that occurs just before the driver is switched on for braking has priority.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_TripWinsBeforeBraking) {
   Interrupted output;
@@ -154,7 +154,7 @@ TEST_F(WheelTest, FR221_TripWinsBeforeBraking) {
   EXPECT_FALSE(output.on);
 }
 
-/// @brief A release alone does not switch the driver on; the next voltage does.
+/// @brief A release alone does not switch the driver on. The next voltage switches the driver on.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
   wheel.cutOff().execute();
@@ -165,7 +165,7 @@ TEST_F(WheelTest, FR89_ReleaseLetsTheNextTensionSwitchOn) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A trip that comes while the driver is being switched on has priority.
+/// @brief A trip that occurs while the driver is being switched on has priority.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripWinsAgainstSwitchingOn) {
   enable.onRise([this] { wheel.cutOff().execute(); });
@@ -174,7 +174,7 @@ TEST_F(WheelTest, FR89_TripWinsAgainstSwitchingOn) {
   EXPECT_TRUE(wheel.isCutOff());
 }
 
-/// @brief A trip that comes between the check of the latch and the switching also has priority.
+/// @brief A trip that occurs between the check of the latch and the switching also has priority.
 /// @verifies FR-89
 TEST_F(WheelTest, FR89_TripWinsBeforeTheSwitch) {
   Interrupted output;

@@ -5,8 +5,8 @@
 #include "sim/emulator/processor/Core.hpp"
 #include "sim/emulator/processor/Encoding.hpp"
 
-// Branches: ARMv7-M ARM, A5.2.6, A5.3.4, A7.7.12 to A7.7.21. The field "value"
-// is the distance from the program counter.
+// Branches (ARMv7-M ARM, A5.2.6, A5.3.4, A7.7.12 to A7.7.21). The field "value" is the distance
+// from the program counter.
 
 namespace wr::emulator {
 
@@ -52,7 +52,7 @@ void compare(Core& core, const Instruction& in) {
   }
 }
 
-// Returns the signed number in the given number of bits.
+// Returns the value after sign extension from the given number of bits.
 std::uint32_t withSign(std::uint32_t value, unsigned bits) {
   const std::uint32_t sign = 1U << (bits - 1);
   return (value ^ sign) - sign;

@@ -9,7 +9,7 @@ namespace wr::emulator {
 
 namespace {
 
-// ARMv7-M ARM, B3.1: from this address on no code may be executed.
+// Returns whether an address is in the range in which no code may be executed (ARMv7-M ARM, B3.1).
 bool isNeverExecuted(std::uint32_t address) {
   return (address >= 0x40000000 && address < 0x60000000) || address >= 0xA0000000;
 }
@@ -60,9 +60,10 @@ Trap Core::run() {
   return std::exchange(trap_, Trap::None);
 }
 
-// The address and the cycle count are local variables. They are written to their members, but not
-// read from them, so an instruction does not wait for the previous instruction. For the same reason
-// a branch selects the next address, because the host predicts a branch.
+// The address and the cycle count are local variables. They are copied to their members, but never
+// read from these members. An instruction on the host then does not wait for the previous
+// instruction. For the same reason, the next address is selected by a branch, which the host can
+// predict.
 template <bool kSlowFlash, bool kLooks>
 void Core::runInstructions() {
   std::uint32_t address = next;
@@ -144,7 +145,7 @@ void Core::note(std::uint32_t address) {
   }
 }
 
-// Returns the entry for the decoded instruction of an address.
+// Returns the entry of an address in the table of decoded instructions.
 inline const Instruction* Core::placeOf(std::uint32_t address) const {
   const std::uint32_t offset = address - codeAddress_;
   return offset < codeSize_ ? code_ + offset / 2 : &none_;
@@ -248,13 +249,13 @@ bool Core::storeWords(std::uint32_t address, std::span<const std::uint32_t> word
   });
 }
 
-// An unaligned access is split into two or three aligned accesses: Cortex-M4 TRM, 3.3.3.
+// An unaligned access is split into two or three aligned accesses (Cortex-M4 TRM, 3.3.3).
 bool Core::unalignedIsFine(const Memory::Area* area, std::uint32_t address, std::uint32_t size) {
   const std::uint32_t odd = address & (size - 1);
   if (odd == 0) {
     return true;
   }
-  if (trapsUnaligned || area->bytes == nullptr) {  // a window is device memory: A3.2.1
+  if (trapsUnaligned || area->bytes == nullptr) {  // a window is device memory (A3.2.1)
     trap(Trap::Unaligned);
     return false;
   }

@@ -15,13 +15,13 @@
 
 namespace wr::emulator {
 
-/// @brief An event of an instruction that is handled outside of the normal program flow.
+/// @brief An event of an instruction. The event is handled outside of the normal program flow.
 enum class Trap : std::uint8_t {
   None,
   Sleep,
   SupervisorCall,
   ExceptionReturn,  ///< trapAddress(): EXC_RETURN
-  // The values below are faults: the instruction had no effect.
+  // The following values are faults. The instruction of a fault has no effect.
   Breakpoint,
   Undefined,
   NoCoprocessor,
@@ -31,17 +31,17 @@ enum class Trap : std::uint8_t {
   DivideByZero,
   InstructionBus,
   InstructionViolation,
-  LoadBus,  ///< trapAddress() is an address without memory, as for the next values
+  LoadBus,  ///< trapAddress() is the address of the access; there is no memory at this address
   StoreBus,
   LoadAcross,  ///< load across the border of two memories
   StoreAcross,
   FlashStore,
-  Refused  ///< the owner of a window has stored the reason
+  Refused  ///< the owner of a window rejected the access and has stored the reason
 };
 
-/// @brief Executes instructions, one after the other. Exceptions are handled elsewhere.
+/// @brief Executes instructions one after the other. Another class handles the exceptions.
 ///
-/// The public members are used by the operations of the instructions.
+/// The operations of the instructions use the public members.
 class Core {
  public:
   /// @brief Settings of the floating-point unit in the registers of system control.
@@ -61,14 +61,14 @@ class Core {
   bool trapsDivideByZero = false;     ///< CCR.DIV_0_TRP
   std::uint32_t priorityMask = 0xF0;  ///< implemented bits of a priority
   bool maskedPending = false;         ///< PRIMASK, FAULTMASK or BASEPRI blocks a pending exception
-  bool exclusive = false;             ///< the local monitor: ARMv7-M ARM, A3.4.1
+  bool exclusive = false;             ///< state of the local monitor (ARMv7-M ARM, A3.4.1)
   std::uint32_t next = 0;             ///< address of the next instruction
 
-  /// @brief Executes until a cycle, or until a trap.
+  /// @brief Executes instructions until a cycle or until a trap.
   /// @return the trap, which is then cleared
   Trap run();
 
-  /// @brief Sets the cycle at which run() returns; the next instruction is not begun then.
+  /// @brief Sets the cycle at which run() returns. At this cycle, no further instruction begins.
   void setStop(std::uint64_t cycle) { stopAt_ = cycle; }
   [[nodiscard]] std::uint64_t stop() const { return stopAt_; }
 
@@ -81,7 +81,7 @@ class Core {
   /// @brief Returns the address of the running or the last instruction.
   [[nodiscard]] std::uint32_t at() const { return registers.r[Registers::kPc] - 4; }
 
-  /// @brief Reports a change of a mask: a masked exception may now be entered.
+  /// @brief Reports that a mask has changed. After the change, a masked exception may be entered.
   void masksChanged() {
     if (maskedPending) {
       stopAt_ = 0;
@@ -103,15 +103,16 @@ class Core {
     branched_ = true;
   }
 
-  /// @brief Continues at an address whose lowest bit chooses the instruction set: BXWritePC,
-  /// A2.3.1.
+  /// @brief Continues at an address. The lowest bit of the address selects the instruction set
+  /// (BXWritePC, A2.3.1).
   void branchAndExchange(std::uint32_t address);
 
-  /// @brief Continues at an address where EXC_RETURN has no meaning: BLXWritePC.
+  /// @brief Continues at an address, and does not treat EXC_RETURN as a return from an exception
+  /// (BLXWritePC).
   void branchOnly(std::uint32_t address);
 
-  /// @brief Loads a number, sign-extended if its type is signed, if this is possible without a
-  /// call.
+  /// @brief Loads a number if this is possible without a call. A number of a signed type is
+  /// sign-extended.
   /// @return false if a call is needed
   template <typename Value>
   [[nodiscard]] bool loadDirectly(std::uint32_t address, std::uint32_t& value) const {
@@ -126,7 +127,7 @@ class Core {
     return true;
   }
 
-  /// @brief Loads a number from anywhere.
+  /// @brief Loads a number from any address.
   /// @return false in case of a trap
   template <typename Value>
   [[nodiscard]] bool load(std::uint32_t address, std::uint32_t& value) {
@@ -154,23 +155,23 @@ class Core {
     return true;
   }
 
-  /// @brief Stores a number anywhere.
+  /// @brief Stores a number at any address.
   /// @return false in case of a trap
   template <typename Value>
   [[nodiscard]] bool store(std::uint32_t address, std::uint32_t value) {
     return storeDirectly<Value>(address, value) || storeElsewhere(address, sizeof(Value), value);
   }
 
-  /// @brief Loads a word from an address that must be aligned, for LDRD and similar instructions.
+  /// @brief Loads a word for LDRD and similar instructions. The address must be aligned.
   [[nodiscard]] bool loadAligned(std::uint32_t address, std::uint32_t& value);
   [[nodiscard]] bool storeAligned(std::uint32_t address, std::uint32_t value);
 
-  /// @brief Loads successive words, for LDM and VLDM; after a trap the values loaded before it are
-  /// kept.
+  /// @brief Loads successive words for LDM and VLDM. After a trap, the words that were loaded
+  /// before the trap keep their new values.
   [[nodiscard]] bool loadWords(std::uint32_t address, std::span<std::uint32_t> words);
   [[nodiscard]] bool storeWords(std::uint32_t address, std::span<const std::uint32_t> words);
 
-  /// @brief Begins a floating-point instruction: ExecuteFPCheck, ARMv7-M ARM, A2.5.4.
+  /// @brief Begins a floating-point instruction (ExecuteFPCheck, ARMv7-M ARM, A2.5.4).
   /// @return false in case of a trap
   [[nodiscard]] bool beginFp();
 
@@ -178,7 +179,8 @@ class Core {
   /// vector.
   void spendForRead(std::uint32_t address);
 
-  /// @brief Records that the next instruction does not begin a block, as after an exception entry.
+  /// @brief Records that the next instruction does not begin a block, for example after the entry
+  /// of an exception.
   void continueBlock() { branched_ = false; }
   void beginBlock() { branched_ = true; }
   [[nodiscard]] bool beginsBlock() const { return branched_; }
@@ -187,7 +189,8 @@ class Core {
   void noteStack(std::uint32_t& lowest) { lowestStack_ = &lowest; }
   void onBlock(std::function<void(std::uint32_t)> call) { blockCall_ = std::move(call); }
 
-  /// @brief Sets the callback before each instruction. It may change registers and memory, and `next`.
+  /// @brief Sets the callback that runs before each instruction. The callback may change registers,
+  /// memory and `next`.
   void onInstruction(std::function<void()> call) { instructionCall_ = std::move(call); }
 
  private:
@@ -211,7 +214,8 @@ class Core {
   std::uint32_t codeAddress_ = 0;  ///< memory that is executed
   std::uint32_t codeSize_ = 0;
   Instruction* code_ = nullptr;
-  std::uint32_t phrase_ = 1;  ///< phrase that was read last from the flash; none at the start
+  std::uint32_t phrase_ =
+      1;  ///< the phrase that was last read from the flash; 1 (no phrase) at the start
   std::uint32_t trapAddress_ = 0;
   Trap trap_ = Trap::None;
   bool slowFlash_;

@@ -6,7 +6,7 @@
 #include "sim/emulator/processor/Core.hpp"
 #include "sim/emulator/processor/Encoding.hpp"
 
-// Moves, logic, sums and comparisons: ARMv7-M ARM, A5.2.1 to A5.2.3, A5.3.1, A5.3.11.
+// Moves, logic, sums and comparisons (ARMv7-M ARM, A5.2.1 to A5.2.3, A5.3.1, A5.3.11).
 
 namespace wr::emulator {
 
@@ -50,7 +50,7 @@ struct Shifted {
   std::uint32_t carry;
 };
 
-// ARMv7-M ARM, A2.2.1: Shift_C, by 0 to 255.
+// Shift_C of ARMv7-M ARM, A2.2.1, by 0 to 255 bits.
 Shifted lsl(std::uint32_t value, std::uint32_t by, std::uint32_t carry) {
   return by == 0    ? Shifted{value, carry}
          : by < 32  ? Shifted{value << by, value >> (32 - by) & 1U}
@@ -101,7 +101,7 @@ Shifted second(const Registers& x, const Instruction& in) {
   return {};
 }
 
-// ARMv7-M ARM, A2.2.1: AddWithCarry.
+// AddWithCarry of ARMv7-M ARM, A2.2.1.
 template <bool kFlags>
 std::uint32_t sum(Registers& x, std::uint32_t a, std::uint32_t b, std::uint32_t carry) {
   const std::uint32_t result = a + b + carry;
@@ -181,14 +181,14 @@ void process(Core& core, const Instruction& in) {
   }
 }
 
-// The stack pointer is a multiple of 4: ARMv7-M ARM, B1.4.1.
+// The stack pointer is a multiple of 4 (ARMv7-M ARM, B1.4.1).
 template <What kWhat, Second kSecond>
 void processStack(Core& core, const Instruction& in) {
   process<kWhat, kSecond, false>(core, in);
   core.registers.r[Registers::kStack] &= ~3U;
 }
 
-// ALUWritePC: A2.3.1.
+// ALUWritePC of A2.3.1.
 template <What kWhat>
 void processPc(Core& core, const Instruction& in) {
   const std::uint32_t before = core.registers.r[Registers::kPc];
@@ -237,7 +237,7 @@ Instruction::Operation shiftOperation(unsigned type, bool flags) {
   return kShifts[type & 3U][flags ? 1 : 0];
 }
 
-/// A register that is shifted by a number in the instruction: A7.4.2, DecodeImmShift.
+/// A register that is shifted by a number in the instruction (A7.4.2, DecodeImmShift).
 struct ShiftOfRegister {
   Second second;
   std::uint32_t by;
@@ -256,7 +256,8 @@ ShiftOfRegister shiftOfRegister(unsigned type, std::uint32_t by) {
   }
 }
 
-/// The long forms: A5.3.1 and A5.3.11 use the same numbers for the same operations.
+/// The operations of the 32-bit forms. A5.3.1 and A5.3.11 use the same numbers for the same
+/// operations.
 struct Choice {
   bool known;
   What what;
@@ -291,7 +292,7 @@ Choice choiceOf(Encoding code) {
   }
 }
 
-// ARMv7-M ARM, A5.3.2: ThumbExpandImm_C.
+// The result of ThumbExpandImm_C (ARMv7-M ARM, A5.3.2).
 struct Expanded {
   std::uint32_t value;
   bool rotated;

@@ -9,7 +9,8 @@ namespace wr::emulator {
 /// @brief The bits of an instruction before it is decoded.
 struct Encoding {
   std::uint32_t bits = 0;  ///< 16 bits, or 32 bits with the first half-word in the upper half
-  bool inBlock = false;    ///< in an IT block, where the 16-bit forms set no flags
+  bool inBlock =
+      false;  ///< the instruction is in an IT block, in which the 16-bit forms set no flags
 
   [[nodiscard]] constexpr std::uint32_t field(unsigned to, unsigned from) const {
     return bits >> from & ((2U << (to - from)) - 1);
@@ -25,11 +26,11 @@ struct Encoding {
   }
 };
 
-/// @brief Decodes an instruction: ARMv7-M ARM, A5. A code that is undefined in the architecture
-/// becomes an instruction that raises the fault for it.
+/// @brief Decodes an instruction (ARMv7-M ARM, A5). An encoding that the architecture does not
+/// define becomes an instruction that raises the fault for undefined instructions.
 [[nodiscard]] Instruction decode(Encoding code, bool wide);
 
-// The groups of encodings, each with its operations.
+// Each of these functions decodes one group of encodings.
 [[nodiscard]] Instruction undefined();
 
 [[nodiscard]] Instruction shortDataProcessing(Encoding code);      // A5.2.1 to A5.2.3

@@ -10,7 +10,7 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-// Bits of FPSCR: ARMv7-M ARM, A2.5.3.
+// Bits of FPSCR (ARMv7-M ARM, A2.5.3).
 constexpr std::uint32_t kInvalid = 1U << 0;
 constexpr std::uint32_t kDivideByZero = 1U << 1;
 constexpr std::uint32_t kOverflow = 1U << 2;
@@ -29,7 +29,7 @@ std::uint32_t signOf(bool negative) {
   return negative ? Float::kSign : 0;
 }
 
-// Shifts to the right; the lowest bit records whether bits were lost.
+// Shifts to the right. The lowest bit of the result is also set if a lost bit was 1.
 std::uint64_t jammed(Wide value, unsigned by) {
   const Wide lost = value & ((Wide{1} << by) - 1);
   return static_cast<std::uint64_t>(value >> by) | (lost != 0 ? 1U : 0U);
@@ -41,8 +41,8 @@ unsigned widthOf(Wide value) {
                                          : std::bit_width(static_cast<std::uint64_t>(value)));
 }
 
-/// The integer part of a number and its fraction: 0 zero, 1 less than a half, 2 a half, 3 more than
-/// a half.
+/// The integer part of a number and the class of its fraction. 0: zero; 1: less than a half; 2: a
+/// half; 3: more than a half.
 struct Split {
   std::uint64_t integer;
   unsigned rest;
@@ -90,7 +90,7 @@ std::uint32_t Float::invalid() {
   return kNan;
 }
 
-// FPProcessNaN
+// Implements FPProcessNaN.
 std::uint32_t Float::nan(const Number& number) {
   if (number.kind == Kind::Signalling) {
     fpscr_ |= kInvalid;
@@ -98,7 +98,7 @@ std::uint32_t Float::nan(const Number& number) {
   return (fpscr_ & kDefaultNan) != 0 ? kNan : number.bits | kQuietBit;
 }
 
-// FPRound, when the result is too large.
+// Implements the part of FPRound for a result that is too large.
 std::uint32_t Float::overflow(bool negative, Rounding rounding, Format format) {
   const std::uint32_t infinity = format.highest << format.fraction;
   const bool toInfinity = rounding == Rounding::Nearest ||
@@ -108,7 +108,8 @@ std::uint32_t Float::overflow(bool negative, Rounding rounding, Format format) {
   return toInfinity ? infinity : infinity - 1;
 }
 
-// FPRound, without the sign for a number of 16 bits. The result for zero is zero.
+// Implements FPRound for 32-bit and 16-bit numbers. The result for zero is a zero with the given
+// sign.
 std::uint32_t Float::round(bool negative, int exponent, std::uint64_t significand,
                            Rounding rounding, Format format) {
   const bool single = format.fraction == kSingle.fraction;
@@ -128,8 +129,8 @@ std::uint32_t Float::round(bool negative, int exponent, std::uint64_t significan
                   : rounding == Rounding::Up    ? rest != 0 && !negative
                   : rounding == Rounding::Down  ? rest != 0 && negative
                                                 : false;
-  // The leading bit of the integer increments the exponent field, also when the leading bit comes
-  // from rounding.
+  // The leading bit of the integer increments the exponent field, also when rounding has set this
+  // bit.
   const std::uint32_t field = denormal ? 0 : static_cast<std::uint32_t>(leading - format.least);
   const std::uint32_t result =
       (field << format.fraction) + static_cast<std::uint32_t>(integer) + (up ? 1U : 0U);
@@ -162,7 +163,7 @@ std::uint32_t Float::sum(const Number& a, const Number& b) {
   }
   const Number& high = a.exponent >= b.exponent ? a : b;
   const Number& low = a.exponent >= b.exponent ? b : a;
-  // With a greater distance the other number does not affect the result.
+  // If the exponents differ by more than this value, the smaller number does not affect the result.
   constexpr int kFarthest = 75;
   const int distance = std::min(high.exponent - low.exponent, kFarthest);
   const Wide left = Wide{high.significand} << static_cast<unsigned>(distance);
@@ -299,7 +300,8 @@ std::uint32_t Float::squareRoot(std::uint32_t a) {
   if (x.kind == Kind::Infinite) {
     return x.bits;
   }
-  // With an even exponent and 62 or 63 bits, the root has 31 or 32 bits.
+  // The exponent is made even, and the significand gets 62 or 63 bits. The root then has 31 or 32
+  // bits.
   int shift = std::countl_zero(x.significand) - 1;
   if ((x.exponent - shift) % 2 != 0) {
     --shift;
@@ -314,7 +316,7 @@ std::uint32_t Float::squareRoot(std::uint32_t a) {
       root >>= 1;
     }
   }
-  // Two more bits, which show whether there is a remainder.
+  // The root gets additional low bits, which record whether there is a remainder.
   return round(false, (x.exponent - shift) / 2 - 1, root << 1 | (rest != 0 ? 1U : 0U), rounding());
 }
 
@@ -331,7 +333,7 @@ void Float::compare(std::uint32_t a, std::uint32_t b, bool quietIsInvalid) {
       fpscr_ |= kInvalid;
     }
   } else {
-    // As integers, numbers of the same sign have the order of their values.
+    // Numbers of the same sign have the same order as their bits, read as integers.
     const auto order = [](const Number& number) {
       const std::int64_t magnitude = number.kind == Kind::Zero ? 0 : number.bits & ~kSign;
       return number.negative ? -magnitude : magnitude;
@@ -342,7 +344,7 @@ void Float::compare(std::uint32_t a, std::uint32_t b, bool quietIsInvalid) {
   fpscr_ = (fpscr_ & 0x0FFFFFFFU) | flags;
 }
 
-// FPToFixed
+// Implements FPToFixed.
 std::uint32_t Float::toFixed(std::uint32_t a, Fixed format, bool towardsZero) {
   const Number x = unpack(a);
   if (x.isNan()) {
@@ -375,7 +377,7 @@ std::uint32_t Float::toFixed(std::uint32_t a, Fixed format, bool towardsZero) {
   return static_cast<std::uint32_t>(held);
 }
 
-// FixedToFP
+// Implements FixedToFP.
 std::uint32_t Float::fromFixed(std::uint32_t a, Fixed format, bool toNearest) {
   std::int64_t value = 0;
   if (format.bits == 16) {

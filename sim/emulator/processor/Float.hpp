@@ -4,13 +4,13 @@
 
 namespace wr::emulator {
 
-/// @brief Arithmetic on numbers of 32 bits as in the FPv4-SP extension, bit by bit: ARMv7-M ARM,
-/// A2.5. The results do not depend on the computer that runs the simulator.
+/// @brief Arithmetic on 32-bit floating-point numbers (ARMv7-M ARM, A2.5). Each bit of a result is
+/// as in the FPv4-SP extension. The results do not depend on the computer that runs the simulator.
 ///
-/// It reads the modes of FPSCR and adds to its cumulative flags.
+/// An operation reads the modes in FPSCR, and sets the cumulative flags in FPSCR.
 class Float {
  public:
-  /// @brief The sign of a number.
+  /// @brief The sign bit of a number.
   static constexpr std::uint32_t kSign = 0x80000000;
 
   /// @param fpscr the register; it must outlive this object
@@ -24,8 +24,9 @@ class Float {
   [[nodiscard]] std::uint32_t divide(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] std::uint32_t squareRoot(std::uint32_t a);
 
-  /// @brief Compares two numbers, and sets N, Z, C and V of FPSCR.
-  /// @param quietIsInvalid whether each NaN is an invalid operand
+  /// @brief Compares two numbers, and sets N, Z, C and V in FPSCR.
+  /// @param quietIsInvalid true: each NaN is an invalid operand; false: only a signalling NaN is
+  /// invalid
   void compare(std::uint32_t a, std::uint32_t b, bool quietIsInvalid);
 
   /// @brief An integer or a fixed-point number.
@@ -35,7 +36,8 @@ class Float {
     bool isSigned;
   };
 
-  /// @brief Converts to an integer, limited to its range.
+  /// @brief Converts a number to a fixed-point number. The result is limited to the range of its
+  /// format.
   [[nodiscard]] std::uint32_t toFixed(std::uint32_t a, Fixed format, bool towardsZero);
   [[nodiscard]] std::uint32_t fromFixed(std::uint32_t a, Fixed format, bool toNearest);
 

@@ -5,8 +5,8 @@
 #include "sim/emulator/processor/Encoding.hpp"
 #include "sim/emulator/processor/Float.hpp"
 
-// The floating-point extension FPv4-SP: ARMv7-M ARM, A6.4 to A6.7. Fields d, n and m are numbers of
-// single registers.
+// The floating-point extension FPv4-SP (ARMv7-M ARM, A6.4 to A6.7). The fields d, n and m are
+// numbers of single-precision registers.
 
 namespace wr::emulator {
 
@@ -19,8 +19,8 @@ void checked(Core& core, const Instruction& in) {
   }
 }
 
-// Returns the number of a single-precision register: the encoding has its lowest bit in a separate
-// field (A6.2).
+// Returns the number of a single-precision register. The encoding has the lowest bit of the number
+// in a separate field (A6.2).
 std::uint8_t single(Encoding code, unsigned high, unsigned low) {
   return static_cast<std::uint8_t>(code.field(high + 3, high) << 1 | code.field(low, low));
 }
@@ -37,7 +37,7 @@ void noCoprocessor(Core& core, const Instruction& /*in*/) {
   core.trap(Trap::NoCoprocessor);
 }
 
-// Instructions that the unit lacks are undefined when it is on.
+// While the floating-point unit is on, an instruction that it does not have is undefined.
 void unknown(Core& core, const Instruction& /*in*/) {
   core.trap(Trap::Undefined);
 }
@@ -78,7 +78,7 @@ void addSingles(Core& core, const Instruction& in) {
   x.s[in.d] = Float(x.fpscr).add(x.s[in.n], x.s[in.m]);
 }
 
-// FPSub is not FPAdd with a negated operand: a NaN keeps its sign.
+// FPSub differs from FPAdd with a negated operand, because a NaN keeps its sign.
 void subtractSingles(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   x.s[in.d] = Float(x.fpscr).subtract(x.s[in.n], x.s[in.m]);
@@ -112,14 +112,15 @@ void negate(Core& core, const Instruction& in) {
   core.registers.s[in.d] = core.registers.s[in.m] ^ Float::kSign;
 }
 
-// Comparison: bit 0 of value means a comparison with zero; bit 1 means that each NaN is invalid.
+// Compares two numbers. Bit 0 of value means a comparison with zero. Bit 1 means that each NaN is
+// invalid.
 void compare(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const std::uint32_t other = (in.value & 1U) != 0 ? 0 : x.s[in.m];
   Float(x.fpscr).compare(x.s[in.d], other, (in.value & 2U) != 0);
 }
 
-// The upper half of a register when value is 16.
+// Converts the lower half of a register, or the upper half if value is 16.
 void fromHalf(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   x.s[in.d] = Float(x.fpscr).fromHalf(x.s[in.m] >> in.value & 0xFFFFU);
@@ -131,12 +132,12 @@ void toHalf(Core& core, const Instruction& in) {
   x.s[in.d] = (x.s[in.d] & ~(0xFFFFU << in.value)) | half << in.value;
 }
 
-// Conversion: the lower bits of value contain the number of fraction bits, the upper bits the
-// number of integer bits.
+// In a conversion, the lower 8 bits of value contain the number of fraction bits. The next bits are
+// options of the conversion.
 constexpr std::uint32_t kSignedFixed = 0x100;
 constexpr std::uint32_t kHalfFixed = 0x200;
 constexpr std::uint32_t kGivenRounding =
-    0x400;  // the instruction determines the rounding, not FPSCR
+    0x400;  // the instruction determines the rounding; FPSCR does not
 
 Float::Fixed fixedOf(const Instruction& in) {
   return {.bits = (in.value & kHalfFixed) != 0 ? 16U : 32U,
@@ -154,7 +155,7 @@ void fromFixed(Core& core, const Instruction& in) {
   x.s[in.d] = Float(x.fpscr).fromFixed(x.s[in.m], fixedOf(in), (in.value & kGivenRounding) != 0);
 }
 
-// A6.4.1: VFPExpandImm.
+// VFPExpandImm of A6.4.1.
 std::uint32_t expandedNumber(Encoding code) {
   const std::uint32_t byte = code.field(19, 16) << 4 | code.field(3, 0);
   const std::uint32_t exponent = (byte & 0x40U) != 0 ? 0x3E000000U : 0x40000000U;
@@ -175,7 +176,7 @@ Instruction fixedConversion(Encoding code) {
   return result;
 }
 
-// Opc1 1x11 of table A6-4.
+// Decodes the rows with opc1 1x11 of table A6-4.
 Instruction otherData(Encoding code) {
   if (!code.bit(6)) {
     return ofSingles(code, checked<setNumber>, expandedNumber(code));
@@ -237,7 +238,8 @@ Instruction floatingPointData(Encoding code) {
   }
 }
 
-// Loads and stores, A6.5. Value is the offset; m the number of single registers.
+// Loads and stores, A6.5. The field value is the offset. The field m is the number of
+// single-precision registers.
 
 constexpr std::uint8_t kDoubleWord = 2;
 
@@ -257,8 +259,8 @@ void loadStoreSingles(Core& core, const Instruction& in) {
   (void)transfer<kLoads>(core, fpBase(core.registers, in) + in.value, in.d, in.m);
 }
 
-// Several registers: register n is written back when bit 0 of value is set, and is decremented
-// first when bit 1 is set.
+// Loads or stores several registers. If bit 0 of value is set, register n is written back. If bit 1
+// is set, register n is decremented first.
 template <bool kLoads>
 void loadStoreMany(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -351,7 +353,7 @@ Instruction twoRegisters(Encoding code) {
 Instruction floatingPointMove(Encoding code) {
   Instruction result{.d = code.reg(12), .m = single(code, 16, 7)};
   const bool toTheCore = code.bit(20);
-  if (code.bit(8)) {  // a half of a double register
+  if (code.bit(8)) {  // one half of a double-precision register
     if (code.field(6, 5) != 0 || code.bit(7) || code.field(23, 22) != 0) {
       return unknownFp();
     }

@@ -6,14 +6,14 @@ namespace wr::emulator {
 
 class Core;
 
-/// @brief A decoded instruction: its operation and its operands.
+/// @brief A decoded instruction with its operation and its operands.
 struct Instruction {
   using Operation = void (*)(Core& core, const Instruction& instruction);
 
   Operation run = nullptr;
   std::uint32_t value =
       0;  ///< immediate number, list of registers, or an operand that does not fit elsewhere
-  std::uint8_t d = 0;     ///< register that is written, or loaded, or stored
+  std::uint8_t d = 0;     ///< register that is written, loaded or stored
   std::uint8_t n = 0;     ///< register of the first operand, or of the address
   std::uint8_t m = 0;     ///< register of the second operand
   std::uint8_t form = 0;  ///< size and alignment; 0 before decoding
@@ -22,13 +22,14 @@ struct Instruction {
   static constexpr std::uint8_t kInBlock = 8;
   static constexpr std::uint8_t kPlace = kDecoded | kInBlock;
 
-  /// @brief Returns the value of form & kPlace after decoding for a given alignment.
-  /// @param inBlock whether it is in an IT block
+  /// @brief Returns the value of form & kPlace after decoding inside or outside of an IT block.
+  /// @param inBlock true if the instruction is in an IT block
   [[nodiscard]] static constexpr std::uint8_t place(bool inBlock) {
     return inBlock ? kPlace : kDecoded;
   }
 
-  /// @brief Returns whether the instruction was decoded for its alignment.
+  /// @brief Returns whether the instruction was decoded for its position inside or outside of an IT
+  /// block.
   [[nodiscard]] bool isDecoded(bool inBlock) const { return (form & kPlace) == place(inBlock); }
   [[nodiscard]] bool isWide() const { return (form & 4U) != 0; }
   [[nodiscard]] std::uint32_t bytes() const { return form & 6U; }

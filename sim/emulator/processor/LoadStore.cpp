@@ -6,7 +6,7 @@
 #include "sim/emulator/processor/Core.hpp"
 #include "sim/emulator/processor/Encoding.hpp"
 
-// Loads and stores: ARMv7-M ARM, A5.2.4, A5.3.5 to A5.3.10.
+// Loads and stores (ARMv7-M ARM, A5.2.4, A5.3.5 to A5.3.10).
 
 namespace wr::emulator {
 
@@ -105,7 +105,7 @@ void store(Core& core, const Instruction& in) {
   storeElsewhere<Value, kPlace>(core, in);
 }
 
-// PLD and PLI: there is no cache.
+// PLD and PLI have no effect, because there is no cache.
 void preload(Core& /*core*/, const Instruction& /*in*/) {}
 
 using Row = std::array<Instruction::Operation, kPlaces>;
@@ -126,7 +126,7 @@ constexpr Row kStackLoads{loadStack<Place::Offset>, loadStack<Place::Before>,
 constexpr Row kPcLoads{loadPc<Place::Offset>, loadPc<Place::Before>, loadPc<Place::After>,
                        loadPc<Place::Indexed>, loadPc<Place::Literal>};
 
-/// Size and sign of the access: in the numbering of opB of A5.2.4.
+/// Size and sign of an access, with the numbers of opB in A5.2.4.
 enum class Access : std::uint8_t {
   StoreWord,
   StoreHalf,
@@ -207,7 +207,7 @@ LongPlace longPlace(Encoding code) {
   return {before || keeps, !before ? Place::After : keeps ? Place::Before : Place::Offset, byte};
 }
 
-// Two words, A5.3.6: register m is the second register, value the offset.
+// Two words, A5.3.6. Register m is the second register, and value is the offset.
 
 template <bool kLoads, Place kPlace>
 void dual(Core& core, const Instruction& in) {
@@ -238,8 +238,8 @@ Instruction::Operation dualOperation(bool before, bool keeps, bool literal) {
                    : dual<kLoads, Place::Offset>;
 }
 
-// Exclusive accesses, A3.4: the only other owner of memory is the handler of an exception, whose
-// entry and return clear the monitor.
+// Exclusive accesses, A3.4. Only the handler of an exception can access the memory in between. The
+// entry and the return of an exception clear the monitor.
 
 template <typename Value>
 bool aligned(Core& core, std::uint32_t address) {
@@ -262,7 +262,7 @@ void loadExclusive(Core& core, const Instruction& in) {
   }
 }
 
-// Writes to register m whether the value was stored: 0 if it was.
+// Writes 0 to register m if the value was stored, 1 if it was not stored.
 template <typename Value>
 void storeExclusive(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -321,8 +321,8 @@ Instruction exclusiveOrTable(Encoding code) {
   }
 }
 
-// Many registers: value is their list, d their number, and bit 16 of value shows that register n is
-// written back.
+// Several registers. The lower 16 bits of value are the list of registers, and d is their number.
+// If bit 16 of value is set, register n is written back.
 constexpr std::uint32_t kKeeps = 1U << 16;
 constexpr std::uint32_t kList = 0xFFFF;
 

@@ -5,8 +5,8 @@
 #include "sim/emulator/processor/Core.hpp"
 #include "sim/emulator/processor/Encoding.hpp"
 
-// Parts of words: fields, bytes, half-words, saturation. ARMv7-M ARM, A5.2.5, A5.3.3, A5.3.12 to
-// A5.3.15.
+// Instructions for parts of words: fields, bytes, half-words, saturation (ARMv7-M ARM, A5.2.5,
+// A5.3.3, A5.3.12 to A5.3.15).
 
 namespace wr::emulator {
 
@@ -24,7 +24,7 @@ std::int32_t signedByte(std::uint32_t value, unsigned shift) {
   return static_cast<std::int8_t>(value >> shift);
 }
 
-// A2.2.1: SignedSatQ and UnsignedSatQ. Q is not set here.
+// SignedSatQ and UnsignedSatQ of A2.2.1. These functions do not set Q.
 std::int64_t saturated(std::int64_t value, unsigned bits) {
   const std::int64_t most = (std::int64_t{1} << (bits - 1)) - 1;
   return std::clamp(value, -most - 1, most);
@@ -64,8 +64,8 @@ void insertField(Core& core, const Instruction& in) {
   d = (d & ~mask) | (field & mask);
 }
 
-// Saturation: m is the number of bits; value a shift to the left, or to the right when bit 8 is
-// set.
+// In a saturation, m is the number of bits, and value is a shift to the left. If bit 8 of value is
+// set, the shift is to the right.
 constexpr std::uint32_t kToTheRight = 0x100;
 
 template <bool kSigned>
@@ -129,7 +129,7 @@ Instruction fieldOperation(Encoding code) {
   return result;
 }
 
-// Extension: value is the rotation; register n is added.
+// In an extension, value is the rotation, and register n is added.
 
 enum class Part : std::uint8_t { SignedHalf, Half, SignedBytes, Bytes, SignedByte, Byte };
 
@@ -208,7 +208,7 @@ void sel(Core& core, const Instruction& in) {
   x.r[in.d] = (x.r[in.n] & mask) | (x.r[in.m] & ~mask);
 }
 
-// QADD and similar instructions: register m is the first operand; register n may be doubled.
+// In QADD and similar instructions, register m is the first operand, and register n may be doubled.
 template <bool kDoubles, bool kSubtracts>
 void saturatingSum(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -246,7 +246,7 @@ void parallel(Core& core, const Instruction& in) {
   std::uint32_t word = 0;
   unsigned ge = 0;
   for (unsigned shift = 0; shift < 32; shift += kBits) {
-    // ASX adds the upper half and subtracts the lower half; SAX does the reverse.
+    // ASX adds the upper half and subtracts the lower half. SAX does the reverse.
     const bool subtracts = kExchanges ? (shift == 0) == (kLanes == Lanes::AddSubtract) : kSubtracts;
     const std::int32_t a = lane(x.r[in.n], shift, kSigned, kBits);
     const std::int32_t b = lane(x.r[in.m], kExchanges ? 16 - shift : shift, kSigned, kBits);
@@ -287,7 +287,7 @@ template <bool kTopFirst>
 void pack(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   const std::uint32_t n = x.r[in.n];
-  if constexpr (kTopFirst) {  // PKHTB: the lower half is register m, shifted to the right
+  if constexpr (kTopFirst) {  // PKHTB takes the lower half from register m, shifted to the right
     const auto m = static_cast<std::uint32_t>(
         static_cast<std::int64_t>(static_cast<std::int32_t>(x.r[in.m])) >> in.value);
     x.r[in.d] = (n & 0xFFFF0000U) | (m & 0xFFFFU);

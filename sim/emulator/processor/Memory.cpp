@@ -9,7 +9,8 @@ namespace wr::emulator {
 
 namespace {
 
-// The operating system returns zeros, and uses memory only for accessed pages.
+// The operating system returns memory that is zero, and needs memory only for the pages that are
+// accessed.
 template <typename Item>
 std::unique_ptr<Item, Memory::Release> zeros(std::size_t count) {
   std::unique_ptr<Item, Memory::Release> items(
@@ -48,7 +49,7 @@ Memory::Direct Memory::directOf(const Area& area) const {
 void Memory::observe(std::function<void(std::uint32_t, std::uint32_t, bool)> call) {
   observer_ = std::move(call);
   for (const Area& area :
-       all_) {  // clears the decoded instructions, so that stores can be direct again
+       all_) {  // the load clears the decoded instructions, so that stores can be direct again
     forget(area, area.address, area.size);
   }
   for (std::size_t i = 0; i < kMegabytes; ++i) {
@@ -64,7 +65,7 @@ void Memory::map(std::uint32_t address, std::uint32_t size, Access access) {
             .bytes = zeros<std::uint8_t>(size)};
   if (area.mayExecute) {
     area.instructions =
-        zeros<Instruction>(size / 2 + 2);  // the entries after the last instruction stay empty
+        zeros<Instruction>(size / 2 + 2);  // the two entries after the last instruction stay empty
   }
   add(std::move(area));
 }
@@ -84,7 +85,7 @@ void Memory::forget(const Area& area, std::uint32_t address, std::uint32_t size)
   if (area.instructions == nullptr) {
     return;
   }
-  // An instruction of two halves begins before its second half.
+  // A changed half-word may be the second half of an instruction that begins before it.
   const std::uint32_t first = (address - area.address) / 2;
   const std::uint32_t last = (address - area.address + size - 1) / 2;
   for (std::uint32_t half = first == 0 ? 0 : first - 1; half <= last; ++half) {

@@ -19,7 +19,7 @@ static_assert(std::endian::native == std::endian::little, "as the processor");
 /// @brief The memory map.
 class Memory {
  public:
-  /// @brief Access of a program to memory.
+  /// @brief Kinds of access that a program has to a memory.
   enum class Access { ReadWrite, ReadExecute, ReadWriteExecute };
 
   using Read = std::function<std::uint32_t(std::uint32_t address, unsigned size)>;
@@ -30,16 +30,17 @@ class Memory {
     void operator()(void* memory) const { std::free(memory); }
   };
 
-  /// @brief Memory, or a window: a range of addresses whose accesses are calls.
+  /// @brief A memory or a window. A window is a range of addresses in which each access calls a
+  /// function.
   struct Area {
     std::uint32_t address = 0;
     std::uint32_t size = 0;
     bool mayWrite = false;
     bool mayExecute = false;
-    std::unique_ptr<std::uint8_t, Release> bytes{};        ///< null for a window
-    std::unique_ptr<Instruction, Release> instructions{};  ///< decoded instructions, one for each
-                                                           ///< half-word; none if the memory cannot
-                                                           ///< be executed
+    std::unique_ptr<std::uint8_t, Release> bytes{};  ///< null for a window
+    std::unique_ptr<Instruction, Release>
+        instructions{};  ///< decoded instructions, one for each half-word; null if the memory
+                         ///< cannot be executed
     Read read{};
     Write write{};
 
@@ -54,14 +55,14 @@ class Memory {
     [[nodiscard]] bool isFlash() const { return bytes != nullptr && !mayWrite; }
   };
 
-  /// @brief Memory for aligned loads and stores without a call.
+  /// @brief A part of memory in which aligned loads and stores need no call.
   struct Direct {
     std::uint8_t* bytes = nullptr;
     std::uint32_t address = 0;  ///< address of the first byte
     std::uint32_t loads = 0;    ///< number of bytes that can be loaded
     std::uint32_t stores = 0;   ///< number of bytes that can be stored
 
-    /// @brief Returns whether words are within the first bytes, up to a size.
+    /// @brief Returns whether an access is within the first `count` bytes.
     [[nodiscard]] bool holds(std::uint32_t count, std::uint32_t place, std::uint32_t wanted) const {
       const std::uint32_t offset = place - address;
       return offset < count && count - offset >= wanted && (place & 3U) == 0;
@@ -78,36 +79,37 @@ class Memory {
   /// @brief Adds a window.
   void map(std::uint32_t address, std::uint32_t size, Read read, Write write);
 
-  /// @brief Returns the direct-access part of the first region in the megabyte of an address. In
-  /// most cases it contains the address.
+  /// @brief Returns the direct part of the first area in the megabyte of an address. In most cases,
+  /// this part contains the address.
   [[nodiscard]] const Direct& direct(std::uint32_t address) const {
     return directs_[address / kMegabyte];
   }
 
-  /// @brief Returns bytes that can be loaded without a call; nullptr when a part of them needs a
-  /// call.
+  /// @brief Returns the bytes at an address, if they can be loaded without a call; nullptr
+  /// otherwise.
   [[nodiscard]] const std::uint8_t* loadable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.loads, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief Returns bytes that can be stored without a call; nullptr when a part of them needs a
-  /// call.
+  /// @brief Returns the bytes at an address, if they can be stored without a call; nullptr
+  /// otherwise.
   [[nodiscard]] std::uint8_t* storable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief Reports a decoded instruction. A store at or above its address is then a call, which
-  /// clears decoded instructions. Stores below this address, such as stores to a stack, stay fast.
+  /// @brief Reports a decoded instruction. After this report, each store at or above the
+  /// instruction's address calls a function that clears decoded instructions. Stores below this
+  /// address, such as stores to a stack, stay fast.
   void decoded(std::uint32_t address);
 
   /// @brief Clears the decoded instructions that a store has changed.
   static void forget(const Area& area, std::uint32_t address, std::uint32_t size);
 
-  /// @brief Sets the callback of each load and store of the program, after the access. While there
-  /// is a callback, no access is direct.
-  /// @param call the callback; empty: none
+  /// @brief Sets the callback that runs after each load and store of the program. While there is a
+  /// callback, no access is direct.
+  /// @param call the callback; an empty function removes the callback
   void observe(std::function<void(std::uint32_t address, std::uint32_t size, bool store)> call);
 
   /// @brief Calls the callback of observe(), if there is one.
@@ -117,13 +119,13 @@ class Memory {
     }
   }
 
-  /// @brief Returns the area of an address; none without memory.
+  /// @brief Returns the area of an address; nullptr if there is no memory.
   [[nodiscard]] const Area* find(std::uint32_t address) const;
 
-  /// @brief Writes from outside, also where the program may not write.
+  /// @brief Writes memory from outside of the program, also memory that the program may not write.
   void load(std::uint32_t address, std::span<const std::uint8_t> bytes);
 
-  /// @brief Reads from outside; 0 where there is no memory.
+  /// @brief Reads memory from outside of the program. Returns 0 if there is no memory.
   template <typename Value>
   [[nodiscard]] Value read(std::uint32_t address) const {
     Value value = 0;
@@ -134,7 +136,7 @@ class Memory {
     return value;
   }
 
-  /// @brief Returns the words of a stack; no words when a part of the stack cannot be written.
+  /// @brief Returns the words of a stack; nullptr when a part of the stack cannot be written.
   [[nodiscard]] std::uint8_t* stack(std::uint32_t address, std::uint32_t size) const;
 
  private:

@@ -3,13 +3,14 @@
 #include "sim/emulator/processor/Core.hpp"
 #include "sim/emulator/processor/Encoding.hpp"
 
-// Products, quotients and their sums: ARMv7-M ARM, A5.3.16 and A5.3.17.
+// Products, sums of products, and quotients (ARMv7-M ARM, A5.3.16 and A5.3.17).
 
 namespace wr::emulator {
 
 namespace {
 
-// Field value of an instruction: the register that is added, above bits of the form.
+// The field value of an instruction contains the register that is added. Its lowest bits contain
+// the form.
 constexpr std::uint32_t kFirstHigh = 1;   // upper half of the first operand
 constexpr std::uint32_t kSecondHigh = 2;  // upper half of the second operand
 constexpr std::uint32_t kExchanged = 2;   // halves of the second operand are swapped
@@ -28,7 +29,7 @@ std::uint32_t addend(const Core& core, const Instruction& in) {
   return core.registers.r[in.value >> kAddendShift];
 }
 
-// Q is set when a sum does not fit into its register.
+// Returns the lower word of a sum. Sets Q when the sum does not fit into its register.
 std::uint32_t narrowed(Core& core, std::int64_t value) {
   if (value != static_cast<std::int32_t>(value)) {
     core.registers.q = true;
@@ -122,7 +123,8 @@ void sumOfDifferences(Core& core, const Instruction& in) {
   core.registers.r[in.d] = sum;
 }
 
-// Long products: register d receives the lower word, the register in value receives the upper word.
+// In a long product, register d receives the lower word. The register in the field value receives
+// the upper word.
 
 std::uint64_t longAddend(const Core& core, const Instruction& in) {
   return std::uint64_t{addend(core, in)} << 32 | core.registers.r[in.d];
@@ -171,7 +173,8 @@ void divide(Core& core, const Instruction& in) {
     }
     return;
   }
-  // The most negative number divided by -1 does not change; the 64-bit type contains the quotient.
+  // The most negative number divided by -1 has itself as its result. The 64-bit type can contain
+  // the true quotient.
   x.r[in.d] =
       kSigned ? static_cast<std::uint32_t>(wide(dividend) / wide(divisor)) : dividend / divisor;
 }

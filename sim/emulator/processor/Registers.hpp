@@ -6,7 +6,7 @@
 
 namespace wr::emulator {
 
-/// @brief The registers of a Cortex-M4F: ARMv7-M ARM, B1.4 and A2.5.
+/// @brief The registers of a Cortex-M4F (ARMv7-M ARM, B1.4 and A2.5).
 struct Registers {
   static constexpr unsigned kStack = 13;
   static constexpr unsigned kLink = 14;
@@ -17,14 +17,15 @@ struct Registers {
   static constexpr std::uint32_t kProcessStack = 2;
   static constexpr std::uint32_t kFpActive = 4;
 
-  /// Core registers; 13 is the stack pointer in use, 15 the address of the instruction plus 4.
+  /// The core registers. Register 13 is the stack pointer in use. Register 15 is the address of the
+  /// instruction plus 4.
   std::array<std::uint32_t, 16> r{};
   std::uint32_t otherStack = 0;  ///< the stack pointer that is not in use
   bool onProcessStack = false;   ///< the process stack is in use
 
-  // Flags, stored as the results that define them, because they are seldom read.
+  // Each flag is stored as the result that defines it, because flags are seldom read.
   std::uint32_t n = 0;  ///< bit 31
-  std::uint32_t z = 1;  ///< Z is set when this is 0
+  std::uint32_t z = 1;  ///< Z is set when this word is 0
   std::uint32_t c = 0;  ///< 0 or 1
   std::uint32_t v = 0;  ///< bit 31
   bool q = false;
@@ -41,7 +42,7 @@ struct Registers {
   std::array<std::uint32_t, 32> s{};
   std::uint32_t fpscr = 0;
 
-  /// @brief Returns whether a condition holds: A7.3.
+  /// @brief Returns whether a condition is true (A7.3).
   [[nodiscard]] bool passes(unsigned condition) const {
     const bool holds = passesFirst(condition >> 1);
     return (condition & 1U) != 0 && condition != 15 ? !holds : holds;
@@ -65,7 +66,8 @@ struct Registers {
   /// @brief Sets GE.
   void setGe(std::uint32_t apsr) { ge = static_cast<std::uint8_t>(apsr >> 16 & 0xFU); }
 
-  /// @brief Returns flags, exception, IT block and Thumb bit, as they are stacked: B1.4.2.
+  /// @brief Returns the flags, the exception, the IT block and the Thumb bit, as in a stack frame
+  /// (B1.4.2).
   [[nodiscard]] std::uint32_t state() const {
     return flags() | exception | (thumb ? 1U << 24 : 0) | (std::uint32_t{it} & 3U) << 25 |
            (std::uint32_t{it} >> 2) << 10;
@@ -93,7 +95,7 @@ struct Registers {
   [[nodiscard]] std::uint32_t& mainStack() { return onProcessStack ? otherStack : r[kStack]; }
   [[nodiscard]] std::uint32_t& processStack() { return onProcessStack ? r[kStack] : otherStack; }
 
-  /// @brief Advances to the next instruction of an IT block: A7.3.3, ITAdvance.
+  /// @brief Advances to the next instruction of an IT block (A7.3.3, ITAdvance).
   void advanceIt() {
     const std::uint32_t now = it;
     it = static_cast<std::uint8_t>((now & 7U) == 0 ? 0U : (now & 0xE0U) | (now << 1U & 0x1FU));

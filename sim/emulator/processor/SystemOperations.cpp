@@ -1,7 +1,7 @@
 #include "sim/emulator/processor/Core.hpp"
 #include "sim/emulator/processor/Encoding.hpp"
 
-// System instructions: ARMv7-M ARM, A5.2.5, A5.3.4, B5.2.
+// System instructions (ARMv7-M ARM, A5.2.5, A5.3.4, B5.2).
 
 namespace wr::emulator {
 
@@ -42,7 +42,7 @@ void it(Core& core, const Instruction& in) {
   core.registers.it = static_cast<std::uint8_t>(in.value);
 }
 
-// FAULTMASK cannot be set by NMI and HardFault: B5.2.1 and B5.2.3.
+// The handlers of NMI and HardFault cannot set FAULTMASK (B5.2.1 and B5.2.3).
 void setFaultmask(Core& core, std::uint32_t value) {
   Registers& x = core.registers;
   if (value == 0 || (x.exception != 2 && x.exception != 3)) {
@@ -50,7 +50,7 @@ void setFaultmask(Core& core, std::uint32_t value) {
   }
 }
 
-// Bit 4 of value disables, bit 1 is PRIMASK, bit 0 FAULTMASK.
+// Bit 4 of value disables interrupts. Bit 1 selects PRIMASK, and bit 0 selects FAULTMASK.
 void cps(Core& core, const Instruction& in) {
   core.spend(kSpecialCycles);
   if (!core.registers.privileged()) {
@@ -142,7 +142,8 @@ void setPrivileged(Core& core, std::uint32_t number, std::uint32_t value) {
   core.masksChanged();
 }
 
-// Field value is the number of the register; m the mask of the flags, 2 for N to Q, 1 for GE.
+// The field value is the number of the register. The field m is the mask of the flags: 2 for N to
+// Q, 1 for GE.
 void msr(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   core.spend(kSpecialCycles);
@@ -161,7 +162,7 @@ void msr(Core& core, const Instruction& in) {
 
 Instruction hint(unsigned number) {
   constexpr unsigned kWfi = 3;
-  // WFE may end at any time: ARMv7-M ARM, B1.5.17.
+  // WFE may end at any time (ARMv7-M ARM, B1.5.17).
   return {.run = number == kWfi ? wfi : nothing};
 }
 

@@ -1,4 +1,4 @@
-// The functions of the module that the page calls. Texts and bytes are in the memory of the module.
+// The functions of the module for the page. Texts and bytes are in the memory of the module.
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +23,7 @@ enum class Text { Thrown, Failures, Finding, Names, Reports };
 struct Module {
   std::unique_ptr<LiveRobot> robot;
   std::vector<double> numbers;
-  Bytes bytes;  // length of the result of the last call that returns bytes
+  Bytes bytes;  // result of the last call that returns bytes
 };
 
 Module& module() {
@@ -77,7 +77,7 @@ void append(Bytes& bytes, Number number) {
 
 extern "C" {
 
-/// Memory for an argument.
+/// Returns memory for an argument.
 std::uint8_t* liveAlloc(std::size_t size) {
   return static_cast<std::uint8_t*>(std::malloc(size));
 }
@@ -101,8 +101,8 @@ void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint
   module().robot = std::make_unique<LiveRobot>(std::move(setup));
 }
 
-/// Runs until a control cycle has ended, or for 200 ms without a clock pulse. Returns 0 if the run
-/// continues, 1 if the scenario has ended, 2 if a finding has stopped the run.
+/// Runs until a control cycle has ended, or for 200 ms if there is no clock pulse. Returns 0 if the
+/// run continues, 1 if the scenario has ended, 2 if a finding has stopped the run.
 int liveCycle() {
   return static_cast<int>(module().robot->runCycle());
 }
@@ -120,7 +120,7 @@ void liveRepeat(const char* order, std::size_t size) {
   module().robot->repeat(std::string(order, size));
 }
 
-/// Returns the present values. Text 3 names them.
+/// Returns the present values. Text::Names contains their names.
 const double* liveNumbers() {
   LiveRobot& robot = *module().robot;
   const wr::emulator::VirtualBoard& board = robot.session().board;
@@ -142,7 +142,7 @@ const double* liveNumbers() {
   return numbers.data();
 }
 
-/// Stores a text; liveBytes() and liveSize() return it.
+/// Stores a text. liveBytes() and liveSize() return the text and its length.
 void liveText(int which) {
   const std::string text = textOf(static_cast<Text>(which));
   module().bytes.assign(text.begin(), text.end());
@@ -205,8 +205,8 @@ const std::uint32_t* liveEntries() {
   return module().robot->entries().data();
 }
 
-/// Stores the last call of each function: its time in ns (8 bytes; -1: not called yet) and the core
-/// registers 0 to 3 at its begin (4 bytes each).
+/// Stores the last call of each function. An entry has the time of the call in ns (8 bytes; -1: not
+/// called yet) and the core registers 0 to 3 at its beginning (4 bytes each).
 void liveLastCalls() {
   Bytes& bytes = module().bytes;
   bytes.clear();
@@ -218,7 +218,7 @@ void liveLastCalls() {
   }
 }
 
-/// Returns the hash of the events of the board; liveEventCount() returns their number.
+/// Returns the hash of the events of the board. liveEventCount() returns the number of events.
 std::uint64_t liveEventHash() {
   return module().robot->events().hash();
 }

@@ -2,7 +2,7 @@
 
 namespace wr::emulator {
 
-// There is no ELF file in a browser: the page itself finds the function of a finding.
+// A browser has no ELF file. The page itself determines the function of a finding.
 void locate(Finding& /*finding*/, const std::filesystem::path& /*elf*/) {}
 
 }  // namespace wr::emulator

@@ -1,4 +1,5 @@
-// WebAssembly without exceptions: throw ends the module, and the page then reads the text.
+// This WebAssembly module has no exceptions. A throw ends the module, and the page then reads the
+// text of the exception.
 #include "sim/web/module/thrown.hpp"
 
 #include <cstddef>
@@ -23,7 +24,7 @@ std::string_view thrownText() {
 
 }  // namespace wr::web
 
-// The C++ ABI defines these names; the compiler calls them.
+// The C++ ABI defines these names. The compiler calls these functions.
 // NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 extern "C" void* __cxa_allocate_exception(std::size_t size) noexcept {
   return std::malloc(size);

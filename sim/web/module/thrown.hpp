@@ -4,7 +4,8 @@
 
 namespace wr::web {
 
-/// @brief Returns the text of the exception that ended the module; empty when something else ended it.
+/// @brief Returns the text of the exception that ended the module; empty when the module did not
+/// end by an exception.
 [[nodiscard]] std::string_view thrownText();
 
 }  // namespace wr::web

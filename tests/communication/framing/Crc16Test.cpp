@@ -19,7 +19,7 @@ TEST(Crc16, FR40_HasTheCheckValueOfItsAlgorithm) {
   EXPECT_EQ(crc.value(), 0x29B1);
 }
 
-/// @brief The check sum does not depend on the division of the bytes into parts.
+/// @brief The checksum does not depend on the division of the bytes into parts.
 /// @verifies FR-40
 TEST(Crc16, FR40_BytesCanBeAddedInParts) {
   Crc16 crc;
@@ -29,7 +29,7 @@ TEST(Crc16, FR40_BytesCanBeAddedInParts) {
   EXPECT_EQ(crc.value(), 0x29B1);
 }
 
-/// @brief For random bytes the check sum equals the result of a polynomial division.
+/// @brief For random bytes, the checksum is equal to the result of a polynomial division.
 /// @verifies FR-40
 TEST(Crc16, FR40_AgreesWithTheReference) {
   std::mt19937 random(test::seed());

@@ -17,8 +17,8 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
 
-/// @brief Stores bytes from the line in the decoder, in reads that end with a zero byte or fill its
-/// storage.
+/// @brief Stores bytes from the line in the decoder. Each read ends with a zero byte or fills the
+/// decoder's storage.
 /// @return the results of the decoder, except Nothing
 std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   std::vector<Decoded> said;
@@ -48,7 +48,7 @@ TEST(FrameDecoder, FR40_FindsAFrame) {
   EXPECT_THAT(decoder.frame().payload, ElementsAreArray(payload));
 }
 
-/// @brief Frames of the least and the greatest length are detected.
+/// @brief Frames with the smallest and with the greatest length are detected.
 /// @verifies FR-40
 TEST(FrameDecoder, FR40_FindsTheShortestAndTheLongestFrame) {
   FrameDecoder decoder;
@@ -59,7 +59,7 @@ TEST(FrameDecoder, FR40_FindsTheShortestAndTheLongestFrame) {
   EXPECT_THAT(decoder.frame().payload, ElementsAreArray(Bytes(kMaxPayload, 0)));
 }
 
-/// @brief Zero bytes with nothing between them are ignored.
+/// @brief Successive zero bytes are ignored.
 /// @verifies FR-40
 TEST(FrameDecoder, FR40_ZeroBytesBetweenFramesAreIgnored) {
   FrameDecoder decoder;
@@ -67,8 +67,8 @@ TEST(FrameDecoder, FR40_ZeroBytesBetweenFramesAreIgnored) {
   EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {})), ElementsAre(Decoded::Whole));
 }
 
-/// @brief A frame with any single wrong bit is not accepted. The bit may also split the frame into
-/// two: then both are damaged.
+/// @brief A frame with any single wrong bit is not accepted. A wrong bit may split the frame into
+/// two frames. In this case both frames are damaged.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_AFrameWithOneWrongBitIsDamaged) {
   const Bytes whole = test::lineBytes(4, 7, {1, 0, 2, 0, 0, 3, 255, 254});
@@ -81,7 +81,8 @@ TEST(FrameDecoder, FR41_AFrameWithOneWrongBitIsDamaged) {
   }
 }
 
-/// @brief A frame whose COBS code points beyond the end, or ends before it, is damaged.
+/// @brief A frame is damaged if its COBS code points beyond its end, or if the code ends before the
+/// end of the frame.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_BadCobsIsDamaged) {
   FrameDecoder decoder;
@@ -112,7 +113,7 @@ TEST(FrameDecoder, FR41_ABadCrcIsDamaged) {
   }
 }
 
-/// @brief A frame is found although each read has only one byte of it.
+/// @brief A frame is detected when each read has only one byte.
 /// @verifies FR-40
 TEST(FrameDecoder, FR40_FindsAFrameInSingleBytes) {
   FrameDecoder decoder;
@@ -151,7 +152,7 @@ TEST(FrameDecoder, FR43_AFrameOfAnotherVersionIsNotDamaged) {
   EXPECT_THAT(push(decoder, test::lineBytes(1, 0, {}, 0)), ElementsAre(Decoded::UnknownVersion));
 }
 
-/// @brief After any dropped bytes the next frame is detected.
+/// @brief After dropped bytes of any kind, the next frame is detected.
 /// @verifies FR-48
 TEST(FrameDecoder, FR48_TheFrameAfterADroppedOneIsFound) {
   const Bytes good = test::lineBytes(2, 3, {4});

@@ -14,7 +14,8 @@ namespace {
 using test::Bytes;
 using testing::ElementsAreArray;
 
-/// @brief A frame begins with version, type and sequence number and ends with the CRC, low byte first.
+/// @brief A frame begins with version, type and sequence number. It ends with the CRC, low byte
+/// first.
 /// @verifies FR-40
 TEST(FrameEncoder, FR40_MakesAFrameAsTheProtocolSays) {
   FrameEncoder encoder;
@@ -23,7 +24,7 @@ TEST(FrameEncoder, FR40_MakesAFrameAsTheProtocolSays) {
               ElementsAreArray(test::fromHex("0702020101d82400")));
 }
 
-/// @brief The only zero byte of a frame is its last, for any payload.
+/// @brief For any payload, the only zero byte of a frame is its last byte.
 /// @verifies FR-40
 TEST(FrameEncoder, FR40_OnlyTheLastByteIsZero) {
   FrameEncoder encoder;

@@ -36,22 +36,22 @@ constexpr std::uint8_t kOrder = 0x04;
 constexpr std::uint8_t kWelcome = 0x81;
 constexpr std::uint8_t kReport = 0x82;
 
-/// @brief A connection in which the test is the PC.
+/// @brief A connection whose PC is the test.
 struct PcConnectionTest : testing::Test {
-  /// @brief Puts bytes on the line at the present time, which is also the time of the clock pulse,
-  /// and serves the link.
+  /// @brief Puts bytes on the line at the present time, and serves the link. The clock pulse has
+  /// the same time.
   void receive(const Bytes& line) {
     arrive(line);
     service();
   }
 
-  /// @brief Puts bytes on the line at this time.
+  /// @brief Puts bytes on the line at the present time.
   void arrive(const Bytes& line) {
     port.at = clock.now();
     port.received.insert(port.received.end(), line.begin(), line.end());
   }
 
-  /// @brief Serves the link in a cycle whose clock pulse comes now.
+  /// @brief Serves the link in a cycle whose clock pulse has the present time.
   void service() {
     connection.beginCycle(clock.now());
     connection.service();
@@ -72,7 +72,7 @@ struct PcConnectionTest : testing::Test {
     send(kOrder, orderPayload(id, commands, steering));
   }
 
-  /// @brief Lets the time pass, then serves the link.
+  /// @brief Advances the time, then serves the link.
   void wait(Microseconds duration) {
     clock.advance(duration);
     service();
@@ -89,7 +89,8 @@ struct PcConnectionTest : testing::Test {
 
   [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
 
-  /// @brief Executes an action, checks that it changes only one count, and returns this count.
+  /// @brief Executes an action. Checks that the action changes only one count, and returns this
+  /// count.
   template <class Action>
   void expectCounted(std::uint16_t LinkCounts::*count, int times, Action action) {
     LinkCounts expected = connection.counts();
@@ -111,7 +112,7 @@ struct PcConnectionTest : testing::Test {
   std::uint8_t sequence = 0;
 };
 
-/// @brief After start no PC is connected, and nothing is sent.
+/// @brief After the start, no PC is connected, and nothing is sent.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_IsDisconnectedAfterStart) {
   wait(milliseconds(100));
@@ -120,7 +121,8 @@ TEST_F(PcConnectionTest, FR31_IsDisconnectedAfterStart) {
   EXPECT_EQ(connection.counts(), LinkCounts());
 }
 
-/// @brief A Hello is answered by one Welcome with session, version, build id, period, N and start.
+/// @brief The firmware answers a Hello with one Welcome. It contains session, version, build id,
+/// period, N and start.
 /// @verifies FR-30
 /// @verifies FR-76
 /// @verifies FR-246
@@ -144,8 +146,8 @@ TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
               testing::MatchesRegex("[0-9a-f]+"));
 }
 
-/// @brief The Welcome contains the cause of the reset and the kind, number and address of the fault.
-/// Each Welcome of a start has the same content.
+/// @brief The Welcome contains the cause of the reset and the kind, number and address of the
+/// fault. Each Welcome of a start has the same content.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   start = {ResetCause::Software, FaultKind::UnexpectedInterrupt, 0x0150, 0x89ABCDEF};
@@ -159,7 +161,7 @@ TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   }
 }
 
-/// @brief Each Hello is answered in each state, each time with another session.
+/// @brief In each state, each Hello is answered. Each answer has another session.
 /// @verifies FR-30
 TEST_F(PcConnectionTest, FR30_EachHelloIsAnsweredWithANewSession) {
   send(kHello);
@@ -173,7 +175,7 @@ TEST_F(PcConnectionTest, FR30_EachHelloIsAnsweredWithANewSession) {
   EXPECT_EQ(sent().size(), 3U);
 }
 
-/// @brief Sessions are numbered from 1 to 255 and then from 1 again.
+/// @brief Sessions are numbered from 1 to 255. After 255, the number is 1 again.
 /// @verifies FR-30
 TEST_F(PcConnectionTest, FR30_TheSessionIsNeverZero) {
   for (int i = 0; i < 255; ++i) {
@@ -192,7 +194,7 @@ TEST_F(PcConnectionTest, FR31_TheRightConfirmConnects) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief Confirm and order may come in one cycle.
+/// @brief A Confirm and an order may be received in the same cycle.
 /// @verifies FR-31
 /// @verifies FR-37
 TEST_F(PcConnectionTest, FR37_AllFramesOfACycleTakeEffectInIt) {
@@ -204,7 +206,8 @@ TEST_F(PcConnectionTest, FR37_AllFramesOfACycleTakeEffectInIt) {
   EXPECT_TRUE(orders.available());
 }
 
-/// @brief Many Hellos of one cycle get one Welcome. Only its session can be confirmed.
+/// @brief Several Hellos in one cycle get one Welcome. Only the session of this Welcome can be
+/// confirmed.
 /// @verifies FR-245
 /// @verifies FR-30
 TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
@@ -218,8 +221,8 @@ TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A session that no Welcome has offered cannot be confirmed. This is true in the cycle of
-/// the Hello, and when the port had no space for the Welcome.
+/// @brief A session that no Welcome has offered cannot be confirmed. It cannot be confirmed in the
+/// cycle of the Hello. It also cannot be confirmed when the port had no space for the Welcome.
 /// @verifies FR-245
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR245_OnlyASessionThatWasSentIsOffered) {
@@ -237,8 +240,8 @@ TEST_F(PcConnectionTest, FR245_OnlyASessionThatWasSentIsOffered) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief A Hello of another version of the protocol is answered, with the versions that are accepted. Other
-/// frames of another version are counted and dropped.
+/// @brief A Hello of another version of the protocol gets an answer with the accepted versions.
+/// Other frames of another version are counted and dropped.
 /// @verifies FR-246
 /// @verifies FR-43
 TEST_F(PcConnectionTest, FR246_AHelloOfAnotherVersionIsAnswered) {
@@ -292,8 +295,8 @@ TEST_F(PcConnectionTest, FR31_OnlyTheLastSessionIsOffered) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief A Confirm whose last byte comes 1 s after the clock pulse of the Welcome connects, also when it
-/// is read later.
+/// @brief A Confirm connects the PC if its last byte arrives 1 s after the clock pulse of the
+/// Welcome, even if the Confirm is read later.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_AConfirmAfterOneSecondConnects) {
   send(kHello);
@@ -304,7 +307,7 @@ TEST_F(PcConnectionTest, FR31_AConfirmAfterOneSecondConnects) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief The time for the Confirm begins with the Welcome, also long after the start.
+/// @brief The time limit of the Confirm begins with the Welcome, even long after the start.
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR31_TheTimeForTheConfirmBeginsWithTheWelcome) {
   clock.advance(milliseconds(5000));
@@ -314,8 +317,8 @@ TEST_F(PcConnectionTest, FR31_TheTimeForTheConfirmBeginsWithTheWelcome) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A Confirm whose last byte comes later is unexpected, even when no cycle has ended the
-/// handshake yet.
+/// @brief A Confirm is unexpected if its last byte arrives more than 1 s after the Welcome, even if
+/// no cycle has ended the handshake yet.
 /// @verifies FR-31
 /// @verifies FR-32
 TEST_F(PcConnectionTest, FR32_AConfirmThatIsLateIsUnexpected) {
@@ -325,8 +328,8 @@ TEST_F(PcConnectionTest, FR32_AConfirmThatIsLateIsUnexpected) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief Without a correct Confirm the handshake ends after 1 s; a wrong Confirm does not prolong
-/// it.
+/// @brief Without a correct Confirm, the handshake ends after 1 s. A wrong Confirm does not prolong
+/// the handshake.
 /// @verifies FR-32
 TEST_F(PcConnectionTest, FR32_TheHandshakeEndsAfterOneSecond) {
   send(kHello);
@@ -351,7 +354,8 @@ TEST_F(PcConnectionTest, FR33_ASilentPcIsDisconnected) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief The order that is dropped with the connection cannot be read, even if it is not old.
+/// @brief At the end of the connection, the order is dropped. It cannot be read, even if it is not
+/// old.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   handshake();
@@ -364,9 +368,9 @@ TEST_F(PcConnectionTest, FR33_TheOrderOfALostPcIsDropped) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief The silence counts from the last byte of the last accepted frame to the last byte of the
-/// next frame, independent of the cycles that read them. After 1 s the connection has ended, and
-/// the frame is unexpected.
+/// @brief The silence lasts from the last byte of the last accepted frame to the last byte of the
+/// next frame. It does not depend on the cycles that read these frames. After 1 s of silence, the
+/// connection has ended, and the next frame is unexpected.
 /// @verifies FR-33
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR33_TheSilenceEndsWithTheLastByteOfTheNextFrame) {
@@ -382,8 +386,8 @@ TEST_F(PcConnectionTest, FR33_TheSilenceEndsWithTheLastByteOfTheNextFrame) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief The silence at a clock pulse counts from the last byte of the last accepted frame, and not from the
-/// cycle that read it.
+/// @brief At a clock pulse, the silence is measured from the last byte of the last accepted frame.
+/// It is not measured from the cycle that read the frame.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_TheSilenceBeginsWithTheLastByte) {
   handshake();
@@ -395,7 +399,7 @@ TEST_F(PcConnectionTest, FR33_TheSilenceBeginsWithTheLastByte) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief The age of an order counts from its last byte on the line.
+/// @brief The age of an order is measured from its last byte on the line.
 /// @verifies FR-20
 TEST_F(PcConnectionTest, FR20_TheAgeOfAnOrderCountsFromItsLastByte) {
   handshake();
@@ -480,8 +484,8 @@ TEST_F(PcConnectionTest, FR36_OrdersAreTakenOnlyWhileConnected) {
   EXPECT_TRUE(orders.available());
 }
 
-/// @brief A stop acts in every state of the connection. Without a connection, the frame of the stop
-/// still counts as unexpected and is no message.
+/// @brief A stop acts in every state of the connection. Without a connection, the frame with the
+/// stop is still counted as unexpected. It is not a message.
 /// @verifies FR-240
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR240_AStopActsWhenDisconnected) {
@@ -498,8 +502,8 @@ TEST_F(PcConnectionTest, FR240_AStopActsInTheHandshake) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop acts even when other fields of its order are out of range, or unused bits of the
-/// commands are set.
+/// @brief A stop acts even when other fields of its order are out of range or when unused bits of
+/// the commands are set.
 /// @verifies FR-240
 /// @verifies FR-46
 TEST_F(PcConnectionTest, FR240_AStopActsWithFieldsOutOfRange) {
@@ -523,8 +527,8 @@ TEST_F(PcConnectionTest, FR240_AStopActsInAStaleOrder) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop does not act in a frame that is damaged, that has another version or type, or that
-/// is too short to contain it.
+/// @brief A stop does not act if its frame is damaged, has another version or type, or is too short
+/// to contain a stop.
 /// @verifies FR-240
 TEST_F(PcConnectionTest, FR240_AStopNeedsAGoodFrame) {
   handshake();
@@ -537,8 +541,8 @@ TEST_F(PcConnectionTest, FR240_AStopNeedsAGoodFrame) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief An order out of range, a stale order and an order without connection do not release a
-/// stop.
+/// @brief A stop is not released by an order that is out of range, is stale, or arrives without a
+/// connection.
 /// @verifies FR-241
 TEST_F(PcConnectionTest, FR241_ADroppedOrderDoesNotReleaseAStop) {
   sendOrder(1, 1);
@@ -556,9 +560,9 @@ TEST_F(PcConnectionTest, FR241_ADroppedOrderDoesNotReleaseAStop) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief An order is stale when its sequence number is the number of the last accepted frame, or
-/// one of the 128 numbers before this number. A stale order is dropped and counted. An order with
-/// one of the 127 numbers after this number is new.
+/// @brief An order is stale when its sequence number is equal to the number of the last accepted
+/// frame, or to one of the 128 numbers before it. A stale order is dropped and counted. An order
+/// with one of the next 127 numbers is new.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AnOrderMustBeNewerThanTheFrameBefore) {
   for (int ahead = 0; ahead < 256; ++ahead) {
@@ -602,7 +606,8 @@ TEST_F(PcConnectionTest, FR243_AnOldKeepAliveDoesNotMakeOldOrdersNew) {
                 [&] { receive(test::lineBytes(kOrder, 6, orderPayload(2))); });
 }
 
-/// @brief After a Hello the sequence begins again: an order with a number of the previous session is accepted.
+/// @brief A Hello restarts the sequence. After it, an order with a number of the previous session
+/// is accepted.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AHelloBeginsTheSequenceAgain) {
   handshake();
@@ -615,7 +620,7 @@ TEST_F(PcConnectionTest, FR243_AHelloBeginsTheSequenceAgain) {
   EXPECT_TRUE(orders.available());
 }
 
-/// @brief Each state counts the frames that it does not expect.
+/// @brief In each state of the connection, unexpected frames are counted.
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR47_UnexpectedFramesAreCounted) {
   expectCounted(&LinkCounts::unexpected, 2, [&] {
@@ -641,7 +646,8 @@ TEST_F(PcConnectionTest, FR47_TheSequenceOfAnUnexpectedFrameIsNotLookedAt) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A frame that is damaged, too long or of another version is counted by its reason.
+/// @brief Damaged frames, frames that are too long, and frames of another version have separate
+/// counts.
 /// @verifies FR-41
 /// @verifies FR-42
 /// @verifies FR-43
@@ -655,8 +661,8 @@ TEST_F(PcConnectionTest, FR41_FramesThatAreNotInOrderAreCounted) {
   EXPECT_TRUE(port.sent.empty());
 }
 
-/// @brief Frames whose type only the system sends, and frames of an undefined type, are counted as
-/// of unknown type.
+/// @brief Frames with an undefined type, or with a type that only the system sends, are counted as
+/// frames of unknown type.
 /// @verifies FR-44
 TEST_F(PcConnectionTest, FR44_UnknownTypesAreCounted) {
   expectCounted(&LinkCounts::unknownType, 4, [&] {
@@ -666,7 +672,7 @@ TEST_F(PcConnectionTest, FR44_UnknownTypesAreCounted) {
   });
 }
 
-/// @brief A payload that is shorter than its type demands is dropped in every state.
+/// @brief In every state, a frame is dropped if its payload is shorter than its type demands.
 /// @verifies FR-45
 TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   const auto sendAll = [&] {
@@ -682,7 +688,8 @@ TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A longer payload is accepted, up to 200 bytes, and bytes after the known fields are ignored.
+/// @brief A longer payload is accepted, up to 200 bytes, and bytes after the known fields are
+/// ignored.
 /// @verifies FR-248
 TEST_F(PcConnectionTest, FR248_LongerPayloadsAreAccepted) {
   const auto longer = [](Bytes payload, std::size_t size) {
@@ -727,7 +734,8 @@ TEST_F(PcConnectionTest, FR48_TheSequenceOfADroppedFrameIsNotLookedAt) {
   EXPECT_EQ(connection.counts().sequenceGaps, 0);
 }
 
-/// @brief A frame that does not follow the previous frame is a gap, and is not dropped.
+/// @brief If the number of a frame does not follow the previous number, a gap is counted. The frame
+/// is not dropped.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_SequenceGapsAreCounted) {
   handshake();
@@ -739,7 +747,7 @@ TEST_F(PcConnectionTest, FR49_SequenceGapsAreCounted) {
   expectCounted(&LinkCounts::sequenceGaps, 1, [&] { send(kKeepAlive); });
 }
 
-/// @brief Sequence numbers run from 255 to 0 without a gap.
+/// @brief Sequence number 0 after 255 is not a gap.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_SequenceNumbersWrap) {
   handshake();
@@ -749,7 +757,7 @@ TEST_F(PcConnectionTest, FR49_SequenceNumbersWrap) {
   EXPECT_EQ(connection.counts().sequenceGaps, 0);
 }
 
-/// @brief A Hello restarts the count of the sequence.
+/// @brief A Hello restarts the sequence of numbers.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_AHelloStartsTheSequenceAnew) {
   handshake();
@@ -761,7 +769,7 @@ TEST_F(PcConnectionTest, FR49_AHelloStartsTheSequenceAnew) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief The bytes that the port lost are reported as the port counts them.
+/// @brief The report contains the port's count of lost bytes.
 /// @verifies FR-49
 TEST_F(PcConnectionTest, FR49_LostBytesAreTold) {
   port.lost = 321;
@@ -803,8 +811,8 @@ TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
   EXPECT_TRUE(port.received.empty());
 }
 
-/// @brief In a cycle, each read except the last ends a frame or fills the storage of a frame. The
-/// proven bound of the cycle needs this limit of the number of reads.
+/// @brief In a cycle, each read except the last read ends a frame or fills the storage of a frame.
+/// This limits the number of reads. The proven bound of the cycle needs this limit.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheReadsOfOneCycleAreBounded) {
   constexpr std::size_t kBytes = 1216;
@@ -822,7 +830,7 @@ TEST_F(PcConnectionTest, FR244_TheReadsOfOneCycleAreBounded) {
   }
 }
 
-/// @brief A frame may come in parts, over several cycles.
+/// @brief The parts of a frame may arrive in several cycles.
 /// @verifies FR-37
 TEST_F(PcConnectionTest, FR37_AFrameTakesEffectWhenItIsWhole) {
   for (const std::uint8_t byte : test::lineBytes(kHello, 0, {})) {
@@ -849,8 +857,8 @@ TEST_F(PcConnectionTest, FR60_AReportIsSentOnlyWhileConnected) {
   EXPECT_EQ(connection.counts().reportsNotSent, 0);
 }
 
-/// @brief A report for which the port has no space is dropped as a whole and counted. The next
-/// report uses its sequence number.
+/// @brief If the port has no space for a report, the whole report is dropped and counted. The next
+/// report uses the sequence number of the dropped report.
 /// @verifies FR-64
 /// @verifies FR-252
 TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
@@ -886,7 +894,7 @@ TEST_F(PcConnectionTest, FR64_AReportThatFitsInNoFrameIsDroppedAndCounted) {
   EXPECT_EQ(port.sent.size(), before);
 }
 
-/// @brief A Welcome for which the port has no space is not sent in part; the next Hello is
+/// @brief If the port has no space for a Welcome, no part of the Welcome is sent. The next Hello is
 /// answered.
 /// @verifies FR-30
 TEST_F(PcConnectionTest, FR30_AWelcomeWithoutRoomIsDropped) {
@@ -898,8 +906,8 @@ TEST_F(PcConnectionTest, FR30_AWelcomeWithoutRoomIsDropped) {
   EXPECT_EQ(lastSession(), 1);
 }
 
-/// @brief The first frame after start follows a zero byte. The zero byte ends a frame that the
-/// firmware may have sent in part before a reset. The frames after it do not.
+/// @brief The first frame after the start has a zero byte before it. The zero byte ends a frame
+/// that the firmware may have sent in part before a reset. Later frames have no such zero byte.
 /// @verifies FR-247
 TEST_F(PcConnectionTest, FR247_TheFirstFrameFollowsAZeroByte) {
   send(kHello);
@@ -911,7 +919,8 @@ TEST_F(PcConnectionTest, FR247_TheFirstFrameFollowsAZeroByte) {
   EXPECT_NE(port.sent[first], 0);
 }
 
-/// @brief The zero byte is not sent alone when the port has no space for the frame after it.
+/// @brief If the port has no space for the first frame, the zero byte before the frame is not sent
+/// either.
 /// @verifies FR-247
 TEST_F(PcConnectionTest, FR247_WithoutRoomNoZeroByteIsSent) {
   constexpr std::size_t kWelcomeOnLine = 29 + 7;
@@ -923,7 +932,7 @@ TEST_F(PcConnectionTest, FR247_WithoutRoomNoZeroByteIsSent) {
   EXPECT_EQ(port.sent.size(), kWelcomeOnLine + 1);
 }
 
-/// @brief Frames that are sent are numbered from 0.
+/// @brief The sent frames are numbered from 0.
 /// @verifies FR-252
 TEST_F(PcConnectionTest, FR252_SentFramesAreNumbered) {
   handshake();
@@ -993,8 +1002,8 @@ Bytes withThisBuild(Bytes body) {
   return test::withCrc(body);
 }
 
-/// @brief The connection accepts each example of the PC, in the order of the examples. Its Welcome
-/// equals the Welcome of the examples, except for the build id.
+/// @brief The connection accepts each example frame of the PC, in the order of the examples. The
+/// Welcome of the connection equals the Welcome of the examples, except for the build id.
 /// @verifies FR-30
 /// @verifies FR-31
 /// @verifies FR-40

@@ -29,7 +29,7 @@ struct BufferReaderTest : testing::Test {
   BufferReader reader{velocity, direction, clock};
 };
 
-/// @brief One signal alone is not an order.
+/// @brief The velocity signal alone is not an order.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_OneSignalIsNoOrder) {
   EXPECT_FALSE(reader.available());
@@ -39,7 +39,7 @@ TEST_F(BufferReaderTest, FR50_OneSignalIsNoOrder) {
   EXPECT_TRUE(reader.available());
 }
 
-/// @brief The direction signal alone is not an order either.
+/// @brief The direction signal alone is not an order.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_DirectionAloneIsNoOrder) {
   directionSignal(1);
@@ -64,7 +64,7 @@ TEST_F(BufferReaderTest, FR50_NeitherSignalMayBeOld) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief After a read both signals must have a new value.
+/// @brief After a read, both signals must have a new value before the next order is complete.
 /// @verifies FR-20
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_BothSignalsMustBeNew) {
@@ -83,7 +83,7 @@ TEST_F(BufferReaderTest, FR50_BothSignalsMustBeNew) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief The velocity signal is the set-point of all wheels, the direction signal is the set-point
+/// @brief The velocity signal is the set-point of all wheels. The direction signal is the set-point
 /// of the steering. The order has the number 0 and no stop.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, FR51_OneVelocityForAllWheelsAndOneAngle) {
@@ -98,7 +98,7 @@ TEST_F(BufferReaderTest, FR51_OneVelocityForAllWheelsAndOneAngle) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief A signal beyond the limit of the robot counts as the limit.
+/// @brief A signal beyond the limit of the robot is read as the limit.
 /// @verifies FR-51
 /// @verifies FR-178
 TEST_F(BufferReaderTest, FR51_SignalsAreLimited) {
@@ -124,7 +124,8 @@ TEST_F(BufferReaderTest, FR51_AnOrderHoldsOneValueOfEachSignal) {
   EXPECT_TRUE(reader.available());
 }
 
-/// @brief The first field of a read, which can be any field, determines the values of the order.
+/// @brief The values of an order are the signals at the time of the first field that is read. This
+/// can be any field.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, FR51_TheFirstFieldTakesTheSignals) {
   const std::array<std::function<void()>, 4> reads{
@@ -162,7 +163,7 @@ TEST_F(BufferReaderTest, FR50_AReadWithoutBothSignalsFails) {
   EXPECT_FALSE(order.readFrom(reader));
 }
 
-/// @brief A read of the direction signal alone fails, and its value cannot be read again.
+/// @brief When only the direction signal has a value, a read fails. The value cannot be read again.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
   directionSignal(1);
@@ -172,8 +173,8 @@ TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A field that an order of the remote control does not have is read as 0, and finish()
-/// reports it.
+/// @brief A field that an order of the remote control does not have is read as 0. The function
+/// finish() reports this.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, UnknownFieldsFail) {
   velocitySignal(1);

@@ -41,7 +41,8 @@ TEST(OrderMessage, FR46_SteeringIsInRangeUpToTheLimit) {
   EXPECT_FALSE(withSteering(-3201).inRange());
 }
 
-/// @brief The value of each wheel is in range up to the limit of its quantity, forwards and backwards.
+/// @brief The value of each wheel is in range up to the limit of its quantity, forwards and
+/// backwards.
 /// @verifies FR-46
 /// @verifies FR-178
 TEST(OrderMessage, FR46_EachWheelIsInRangeUpToTheLimitOfItsQuantity) {
@@ -67,7 +68,8 @@ TEST(OrderMessage, FR46_AnUnknownQuantityIsOutOfRange) {
   EXPECT_FALSE(withWheel(3, static_cast<WheelQuantity>(255), 0).inRange());
 }
 
-/// @brief Bit 0 of the commands stops, bit 1 acknowledges. With any other bit the order is out of range.
+/// @brief In the commands, bit 0 is the stop, and bit 1 is the acknowledgement. With any other bit,
+/// the order is out of range.
 /// @verifies FR-46
 TEST(OrderMessage, FR46_OnlyTheTwoCommandsAreInRange) {
   for (int commands = 0; commands < 256; ++commands) {
@@ -131,7 +133,7 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
 /// @verifies FR-45
 TEST(OrderMessage, AnIncompleteOrderIsNotRead) {
   SerialReader reader;
-  reader.readU8({FieldName::Commands});  // one byte less is left
+  reader.readU8({FieldName::Commands});  // one byte fewer is left
   OrderMessage order;
   EXPECT_FALSE(order.readFrom(reader));
 }

@@ -17,7 +17,7 @@ namespace {
 
 using test::Bytes;
 
-/// @brief Reader of any bytes.
+/// @brief A reader that reads given bytes.
 class BytesReader final : public Reader {
  public:
   explicit BytesReader(Bytes bytes) : bytes_(std::move(bytes)) {}
@@ -55,7 +55,7 @@ unsigned u16(const Bytes& bytes, std::size_t offset) {
   return bytes[offset] + 256U * bytes[offset + 1];
 }
 
-/// @brief Returns a random number, often one of the limits.
+/// @brief Returns a random number. The number is often one of the limits of its type.
 template <class Number>
 Number number(std::mt19937& random) {
   switch (random() % 4) {
@@ -129,7 +129,7 @@ ReportData randomData(std::mt19937& random) {
   return data;
 }
 
-/// @brief Two reports are equal only when each of their values is equal.
+/// @brief Two reports are equal only when all their values are equal.
 TEST(ReportData, DiffersInEachValue) {
   SetPoints setPoints;
   setPoints.orderId = 1;
@@ -149,7 +149,7 @@ TEST(ReportData, DiffersInEachValue) {
       std::uint16_t{1}, &ReportData::link, link, &ReportData::costs, kCosts);
 }
 
-/// @brief Two sets of counts are equal only when each count is equal.
+/// @brief Two sets of link counts are equal only when all their counts are equal.
 TEST(LinkCounts, DifferInEachCount) {
   constexpr std::uint16_t kOne = 1;
   test::expectDifference(
@@ -159,7 +159,7 @@ TEST(LinkCounts, DifferInEachCount) {
       kOne, &LinkCounts::reportsNotSent, kOne, &LinkCounts::staleOrders, kOne);
 }
 
-/// @brief Two costs are equal only when each count is equal.
+/// @brief Two cycle costs are equal only when all their counts are equal.
 TEST(CycleCosts, DifferInEachCount) {
   test::expectDifference(&CycleCosts::report, 1U, &CycleCosts::awake, 1U, &CycleCosts::start, 1U);
 }
@@ -171,7 +171,8 @@ TEST(ReportMessage, FR62_AnEmptyReportMarksAllValuesAsMissing) {
   EXPECT_EQ(written({}), empty.bytes());
 }
 
-/// @brief Each measured and applied value has a separate bit of validity and a separate place.
+/// @brief Each measured and applied value has a separate validity bit and a separate position in
+/// the report.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_EachValueHasItsBitAndItsPlace) {
   struct Case {
@@ -216,7 +217,7 @@ TEST(ReportMessage, FR62_AMissingTurnDirectionIsZero) {
   EXPECT_EQ(bytes[73], 0);
 }
 
-/// @brief The turn direction is -1, 0 or 1, and its bit is set also when it is 0.
+/// @brief The turn direction is -1, 0 or 1. Its validity bit is also set when the direction is 0.
 /// @verifies FR-62
 TEST(ReportMessage, FR62_TheTurnDirectionHasItsBit) {
   for (const int turn : {-1, 0, 1}) {
@@ -247,8 +248,8 @@ TEST(ReportMessage, FR175_EachFlagHasItsBit) {
   EXPECT_EQ(written(armed)[11], 16);
 }
 
-/// @brief One byte each contains the reason why the robot does not follow its set-points, the cause
-/// of a protective stop, the wheel of this cause, and the sources that order stop.
+/// @brief Four bytes contain the reason why the robot does not follow its set-points, the cause of
+/// a protective stop, the wheel of this cause, and the sources that order a stop.
 /// @verifies FR-242
 TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   ReportData data;
@@ -260,7 +261,7 @@ TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   EXPECT_EQ(u16(bytes, 62), 0U) << "the cause of a stop is no measured value";
 }
 
-/// @brief The order in force has the time of the sender's clock, and the report has a field for this
+/// @brief The order in force contains a time of the sender's clock. The report has a field for this
 /// time.
 /// @verifies FR-249
 TEST(ReportMessage, FR249_TheTimeOfTheSenderHasItsPlace) {
@@ -270,7 +271,7 @@ TEST(ReportMessage, FR249_TheTimeOfTheSenderHasItsPlace) {
   EXPECT_EQ(Bytes(bytes.begin() + 124, bytes.begin() + 128), (Bytes{1, 2, 3, 4}));
 }
 
-/// @brief Each count of the link has a separate place.
+/// @brief Each count of the link has a separate position in the report.
 /// @verifies FR-63
 /// @verifies FR-243
 TEST(ReportMessage, FR63_EachCountHasItsPlace) {
@@ -294,7 +295,7 @@ TEST(ReportMessage, FR63_EachCountHasItsPlace) {
   EXPECT_EQ(u16(bytes, 128), 12U);
 }
 
-/// @brief The state of the steering is reported by its number.
+/// @brief The report contains the number of the steering state.
 /// @verifies FR-65
 TEST(ReportMessage, FR65_TheStateOfTheSteeringHasItsNumber) {
   using enum SteeringState;
@@ -341,7 +342,7 @@ TEST(ReportMessage, FR68_EachBlindWheelHasItsBit) {
   }
 }
 
-/// @brief Each wheel has its place for the count of rejected Hall edges.
+/// @brief The count of rejected Hall edges of each wheel has a separate position in the report.
 /// @verifies FR-69
 TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
   ReportData data;
@@ -354,7 +355,7 @@ TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
   }
 }
 
-/// @brief Each count of processor cycles has a separate place with 32 bits.
+/// @brief Each count of processor cycles has a separate 32-bit position in the report.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303
@@ -365,7 +366,7 @@ TEST(ReportMessage, FR160_EachCountOfCyclesHasItsPlace) {
   EXPECT_EQ(costs, (Bytes{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
 }
 
-/// @brief A value out of the range of its field is sent as the nearest value in the range.
+/// @brief If a value is out of the range of its field, the nearest value in the range is sent.
 /// @verifies FR-177
 TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
   ReportData data;
@@ -416,7 +417,7 @@ TEST(ReportMessage, AnIncompleteReportIsNotRead) {
   EXPECT_FALSE(ReportMessage(data).readFrom(reader));
 }
 
-/// @brief The writer returns false for a report for which there is no space.
+/// @brief The writer returns false when there is no space for a report.
 /// @verifies FR-64
 TEST(ReportMessage, AReportWithoutRoomIsTold) {
   SerialWriter writer;

@@ -17,7 +17,7 @@ struct SerialReaderTest : testing::Test {
     return order;
   }
 
-  // Stores an order whose last byte came at the clock pulse of the present cycle.
+  // Stores an order whose last byte arrived at the clock pulse of the present cycle.
   bool offer(const test::OrderBytes& bytes) { return reader.offer(bytes, pulse); }
 
   void advance(Microseconds duration) {
@@ -29,7 +29,7 @@ struct SerialReaderTest : testing::Test {
   SerialReader reader;
 };
 
-/// @brief After start there is neither an order nor a stop.
+/// @brief After the start, there is neither an order nor a stop.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_HoldsNothingAfterStart) {
   EXPECT_FALSE(reader.available());
@@ -70,8 +70,8 @@ TEST_F(SerialReaderTest, FR20_AnOrderIsReadOnce) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief An order can be read while the clock pulse of the cycle is at most 200 ms after the last byte of
-/// the order.
+/// @brief An order can be read if the clock pulse of the cycle is at most 200 ms after the last
+/// byte of the order.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_AnOrderIsReadUntilItIs200MillisecondsOld) {
   constexpr Instant kLastByte(12'345);
@@ -82,7 +82,8 @@ TEST_F(SerialReaderTest, FR20_AnOrderIsReadUntilItIs200MillisecondsOld) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief An order whose last byte came after the clock pulse of the reading cycle is not too old.
+/// @brief An order is not too old if its last byte arrived after the clock pulse of the cycle that
+/// reads it.
 /// @verifies FR-20
 TEST_F(SerialReaderTest, FR20_AnOrderMayComeAfterTheClockPulse) {
   reader.beginCycle(Instant(100'000));
@@ -113,8 +114,8 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeChangesNothing) {
   EXPECT_EQ(read().setPoints().orderId, 1);
 }
 
-/// @brief An order out of range does not make the previous order available again when the previous
-/// order was already read.
+/// @brief If the previous order was already read, an order out of range does not make it available
+/// again.
 /// @verifies FR-20
 /// @verifies FR-46
 TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {
@@ -138,8 +139,8 @@ TEST_F(SerialReaderTest, FR21_AStopStaysUntilAnOrderReleasesIt) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief Only an order without stop whose four wheel values are 0 releases a stop, for all
-/// quantities of the wheels and all steering angles.
+/// @brief Only an order without stop whose four wheel values are 0 releases a stop. This is true
+/// for all quantities of the wheels and all steering angles.
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR241_OnlyANeutralOrderReleasesAStop) {
   offer(orderBytes(1, 0, 0, 0, 1));
@@ -165,7 +166,8 @@ TEST_F(SerialReaderTest, FR241_AnOrderThatMovesDoesNotStop) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief A rejected order neither stops nor releases; the stop in it is handled separately.
+/// @brief A rejected order neither stops the robot nor releases a stop. A stop in a rejected order
+/// is handled separately.
 /// @verifies FR-240
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR240_TheStopOfARefusedOrderIsHeeded) {
@@ -181,7 +183,7 @@ TEST_F(SerialReaderTest, FR240_TheStopOfARefusedOrderIsHeeded) {
   EXPECT_TRUE(reader.stopOrdered());
 }
 
-/// @brief A stop that was latched without an order is released like an ordered stop.
+/// @brief A stop that was latched without an order is released in the same way as an ordered stop.
 /// @verifies FR-21
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR21_ALatchedStopIsReleasedByANeutralOrder) {
@@ -203,7 +205,7 @@ TEST_F(SerialReaderTest, FR33_ADroppedOrderIsNotAvailable) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief Numbers are little-endian; signed numbers are in two's complement.
+/// @brief Numbers are little-endian. Signed numbers are in two's complement.
 /// @verifies FR-170
 TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
   ASSERT_TRUE(offer(orderBytes(0x8001, -2, 0, 0x0102, 0, 0xFFFE0000)));
@@ -216,8 +218,8 @@ TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
   EXPECT_TRUE(reader.finish());
 }
 
-/// @brief A read beyond the end returns 0, is reported by finish(), and does not affect the next
-/// read.
+/// @brief A read beyond the end returns 0. The function finish() reports such a read. The next
+/// order is read correctly.
 /// @verifies FR-45
 TEST_F(SerialReaderTest, AReadBeyondTheEndFails) {
   offer(orderBytes(1, 0, 0, 0, 1));

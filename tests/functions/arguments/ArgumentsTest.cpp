@@ -21,7 +21,7 @@ std::optional<std::int32_t> valueOf(const Arguments& arguments, ArgumentId id) {
   return values.has(id) ? std::optional(values[id]) : std::nullopt;
 }
 
-/// @brief The basic arguments are a raw value and a time, and nothing else.
+/// @brief The basic arguments are only a raw value and a time.
 /// @verifies FR-120
 TEST(Arguments, FR120_BaseHasRawAndElapsed) {
   const BaseArguments base(-7, Microseconds(20));
@@ -42,8 +42,8 @@ TEST(Arguments, FR120_TimeIsLimited) {
   EXPECT_EQ(valueOf(BaseArguments(0, Microseconds(-1)), ArgumentId::Elapsed), 0);
 }
 
-/// @brief Each decorator writes the values of its names and the values of the wrapped arguments, in any order of
-/// wrapping.
+/// @brief Each decorator adds its values to the values of the wrapped arguments. The order of the
+/// decorators does not matter.
 /// @verifies FR-120
 /// @verifies FR-124
 TEST(Arguments, FR120_DecoratorsAddUp) {
@@ -66,7 +66,7 @@ TEST(Arguments, FR120_DecoratorsAddUp) {
   EXPECT_FALSE(valueOf(range, ArgumentId::Scale));
 }
 
-/// @brief Of two scales the outermost scale is used.
+/// @brief If there are two scales, the scale of the outermost decorator is used.
 /// @verifies FR-120
 TEST(Arguments, FR120_OutermostCounts) {
   const BaseArguments base(1, Microseconds(2));

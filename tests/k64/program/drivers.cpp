@@ -1,5 +1,5 @@
-// A composition without a robot: bytes from the PC are orders to the devices of the board. Each
-// answer is a sequence of numbers of 16 bits, the low byte first.
+// A composition without a robot. Bytes from the PC are orders to the devices of the board. Each
+// answer is a sequence of 16-bit numbers, low byte first.
 
 #include <algorithm>
 #include <array>
@@ -59,7 +59,7 @@ class WheelBody final : public Command {
 std::array<WheelBody, kWheelCount> wheelBodies{WheelBody(0), WheelBody(1), WheelBody(2),
                                                WheelBody(3)};
 
-// Runs the threads of all wheels, beginning with the last wheel.
+// Posts the threads of all wheels, beginning with the last wheel.
 class MainBody final : public Command {
  public:
   MainBody() = default;
@@ -91,7 +91,7 @@ struct Numbered {
   std::array<std::uint32_t, 32> words{};
 };
 
-// Passes numbers through a pipe, and checks the received numbers. Each side may interrupt the other
+// Passes numbers through a pipe and checks the received numbers. Each side may interrupt the other
 // side.
 class Handover {
  public:
@@ -154,8 +154,8 @@ class Handover {
   std::uint32_t reads_ = 0;
 };
 
-Handover toMain;       // the interrupt of the Hall sensors writes
-Handover toInterrupt;  // the interrupt of the Hall sensors reads
+Handover toMain;       // the interrupt of the Hall sensors writes this pipe
+Handover toInterrupt;  // the interrupt of the Hall sensors reads this pipe
 
 void Handover::answerCounts() const {
   for (const std::uint32_t count : {interruptions_, torn_, older_, newest_, reads_}) {
@@ -163,7 +163,7 @@ void Handover::answerCounts() const {
   }
 }
 
-// Reads and writes for some time, while edges of Hall sensors cause interrupts.
+// Reads and writes for a duration, while edges of Hall sensors cause interrupts.
 void handOver(Microseconds duration) {
   const Instant begin = platform::timebase.now();
   while (platform::timebase.now() - begin < duration) {
@@ -178,8 +178,8 @@ struct Pulse {
 };
 std::array<Pulse, 3> pulses{};
 
-// Serves an input of the remote control, and computes for the longest time that a product's handler
-// may need.
+// Serves an input of the remote control. Then computes for the longest time that the handler of a
+// product may need.
 void servePulse(std::size_t input) {
   constexpr std::uint32_t kRounds = 400;
   countEdges(kHallCount + input, kHallCount + input + 1);
@@ -207,7 +207,7 @@ void takeSamples() {
 
 void obey(std::uint8_t order, std::uint8_t first, std::uint8_t second, std::uint8_t third) {
   switch (order) {
-    case 'P':  // a channel, and its share in 0.01 %
+    case 'P':  // a channel and its duty cycle in 0.01 %
       platform::wheels[first].pwm.set(DutyCycle(static_cast<std::int16_t>(third << 8U | second)));
       break;
     case 'A':
@@ -250,13 +250,13 @@ void obey(std::uint8_t order, std::uint8_t first, std::uint8_t second, std::uint
       }
       answer(static_cast<std::uint16_t>(runCount));
       break;
-    default:  // bytes that were lost at the second port
+    default:  // returns the number of bytes that were lost at the second port
       answer(secondPort.lostBytes());
       break;
   }
 }
 
-// Returns the byte of an order that two letters encode. The port drops a zero byte after another
+// Returns the byte that two letters of an order encode. The port drops a zero byte after another
 // zero byte, so orders consist of letters.
 std::uint8_t number(std::uint8_t high, std::uint8_t low) {
   return static_cast<std::uint8_t>((high - 'A') << 4U | (low - 'A'));

@@ -19,7 +19,7 @@ class ControlSystemPoolTest : public testing::Test {
   SpySystem two;
 };
 
-/// @brief At Control each system measures, receives the set-points, and works.
+/// @brief At Control, each system measures, receives the set-points, and works.
 /// @verifies FR-14
 TEST_F(ControlSystemPoolTest, FR14_ControlReachesEachSystem) {
   addBoth();
@@ -31,7 +31,7 @@ TEST_F(ControlSystemPoolTest, FR14_ControlReachesEachSystem) {
   }
 }
 
-/// @brief At Hold each system measures, halts, and works.
+/// @brief At Hold, each system measures, halts, and works.
 /// @verifies FR-18
 TEST_F(ControlSystemPoolTest, FR18_HoldReachesEachSystem) {
   addBoth();
@@ -57,7 +57,7 @@ TEST_F(ControlSystemPoolTest, FR5_CompletedWhenEachSystemIs) {
   EXPECT_FALSE(pool.completed(1));
 }
 
-/// @brief An empty pool has no value.
+/// @brief An empty pool has no measured values.
 /// @verifies FR-62
 TEST_F(ControlSystemPoolTest, FR62_EmptyPoolGivesNoValue) {
   Measurements measurements;
@@ -80,7 +80,7 @@ TEST_F(ControlSystemPoolTest, FR62_PoolGathersValues) {
   EXPECT_EQ(outputs.turn, 1);
 }
 
-/// @brief A system beyond the capacity ends the program.
+/// @brief Adding more systems than the capacity of the pool ends the program.
 /// @verifies FR-176
 TEST_F(ControlSystemPoolTest, SystemTooManyEndsTheProgram) {
   for (std::size_t i = 0; i < ControlSystemPool::kCapacity; ++i) {

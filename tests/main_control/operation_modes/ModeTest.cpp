@@ -24,7 +24,7 @@ class BrokenReader final : public Reader {
 
 class ModeTest : public ControllerFixture {
  protected:
-  // Sends an order over the line to the reader of the connected PC.
+  // Sends an order over the line to the reader of the connected PC's orders.
   void order(std::uint16_t id, bool stop = false) {
     port.arrive(pc.order({.id = id, .stop = stop}));
     serveLink();
@@ -56,7 +56,8 @@ TEST_F(ModeTest, FR20_BasicModeAsksItsReader) {
   EXPECT_FALSE(basicPc.newMessage());
 }
 
-/// @brief The basic mode reads the order into the data of the controller and cannot read it again.
+/// @brief The basic mode reads an order into the data of the controller. It cannot read the order
+/// again.
 /// @verifies FR-20
 TEST_F(ModeTest, FR20_BasicModeReadsTheOrderOnce) {
   connect();
@@ -136,8 +137,7 @@ TEST_F(ModeTest, FR17_ModesChangeToTheOther) {
   EXPECT_EQ(&controller.getMode(), &first);
 }
 
-/// @brief A stop of the PC is reported by its mode, also when the order is old and the link is
-/// lost.
+/// @brief The mode PC reports a stop of the PC, even when the order is old and the link is lost.
 /// @verifies FR-21
 TEST_F(ModeTest, FR21_ModePassesTheStopOn) {
   PC mode(basicPc, second, connection);

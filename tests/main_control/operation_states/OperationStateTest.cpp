@@ -11,10 +11,10 @@
 namespace wr::test {
 namespace {
 
-// Each state has fake successors, whose steps show whether they are current.
+// The successors of each state are fake states. Their steps show whether they are current.
 class OperationStateTest : public ControllerFixture {
  protected:
-  // Makes a state current, and lets it read from the given mode.
+  // Makes a state the current state of the controller.
   void enter(OperationState& entered) { controller.changeOpState(entered); }
 
   void read(bool message) {
@@ -22,7 +22,7 @@ class OperationStateTest : public ControllerFixture {
     controller.read();
   }
 
-  // Returns the state that controls after the reads so far.
+  // Returns whether a fake state is the current state.
   bool isCurrent(FakeState& fake) {
     fake.steps.clear();
     controller.control();
@@ -32,7 +32,7 @@ class OperationStateTest : public ControllerFixture {
   bool noneIsCurrent() { return !isCurrent(state) && !isCurrent(other); }
 };
 
-/// @brief Working reads a message and stays.
+/// @brief Working reads a message, and remains the current state.
 /// @verifies FR-13
 TEST_F(OperationStateTest, FR13_WorkingReadsAndStays) {
   Working working(other);
@@ -52,8 +52,8 @@ TEST_F(OperationStateTest, FR15_WorkingSetsWaiting) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting stays until the N-th failed read, and then sets WaitingN; the failed read that
-/// set Waiting counts.
+/// @brief Waiting remains until the N-th failed read, and then sets WaitingN. The failed read that
+/// set Waiting is included in this number.
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
@@ -67,7 +67,8 @@ TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting reads a message, sets Working, and counts again from 1 when it is entered again.
+/// @brief Waiting reads a message and sets Working. When Waiting is entered again, it counts again
+/// from 1.
 /// @verifies FR-13
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsAnewAfterAMessage) {
@@ -111,7 +112,7 @@ TEST_F(OperationStateTest, FR13_WaitingNReadsAndSetsWorking) {
   EXPECT_TRUE(isCurrent(state));
 }
 
-/// @brief WaitingN sets Reconnecting when there is no message; the mode stays.
+/// @brief WaitingN sets Reconnecting when there is no message. The mode does not change.
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingNSetsReconnecting) {
   WaitingN waitingN(state, other);
@@ -121,7 +122,7 @@ TEST_F(OperationStateTest, FR16_WaitingNSetsReconnecting) {
   EXPECT_EQ(first.changes, 0);
 }
 
-/// @brief Reconnecting reads a message and sets Working; the mode stays.
+/// @brief Reconnecting reads a message and sets Working. The mode does not change.
 /// @verifies FR-13
 TEST_F(OperationStateTest, FR13_ReconnectingReadsAndSetsWorking) {
   Reconnecting reconnecting(state);
@@ -132,7 +133,7 @@ TEST_F(OperationStateTest, FR13_ReconnectingReadsAndSetsWorking) {
   EXPECT_TRUE(isCurrent(state));
 }
 
-/// @brief Reconnecting changes the mode with each failed read, and stays.
+/// @brief Reconnecting changes the mode after each failed read, and remains the current state.
 /// @verifies FR-17
 TEST_F(OperationStateTest, FR17_ReconnectingChangesTheMode) {
   Reconnecting reconnecting(state);
@@ -146,7 +147,7 @@ TEST_F(OperationStateTest, FR17_ReconnectingChangesTheMode) {
   EXPECT_TRUE(noneIsCurrent());
 }
 
-/// @brief Reconnecting holds the control systems although there are set-points.
+/// @brief Reconnecting holds the control systems, even if there are set-points.
 /// @verifies FR-18
 TEST_F(OperationStateTest, FR18_ReconnectingHolds) {
   Reconnecting reconnecting(state);

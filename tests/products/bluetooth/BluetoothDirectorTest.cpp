@@ -10,7 +10,7 @@ namespace {
 constexpr int kPc = 1;
 constexpr int kBluetooth = 2;
 
-// A memory of a stop.
+// A stop memory for tests.
 class KeptStop final : public StopMemory {
  public:
   [[nodiscard]] bool stopped() const override { return value; }
@@ -19,8 +19,8 @@ class KeptStop final : public StopMemory {
   bool value = false;
 };
 
-// A robot that receives orders from the PC and a Bluetooth device. The PC is connected, the mode is
-// PC.
+// A robot that receives orders from the PC and a Bluetooth device. The PC is connected, and the
+// mode is PC.
 class BluetoothRobot : public ProductFixture {
  protected:
   explicit BluetoothRobot(bool deviceStopped = false) {
@@ -78,7 +78,7 @@ TEST_F(BluetoothRobot, FR78_ControlSystemsAreBuiltAndStarted) {
   EXPECT_TRUE(spyBuilder.started);
 }
 
-/// @brief The mode at start is PC; without orders the two modes follow each other.
+/// @brief The initial mode is PC. Without orders, the two modes alternate.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_ModesFollowEachOtherWithoutOrders) {
   pcOrder(1);
@@ -88,7 +88,8 @@ TEST_F(BluetoothRobot, FR150_ModesFollowEachOtherWithoutOrders) {
   EXPECT_EQ(cycleWithPc().mode, kBluetooth);
 }
 
-/// @brief An order of the device reaches the set-points, and the report shows Bluetooth as its source.
+/// @brief An order of the device reaches the set-points, and the report shows Bluetooth as its
+/// source.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
   waitForMode(kBluetooth);
@@ -106,8 +107,8 @@ TEST_F(BluetoothRobot, FR150_OrderOfTheDeviceIsApplied) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief While the PC orders, the device does not command the robot. When the PC is silent the
-/// device commands it, and when the device is silent the PC commands it again.
+/// @brief While the PC sends orders, the robot does not follow the device. When the PC is silent,
+/// the robot follows the device. When the device is silent, the robot follows the PC again.
 /// @verifies FR-150
 TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {
   for (std::uint16_t order = 1; order <= 3 * kWaitingCycles; ++order) {
@@ -131,8 +132,8 @@ TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {
   EXPECT_EQ(cycle().orderId, 4);
 }
 
-/// @brief A stop of the device holds the robot while the PC commands, until the device releases the
-/// stop.
+/// @brief While the robot follows the PC, a stop of the device holds the robot until the device
+/// releases the stop.
 /// @verifies FR-151
 TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInAnyMode) {
   pcOrder(1);
@@ -162,8 +163,8 @@ TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInItsMode) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief The stop of each source is stored in a separate memory, and cleared when that source
-/// releases it.
+/// @brief The stop of each source is stored in a separate memory. This memory is cleared when the
+/// source releases its stop.
 /// @verifies FR-290
 TEST_F(BluetoothRobot, FR290_StopOfEachSourceIsStored) {
   bluetoothOrder(2, true);
@@ -177,13 +178,14 @@ TEST_F(BluetoothRobot, FR290_StopOfEachSourceIsStored) {
   EXPECT_TRUE(pcStop.value);
 }
 
-// The same robot after a reset that came while a stop of the device was in force.
+// The same robot after a reset. A stop of the device was in force at the reset.
 class BluetoothRobotAfterAStop : public BluetoothRobot {
  protected:
   BluetoothRobotAfterAStop() : BluetoothRobot(true) {}
 };
 
-/// @brief A stop of the device remains in force after a reset: orders of the PC do not move the robot.
+/// @brief A stop of the device remains in force after a reset. Orders of the PC do not move the
+/// robot.
 /// @verifies FR-290
 TEST_F(BluetoothRobotAfterAStop, FR290_OrderOfThePcDoesNotEndIt) {
   for (std::uint16_t order = 1; order <= 2 * kWaitingCycles; ++order) {
@@ -207,8 +209,8 @@ TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
   EXPECT_FALSE(deviceStop.value);
 }
 
-/// @brief Noise, and orders and stops without a correct tag, have no effect; the PC continues to
-/// command.
+/// @brief Noise has no effect, and orders and stops without a correct tag have no effect. The robot
+/// continues to follow the PC.
 /// @verifies FR-151
 /// @verifies FR-262
 TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {
@@ -238,7 +240,7 @@ TEST_F(BluetoothRobot, FR262_ReplayedOrderIsNotRead) {
 
 using BluetoothRobotDeathTest = BluetoothRobot;
 
-/// @brief The robot is built without a remote control, and runs its cycles.
+/// @brief The robot is built without a remote control and runs its cycles.
 /// @verifies NFR-1
 TEST_F(BluetoothRobotDeathTest, NFR1_HasNoRemoteControl) {
   EXPECT_DEATH(static_cast<void>(builder.velocityPin()), "assertion 1 failed");

@@ -10,7 +10,7 @@ namespace {
 
 class BluetoothTest : public ControllerFixture {
  protected:
-  // Lets the device connect.
+  // Connects the device.
   void connectDevice() {
     devicePort.setClock(time);
     devicePort.arrive(device.sign(frames.hello()));
@@ -57,7 +57,7 @@ TEST_F(BluetoothTest, FR260_OrderWithoutConnectionIsNoMessage) {
   EXPECT_TRUE(mode.newMessage());
 }
 
-/// @brief The mode has a message as long as an order of its device is fresh.
+/// @brief The mode has a message as long as an order of its device is not too old.
 /// @verifies FR-150
 TEST_F(BluetoothTest, FR150_HasAMessageWhileAnOrderIsFresh) {
   connectDevice();

@@ -26,7 +26,7 @@ SipHash::Key erased() {
 
 class SignedPortTest : public testing::Test {
  protected:
-  // Returns the frames that the port returns now.
+  // Returns the frames that can be read from the port now.
   std::vector<scenario::Bytes> given(SignedPort& from) {
     std::vector<scenario::Bytes> taken;
     std::array<std::uint8_t, 64> bytes{};
@@ -48,7 +48,8 @@ class SignedPortTest : public testing::Test {
   scenario::PcSender frames;
 };
 
-/// @brief A frame with a correct tag and a new counter is returned without counter and tag.
+/// @brief The port returns a frame with a correct tag and a new counter. The returned frame has no
+/// counter and no tag.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_RightFrameIsGiven) {
   const scenario::Bytes hello = frames.hello();
@@ -87,8 +88,8 @@ TEST_F(SignedPortTest, FR262_ReplayedFrameIsDropped) {
   EXPECT_EQ(given().size(), 1U);
 }
 
-/// @brief Frames that were recorded before a start are invalid after it, because the number of the
-/// start has changed.
+/// @brief Frames that were recorded before a start are invalid after this start, because the number
+/// of the start has changed.
 /// @verifies FR-264
 TEST_F(SignedPortTest, FR264_FrameOfAnEarlierStartIsDropped) {
   FixedRandom other(kStartNumber + 1);
@@ -97,7 +98,7 @@ TEST_F(SignedPortTest, FR264_FrameOfAnEarlierStartIsDropped) {
   EXPECT_TRUE(given(restarted).empty());
 }
 
-/// @brief A frame that the robot sent is not accepted when it comes back.
+/// @brief The robot does not accept a frame that it has sent itself.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_OwnFrameIsNotAccepted) {
   ASSERT_TRUE(signedPort.write(frames.hello()));
@@ -105,8 +106,9 @@ TEST_F(SignedPortTest, FR262_OwnFrameIsNotAccepted) {
   EXPECT_TRUE(given().empty());
 }
 
-/// @brief A frame without counter and tag is dropped and answered with a challenge: the number of the start
-/// and the last counter. A device that received the challenge can sign.
+/// @brief A frame without counter and tag is dropped and answered with a challenge. The challenge
+/// contains the number of the start and the last counter. With the challenge, a device can sign its
+/// frames.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_WrongFrameIsAnsweredWithAChallenge) {
   line.arrive(device.signWith(9, frames.hello()));
@@ -120,7 +122,7 @@ TEST_F(SignedPortTest, FR262_WrongFrameIsAnsweredWithAChallenge) {
   EXPECT_EQ(payload, (scenario::Bytes{0xef, 0xcd, 0xab, 0x89, 0x67, 0x45, 0x23, 0x01, 9, 0, 0, 0}));
 }
 
-/// @brief Sent frames have correct tags, and counters that begin at 1.
+/// @brief Sent frames have correct tags. Their counters begin at 1.
 /// @verifies FR-263
 TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
   const scenario::Bytes hello = frames.hello();
@@ -133,8 +135,8 @@ TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
   }
 }
 
-/// @brief A zero byte alone, which ends a frame that a reset has cut, is sent unchanged and uses no
-/// counter.
+/// @brief A single zero byte ends a frame that a reset has cut. The port sends such a byte
+/// unchanged and uses no counter for it.
 /// @verifies FR-263
 TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
   ASSERT_TRUE(signedPort.write(scenario::Bytes{0}));
@@ -143,9 +145,9 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
   EXPECT_TRUE(device.verifies(1, line.takeSent()));
 }
 
-/// @brief The port returns the values of its line: the time of the frame, lost bytes, and the space for a frame
-/// with its counter and tag. A frame for which the line has no space is not sent and uses no
-/// counter.
+/// @brief The port returns the time of a frame and the lost bytes of its line. It returns the space
+/// for a frame with its counter and tag. If the line has no space for a frame, the frame is not
+/// sent and uses no counter.
 /// @verifies FR-263
 /// @verifies FR-262
 /// @verifies FR-20
@@ -186,8 +188,8 @@ TEST_F(SignedPortTest, FR262_AFrameIsReadInParts) {
   EXPECT_EQ(frame, hello);
 }
 
-/// @brief A frame with the greatest length is returned; a frame that is one byte longer is dropped, even when
-/// its first bytes have a correct tag.
+/// @brief The port returns a frame with the greatest length. It drops a frame that is one byte
+/// longer, even when its first bytes have a correct tag.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_TheLongestFrameIsGiven) {
   scenario::Bytes longest(FrameEncoder::kMaxBytes + 1, 7);
@@ -200,8 +202,8 @@ TEST_F(SignedPortTest, FR262_TheLongestFrameIsGiven) {
   EXPECT_TRUE(given().empty());
 }
 
-/// @brief A frame with the greatest length of the protocol is sent; a longer frame and an empty frame are
-/// not sent.
+/// @brief A frame with the greatest length of the protocol is sent. A longer frame and an empty
+/// frame are not sent.
 /// @verifies FR-263
 TEST_F(SignedPortTest, FR263_TheLongestFrameIsSent) {
   EXPECT_TRUE(signedPort.write(scenario::Bytes(FrameEncoder::kMaxBytes, 7)));
@@ -211,8 +213,8 @@ TEST_F(SignedPortTest, FR263_TheLongestFrameIsSent) {
   EXPECT_TRUE(line.takeSent().empty());
 }
 
-/// @brief Each dropped frame is answered with a challenge, for any error. A zero byte alone is not
-/// a frame and gets no answer.
+/// @brief Each dropped frame is answered with a challenge, for any kind of error. A single zero
+/// byte is not a frame and gets no answer.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   line.arrive(device.signWith(9, frames.hello()));
@@ -229,8 +231,8 @@ TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   }
 }
 
-/// @brief A challenge is sent only when there is space for two frames, so that space for a frame is
-/// left.
+/// @brief A challenge is sent only when there is space for two frames. After it, there is still
+/// space for one frame.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
   FakeSerialPort port;
@@ -265,7 +267,7 @@ class FloodedPort final : public SerialPort {
   std::size_t atOnce_;
 };
 
-/// @brief A read ends although the line never becomes empty: a read takes at most 64 parts of 64
+/// @brief A read ends even if the line never becomes empty, because it reads at most 64 parts of 64
 /// bytes. An empty line is read once.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AReadEndsInAFlood) {
@@ -278,7 +280,8 @@ TEST_F(SignedPortTest, FR262_AReadEndsInAFlood) {
   }
 }
 
-/// @brief Without a key, or without a random number, nothing is received or sent, not even a challenge.
+/// @brief Without a key or without a random number, nothing is received or sent, and no challenge
+/// is sent either.
 /// @verifies FR-265
 TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
   FixedRandom broken(std::nullopt);
@@ -294,8 +297,8 @@ TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
   }
 }
 
-/// @brief A frame that is too long, or that has other characters than digits after its counter, is
-/// dropped; the next correct frame is returned.
+/// @brief A frame is dropped if it is too long or has characters other than digits after its
+/// counter. The next correct frame is returned.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_StrangeBytesAreDropped) {
   line.arrive(scenario::Bytes(1000, 1));

@@ -22,12 +22,12 @@ struct Vector {
   std::uint64_t tag;
 };
 
-// The key 00 to 0F and the bytes 00, 01, 02...: vectors of the reference implementation of the
-// authors. OpenSSL 3 computes the same tags (openssl mac -macopt size:8 SIPHASH), with the bytes of
-// the tag in reverse.
+// The test vectors of the authors' reference implementation. The key is 00 to 0F, and the bytes are
+// 00, 01, 02 and so on. OpenSSL 3 computes the same tags (openssl mac -macopt size:8 SIPHASH), with
+// the bytes of the tag in reverse order.
 class SipHashVectors : public testing::TestWithParam<Vector> {};
 
-/// @brief The tags of known bytes are equal to the tags of the reference implementation.
+/// @brief The tags of the test vectors are equal to the tags of the reference implementation.
 /// @verifies FR-261
 TEST_P(SipHashVectors, FR261_TagsAreThoseOfTheReference) {
   SipHash hash(kKey);
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Vector{7, 0xab0200f58b01d137}, Vector{8, 0x93f5f5799a932462},
                     Vector{15, 0xa129ca6149be45e5}, Vector{63, 0x958a324ceb064572}));
 
-/// @brief Bytes that are added in parts give the tag of all bytes.
+/// @brief The tag does not change when the bytes are added in parts.
 /// @verifies FR-261
 TEST(SipHashOfParts, FR261_PartsGiveTheTagOfTheWhole) {
   const std::vector<std::uint8_t> bytes = bytesFromZero(15);

@@ -11,12 +11,12 @@
 namespace wr::test {
 namespace {
 
-// Lengths of the pulse at the positions of the switch [us].
+// Widths of the pulse at the positions of the switch [us].
 constexpr int kStopPulse = 1100;
 constexpr int kPcPulse = 1500;
 constexpr int kDrivePulse = 1900;
 
-/// The enable switch of a remote control whose signals a test sets.
+/// The enable switch of a remote control. A test sets the signals of the remote control.
 class EnableSwitchTest : public ControllerFixture {
  protected:
   EnableSwitchTest() { time.advance(milliseconds(1000)); }
@@ -48,7 +48,7 @@ class EnableSwitchTest : public ControllerFixture {
                      .timebase = time}};
 };
 
-/// @brief The switch extends a mode, but does not change the mode of the controller.
+/// @brief The enable switch extends a mode, but does not change the mode of the controller.
 /// @verifies FR-17
 TEST_F(EnableSwitchTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
   const Mode& before = controller.getMode();
@@ -56,7 +56,7 @@ TEST_F(EnableSwitchTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
   EXPECT_EQ(&controller.getMode(), &before);
 }
 
-/// @brief Without a pulse since power-on the remote control orders a stop.
+/// @brief Without a pulse since power-on, the remote control orders a stop.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {
   EXPECT_TRUE(mode.stopOrdered());
@@ -64,7 +64,7 @@ TEST_F(EnableSwitchTest, FR285_BeginsWithAStop) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief Pulses below 1250 us order a stop; pulses of the bands "PC" and "drive" do not.
+/// @brief Pulses below 1250 us order a stop. Pulses in the bands "PC" and "drive" do not.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_ShortPulsesStop) {
   for (const int width : {1350, 1650, 1750, 2100}) {
@@ -91,7 +91,7 @@ TEST_F(EnableSwitchTest, FR285_SilenceStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief The stop of the wrapped mode is also a stop, and the wrapped mode is served.
+/// @brief A stop of the wrapped mode is a stop of the switch. The wrapped mode is served.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   signals(kDrivePulse);
@@ -101,7 +101,7 @@ TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
 }
 
 /// @brief A confirmed stop between two cycles stops the robot in the next cycle, even when the
-/// newest pulse has the position "drive". The stop ends with the stick centred.
+/// newest pulse has the position "drive". The stop ends when the stick is in the middle.
 /// @verifies FR-285
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
@@ -119,7 +119,7 @@ TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief Between the bands the previous position stays valid.
+/// @brief Between the bands, the previous position stays valid.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
   signals(1300);
@@ -142,7 +142,7 @@ TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief A stop lasts until the switch has left "stop" and the velocity stick is centred.
+/// @brief A stop lasts until the switch has left "stop" and the velocity stick is in the middle.
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR286_TheStopLastsUntilTheStickIsCentred) {
   signals(kStopPulse);
@@ -158,8 +158,8 @@ TEST_F(EnableSwitchTest, FR286_TheStopLastsUntilTheStickIsCentred) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief Without pulses of the velocity stick the switch alone releases the stop, because the
-/// stick cannot order a motion.
+/// @brief If the velocity stick has no pulses, the switch alone releases the stop. The stick cannot
+/// order a motion in this case.
 /// @verifies FR-286
 TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
   signals(kStopPulse, 3000);
@@ -173,7 +173,7 @@ TEST_F(EnableSwitchTest, FR286_ASilentStickIsNotDeflected) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief In the position "PC" the remote control has no order; in the other positions it has an
+/// @brief In the position "PC", the remote control has no order. In the other positions, it has an
 /// order.
 /// @verifies FR-287
 TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
@@ -188,7 +188,7 @@ TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
   EXPECT_TRUE(mode.newMessage());
 }
 
-/// @brief After the sequence stop, PC, drive the first three orders acknowledge.
+/// @brief After the sequence "stop", "PC", "drive", the first three orders acknowledge.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   source.order.orderId = 9;
@@ -202,7 +202,7 @@ TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief A stop ends the acknowledgement: the orders after it acknowledge nothing.
+/// @brief A stop ends the acknowledgement. The orders after the stop do not acknowledge.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AStopEndsTheAcknowledgement) {
   signals(kStopPulse);
@@ -215,7 +215,7 @@ TEST_F(EnableSwitchTest, FR288_AStopEndsTheAcknowledgement) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief With a deflected stick nothing is acknowledged until it is centred.
+/// @brief While the stick is deflected, no order acknowledges.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
   signals(kStopPulse);
@@ -226,7 +226,7 @@ TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
   EXPECT_TRUE(acknowledges());
 }
 
-/// @brief Pulses that come back after a gap do not acknowledge, because no operator moved the
+/// @brief Pulses that return after a gap do not acknowledge, because no operator has moved the
 /// switch.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
@@ -247,8 +247,8 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief When the pulses order a motion and vary by at most 8 us, the robot stops after 2 s, and
-/// not earlier.
+/// @brief If the pulses order a motion and vary by at most 8 us, the remote control orders a stop
+/// after 2 s. It does not order the stop earlier.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   signals(kDrivePulse, 0);
@@ -266,7 +266,7 @@ TEST_F(EnableSwitchTest, FR289_PulsesThatDoNotChangeStop) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief A steering stick that trembles by 8 us does not restart the 2 s.
+/// @brief If the pulses of the steering stick vary by only 8 us, the 2 s do not restart.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   signals(kDrivePulse, 0);
@@ -278,7 +278,7 @@ TEST_F(EnableSwitchTest, FR289_ATremblingSteeringStickStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief A change of more than 8 us of any channel restarts the 2 s.
+/// @brief If the pulses of any channel change by more than 8 us, the 2 s restart.
 /// @verifies FR-289
 TEST_F(EnableSwitchTest, FR289_AChangeOfAnyChannelIsEnough) {
   signals(kDrivePulse, 0);
@@ -341,8 +341,8 @@ TEST_F(EnableBufferTest, FR285_TheWidthOfAPulseIsStored) {
   EXPECT_EQ(pulse(1999), 1999);
 }
 
-/// @brief Pulses from 900 to 2100 us are valid; other pulses, and pulses with a period outside of
-/// 15 to 30 ms, count as missing.
+/// @brief Pulses from 900 us to 2100 us are valid. Other pulses count as missing. Pulses with a
+/// period outside of 15 ms to 30 ms also count as missing.
 /// @verifies FR-285
 /// @verifies FR-55
 TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
@@ -355,8 +355,8 @@ TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
   EXPECT_FALSE(pulse(1500).has_value());
 }
 
-/// @brief One pulse of a stop is a disturbance; two successive pulses confirm the stop, and pulses
-/// after them do not hide it.
+/// @brief A single stop pulse counts as a disturbance. Two successive stop pulses confirm the stop.
+/// Later pulses do not hide the confirmed stop.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {
   for (const int width : {1249, 899, 2101}) {
@@ -374,7 +374,7 @@ TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {
   }
 }
 
-/// @brief Pulses from 1250 to 2100 us do not confirm a stop.
+/// @brief Pulses from 1250 us to 2100 us do not confirm a stop.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_PulsesThatDriveConfirmNoStop) {
   pulse(1500);

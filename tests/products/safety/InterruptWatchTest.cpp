@@ -23,8 +23,8 @@ class WatchedInterrupts : public testing::Test {
   InterruptWatch watch_;
 };
 
-/// @brief A tick 20 ms after the previous tick is in time; a later tick is not. The first tick is
-/// always in time.
+/// @brief A tick that is 20 ms after the previous tick is in time. A later tick is too late. The
+/// first tick is always in time.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {
   tick(milliseconds(500));
@@ -33,7 +33,8 @@ TEST_F(WatchedInterrupts, FR308_ALateTickEndsTheProgram) {
   EXPECT_DEATH(tick(milliseconds(20) + Microseconds(1)), "assertion 7 failed");
 }
 
-/// @brief An edge may wait at four successive ticks, any number of times, but not at five.
+/// @brief An edge may wait at four successive ticks. This may occur any number of times. An edge
+/// must not wait at five successive ticks.
 /// @verifies FR-308
 TEST_F(WatchedInterrupts, FR308_AnEdgeThatWaitsTooLongEndsTheProgram) {
   for (int number = 0; number < 100; ++number) {

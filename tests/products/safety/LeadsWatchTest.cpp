@@ -8,8 +8,8 @@
 namespace wr::test {
 namespace {
 
-/// A motor with its tolerances, whose velocity and current a test chooses. The leads are swapped
-/// when the test demands it.
+/// A motor with tolerances. A test sets the velocity and the current of the motor, and can swap its
+/// leads.
 struct Motor {
   double supply = 24;
   double resistance = 1.5;    // [ohm]
@@ -39,7 +39,8 @@ class WatchedLeads : public testing::Test {
     return (motor.constant * rpm + motor.resistance * amperes) * 24 / motor.supply;
   }
 
-  /// Starts the wheel and drives it for some seconds; returns whether the watch stopped it.
+  /// Starts the wheel and drives it for some seconds. Returns whether the watch detected swapped
+  /// leads.
   bool drive(double rpm, double amperes, int cycles) {
     bool stopped = false;
     const double step = rpm < 0 ? -17.6 : 17.6;
@@ -68,8 +69,8 @@ class WatchedLeads : public testing::Test {
   std::optional<LeadsWatch> watch{std::in_place};
 };
 
-/// @brief Leads that are swapped at 10 to 300 rpm, in either direction, are detected in the second
-/// cycle.
+/// @brief Leads that are swapped at 10 rpm to 300 rpm, in either direction, are detected in the
+/// second cycle.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   for (const double rpm : {10.0, 20.0, 50.0, 150.0, 300.0, -10.0, -20.0, -300.0}) {
@@ -80,9 +81,9 @@ TEST_F(WatchedLeads, FR307_SwappedLeadsAreFoundInTheSecondCycle) {
   }
 }
 
-/// @brief Motors at the ends of their tolerances, with a supply of 21 or 29 V and a current sensor
-/// with an error of 0.3 A, are learned. Correct leads are no cause of a stop, even when load and
-/// velocity change at once; swapped leads are detected within five cycles at 20 rpm.
+/// @brief The watch learns motors at the ends of their tolerances, with a supply of 21 V or 29 V
+/// and a current sensor with an error of 0.3 A. Correct leads do not stop the robot, even when load
+/// and velocity change at the same time. At 20 rpm, swapped leads are detected within five cycles.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   for (const double supply : {21.0, 29.0}) {
@@ -142,7 +143,7 @@ TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   EXPECT_TRUE(cycle(100, pulling(100, 1)));
 }
 
-/// @brief Up to 1 V, the voltage of the bring-up, swapped leads do not stop the robot.
+/// @brief Up to 1 V, swapped leads do not stop the robot. Bring-up uses voltages up to 1 V.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_UpToOneVoltNothingCounts) {
   EXPECT_FALSE(drive(10, 1, 40));
@@ -206,8 +207,8 @@ TEST_F(WatchedLeads, FR307_InDoubtNothingIsLearned) {
   EXPECT_EQ(found(10, pulling(10, 0.5)), 7);
 }
 
-/// @brief At a low velocity with a great load, a cycle is weak evidence: more cycles are needed. A
-/// motor that was learned for 4 s gives more evidence than an unknown motor.
+/// @brief At a low velocity with a great load, a cycle is weak evidence, and the detection needs
+/// more cycles. A motor that was learned for 4 s gives more evidence than an unknown motor.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_WeakEvidenceNeedsMoreCycles) {
   struct Case {

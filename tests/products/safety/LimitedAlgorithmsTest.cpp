@@ -24,9 +24,9 @@ WheelFeedback measured(int rpm, int milliamperes) {
   return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes)};
 }
 
-/// @brief Far from the limit, and for a wheel whose voltage is unknown, the demand is not changed.
-/// With 12 A the voltage does not rise; with 10 A it rises by 2 V, because the winding has more
-/// than 1 ohm. The other direction has the same limits.
+/// @brief Far from the limit, and for a wheel whose voltage is unknown, the demanded voltage is not
+/// changed. At 12 A, the voltage does not rise. At 10 A, it rises by at most 2 V, because the
+/// winding has more than 1 ohm. The other direction has the same limits.
 /// @verifies FR-296
 TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   DirectAlgorithm direct;
@@ -48,7 +48,7 @@ TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   EXPECT_EQ(limited.calculate(24000, measured(0, 12000)), Tension(24000));
 }
 
-/// @brief At 290 rpm the voltage of a wheel does not rise; above 290 rpm it falls. A wheel that
+/// @brief At 290 rpm, the voltage of a wheel does not rise. Above 290 rpm, it falls. A wheel that
 /// accelerates towards the limit gets less voltage. An order against the motion is not changed.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
@@ -77,8 +77,8 @@ TEST(SpeedLimitedTest, FR283_TheLimitBeginsAtTheVoltageOfTheWheel) {
   }
 }
 
-/// @brief The wrapped algorithm gets the applied voltage. After a reset the voltage and the previous
-/// velocity are unknown, as at the start.
+/// @brief The wrapped algorithm gets the applied voltage. After a reset, the voltage and the
+/// previous velocity are unknown, as at the start.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_AResetForgetsVoltageAndVelocity) {
   DirectAlgorithm direct;
@@ -91,9 +91,9 @@ TEST(SpeedLimitedTest, FR283_AResetForgetsVoltageAndVelocity) {
   EXPECT_EQ(limited.calculate(24000, measured(290, 0)), first);
 }
 
-/// @brief A wheel whose voltage is unknown gets less than the voltage that its velocity induces:
-/// 15.2 V at 290 rpm. Even with a supply of 29 V instead of 24 V, this voltage does not drive the
-/// wheel.
+/// @brief At 290 rpm, the velocity of a wheel induces 15.2 V. A wheel whose voltage is unknown gets
+/// a lower voltage. Even with a supply of 29 V instead of 24 V, this lower voltage does not drive
+/// the wheel.
 /// @verifies FR-283
 TEST(SpeedLimitedTest, FR283_AnUnknownVoltageIsTakenForLow) {
   DirectAlgorithm direct;

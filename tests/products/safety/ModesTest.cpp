@@ -41,14 +41,14 @@ TEST_F(SteeringGeometryTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
   EXPECT_EQ(&controller.getMode(), &before);
 }
 
-/// @brief Straight ahead all wheels get the ordered velocity.
+/// @brief Straight ahead, all wheels get the ordered velocity.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_StraightOnAllWheelsAreAlike) {
   EXPECT_EQ(read(alike(1234, 0)), alike(1234, 0));
 }
 
-/// @brief At each angle every wheel has the velocity of its circle about the common centre, within 0.5 %;
-/// no wheel is faster than ordered.
+/// @brief At each steering angle, the velocity of each wheel fits its circle about the common
+/// centre within 0.5 %. No wheel is faster than ordered.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
   constexpr double kWheelbase = 1.582;
@@ -58,7 +58,8 @@ TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
       continue;
     }
     const double angle = steering / 100.0 * std::numbers::pi / 180;
-    const double centre = kWheelbase / std::tan(angle);  // distance to the left of the rear axle
+    const double centre = kWheelbase / std::tan(angle);  // distance of the common centre from the
+                                                         // robot, to the left along the rear axle
     const SetPoints order = read(alike(-3000, steering));
     std::array<double, 4> circles{};
     for (std::size_t wheel = 0; wheel < 4; ++wheel) {
@@ -76,8 +77,8 @@ TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
   }
 }
 
-/// @brief At 32 degrees to the left the inner rear wheel has 58 % of the velocity of the outer
-/// front wheel: the robot turns on a circle of 2.5 m.
+/// @brief At 32 degrees to the left, the inner rear wheel has 58 % of the velocity of the outer
+/// front wheel. The robot drives on a circle of 2.5 m.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_FullLock) {
   const SetPoints order = read(alike(1000, 3200));
@@ -86,7 +87,7 @@ TEST_F(SteeringGeometryTest, FR284_FullLock) {
   EXPECT_EQ(read(alike(1000, 4000)).wheels[2].value, order.wheels[2].value);
 }
 
-/// @brief An order whose wheels differ, or that sets no velocity, is not changed.
+/// @brief An order is not changed if its wheels differ or if it does not set a velocity.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_OtherOrdersStay) {
   SetPoints different = alike(1000, 2000);
@@ -108,7 +109,8 @@ class PersistentStopTest : public ControllerFixture {
   SourceMode source;
 };
 
-/// @brief The stop of the source is stored. When the source releases it, the stored stop is cleared.
+/// @brief The stop of the source is stored. When the source releases it, the stored stop is
+/// cleared.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_TheStopIsStored) {
   PersistentStop mode(source, memory);
@@ -148,7 +150,7 @@ TEST_F(PersistentStopTest, FR290_AStopOutlivesAReset) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief After power-on there is no stop, for any content of the memory.
+/// @brief After power-on, there is no stop, for any content of the memory.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_PowerOnBeginsWithoutAStop) {
   cells = {.value = 0x12345678, .check = 0x9ABCDEF0};
@@ -156,7 +158,8 @@ TEST_F(PersistentStopTest, FR290_PowerOnBeginsWithoutAStop) {
   EXPECT_FALSE(memory.stopped());
 }
 
-/// @brief After every other reset a stored stop is still in force, and a released stop is not.
+/// @brief After every other reset, a stored stop is still in force. A released stop is not in
+/// force.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_OtherResetsKeepTheMemory) {
   for (const ResetCause cause :
@@ -170,8 +173,8 @@ TEST_F(PersistentStopTest, FR290_OtherResetsKeepTheMemory) {
   }
 }
 
-/// @brief Each damaged bit of the memory counts as a stop; empty and erased memory also count as a
-/// stop.
+/// @brief A memory with any damaged bit counts as a stop. Empty memory and erased memory also count
+/// as a stop.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_DamagedMemoryIsAStop) {
   memory.save(false);

@@ -13,7 +13,7 @@ using Words = ProgramCheck::Words;
 
 constexpr std::size_t kSizeOfRam = std::size_t{64} * 1024 / sizeof(Words);
 
-/// A program of two parts, and its copy.
+/// A program of two parts, and a copy of the program.
 class CheckedProgram : public testing::Test {
  protected:
   // Calls the check after each of some ticks, and after other interrupts between them.
@@ -40,7 +40,7 @@ class CheckedProgram : public testing::Test {
   ProgramCheck check_{parts_};
 };
 
-/// @brief While the program does not change, the check repeats without end.
+/// @brief If the program does not change, the check repeats without end.
 /// @verifies FR-309
 TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
   ticks(10'000);
@@ -48,8 +48,8 @@ TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
 
 using CheckedProgramDeathTest = CheckedProgram;
 
-/// @brief Each changed bit of a program that fills the lower RAM ends the program within 300 ticks, which
-/// are 0.3 s, at any position of the check.
+/// @brief A program fills the lower RAM. If any bit of this program changes, the check ends the
+/// program within 300 ticks (0.3 s). This is true for any present position of the check.
 /// @verifies FR-309
 TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   ticks(200);
@@ -63,8 +63,8 @@ TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   }
 }
 
-/// @brief Between two ticks the program is checked at most once, even when the processor wakes more
-/// often.
+/// @brief Between two ticks, the program is checked at most once, even when the processor wakes
+/// more often.
 /// @verifies FR-309
 TEST_F(CheckedProgram, FR309_WithoutATickNothingIsChecked) {
   copy_.front().front() ^= 1U;

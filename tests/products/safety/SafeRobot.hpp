@@ -22,7 +22,7 @@ class SafeRobot : public testing::Test {
 
   SafeRobot() { line.start(); }
 
-  /// Lets a cycle pass.
+  /// Runs a cycle.
   void cycle() {
     line.runThroughPulse();
     fastest = std::max(fastest, std::abs(line.robot().velocityRpm(0)));
@@ -48,7 +48,7 @@ class SafeRobot : public testing::Test {
     cycle();
   }
 
-  /// Runs cycles in each of which the PC orders one value for all wheels.
+  /// Runs cycles. In each cycle, the PC orders one value for all wheels.
   void order(int count, int value, std::uint8_t quantity = 0, bool stop = false) {
     scenario::PcOrder order{.id = 1, .stop = stop};
     order.wheels.fill({quantity, static_cast<std::int16_t>(value)});
@@ -58,7 +58,7 @@ class SafeRobot : public testing::Test {
     }
   }
 
-  /// Lets the PC become the source of orders, and arm the robot.
+  /// Makes the PC the source of orders. The orders of the PC then arm the robot.
   void armByPc() {
     enable(kPc);
     cycles(2);
@@ -72,7 +72,7 @@ class SafeRobot : public testing::Test {
     line.remoteControl().set(plant::Sticks{.velocity = velocity, .steering = steering});
   }
 
-  /// Lets the remote control arm the robot.
+  /// Arms the robot by the remote control.
   void armByRc() {
     enable(kDrive);
     sticks(0);

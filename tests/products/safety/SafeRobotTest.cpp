@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint8_t kTension = 1;
 constexpr std::uint8_t kCurrent = 2;
 
-/// @brief After power-on with a deflected stick nothing ever moves.
+/// @brief If the stick is deflected at power-on, no wheel ever turns or gets a voltage.
 /// @verifies FR-280
 /// @verifies FR-286
 TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
@@ -19,7 +19,7 @@ TEST_F(SafeRobot, FR280_ADeflectedStickAtPowerOnMovesNothing) {
   EXPECT_FALSE(voltage());
 }
 
-/// @brief Orders of the PC move nothing until neutral orders have armed the robot; then the whole
+/// @brief Orders of the PC move nothing until neutral orders have armed the robot. Then the whole
 /// robot follows the orders.
 /// @verifies FR-280
 /// @verifies FR-281
@@ -52,8 +52,8 @@ TEST_F(SafeRobot, FR280_ASingleNeutralOrderDoesNotArm) {
   EXPECT_DOUBLE_EQ(fastest, 0.0);
 }
 
-/// @brief Orders of different speeds and directions in each quantity, with stops between them, do
-/// not cause a protective stop; no wheel is faster than 330 rpm.
+/// @brief The PC orders different speeds and directions in each quantity, with stops between them.
+/// These orders do not cause a protective stop, and no wheel is faster than 330 rpm.
 /// @verifies FR-270
 /// @verifies FR-274
 /// @verifies FR-283
@@ -75,7 +75,8 @@ TEST_F(SafeRobot, FR270_OrdersWithinTheLimitsAreNoCause) {
   EXPECT_GT(fastest, 290);
 }
 
-/// @brief Orders of 24 V and of 10 A end at the speed limit of 290 rpm, in both directions.
+/// @brief With orders of 24 V and of 10 A, the wheels stay at the speed limit of 290 rpm, in both
+/// directions.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   armByPc();
@@ -90,7 +91,8 @@ TEST_F(SafeRobot, FR283_OrdersOfVoltageAndCurrentEndAtTheSpeedLimit) {
   EXPECT_LE(fastest, 305);
 }
 
-/// @brief An order of 6 V, which does not reach the speed limit, gets its voltage.
+/// @brief At an order of 6 V, the wheels do not reach the speed limit. They get the ordered
+/// voltage.
 /// @verifies FR-283
 TEST_F(SafeRobot, FR283_OrdersBelowTheSpeedLimitAreNotChanged) {
   armByPc();
@@ -100,7 +102,7 @@ TEST_F(SafeRobot, FR283_OrdersBelowTheSpeedLimitAreNotChanged) {
   }
 }
 
-/// @brief From rest to 300 rpm the robot accelerates by at most 0.6 m/s^2, measured over 0.5 s.
+/// @brief From rest to 300 rpm, the robot accelerates by at most 0.6 m/s^2, measured over 0.5 s.
 /// @verifies FR-282
 TEST_F(SafeRobot, FR282_TheRobotAcceleratesGently) {
   armByPc();
@@ -115,8 +117,8 @@ TEST_F(SafeRobot, FR282_TheRobotAcceleratesGently) {
   EXPECT_GT(speeds.back(), 0.8);
 }
 
-/// @brief The emergency stop brakes all wheels in the next cycle. After it is released the robot stays at rest until
-/// the remote control acknowledges.
+/// @brief The emergency stop brakes all wheels in the next cycle. After its release, the robot
+/// stays at rest until the remote control acknowledges.
 /// @verifies FR-271
 /// @verifies FR-288
 /// @verifies FR-291
@@ -151,7 +153,7 @@ TEST_F(SafeRobot, FR271_TheEmergencyStopHoldsUntilItIsAcknowledged) {
   EXPECT_GT(rpm(), 100);
 }
 
-/// @brief A fault of the steering brakes all wheels, also when the fault has ended.
+/// @brief A fault of the steering brakes all wheels. They stay braked after the end of the fault.
 /// @verifies FR-272
 TEST_F(SafeRobot, FR272_AFaultOfTheSteeringStopsTheRobot) {
   armByPc();
@@ -193,7 +195,7 @@ TEST_F(SafeRobot, FR278_ABrokenCurrentSensorStopsTheRobot) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief While the PC drives, the enable switch stops the robot within two cycles; the stop lasts
+/// @brief While the PC drives, the enable switch stops the robot within two cycles. The stop lasts
 /// while the PC continues to send orders.
 /// @verifies FR-285
 /// @verifies FR-286
@@ -217,7 +219,7 @@ TEST_F(SafeRobot, FR285_TheRemoteControlStopsARobotThatThePcDrives) {
   EXPECT_NEAR(rpm(), 100, 5);
 }
 
-/// @brief Without pulses of the enable switch the robot stops while the PC drives.
+/// @brief If the enable switch has no pulses while the PC drives, the robot stops.
 /// @verifies FR-285
 TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
   armByPc();
@@ -229,8 +231,8 @@ TEST_F(SafeRobot, FR285_ASilentEnableSwitchStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief An emergency stop that is pressed for 5 ms between two cycles stops the robot, and lasts until it is
-/// acknowledged.
+/// @brief An emergency stop that is pressed for 5 ms between two cycles stops the robot. The stop
+/// lasts until it is acknowledged.
 /// @verifies FR-271
 TEST_F(SafeRobot, FR271_AShortPressStops) {
   armByPc();
@@ -246,7 +248,8 @@ TEST_F(SafeRobot, FR271_AShortPressStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief A reset does not release an emergency stop; the remote control acknowledges it afterwards.
+/// @brief A reset does not release an emergency stop. After the reset, the remote control
+/// acknowledges it.
 /// @verifies FR-291
 TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
   armByRc();
@@ -303,7 +306,7 @@ TEST_F(SafeRobot, FR289_HeldPulsesStopTheRobot) {
   EXPECT_FALSE(voltage());
 }
 
-/// @brief In a curve the remote control gives each wheel its velocity.
+/// @brief When the remote control drives a curve, each wheel has its own velocity.
 /// @verifies FR-284
 TEST_F(SafeRobot, FR284_TheWheelsOfACurveDiffer) {
   armByRc();

@@ -13,7 +13,7 @@
 namespace wr::test {
 namespace {
 
-/// One control system that records its orders, behind a decorator.
+/// A decorator of the safety functions with one control system that records its orders.
 class SafetyChain : public testing::Test {
  protected:
   SafetyChain() {
@@ -70,8 +70,9 @@ class RobotOfPool : public SafetyChain {
   SpySystem second;
 };
 
-/// @brief The robot as one control system passes each order on to every control system, with the
-/// number of the cycle. It has completed a cycle when all control systems have completed the cycle.
+/// @brief The robot is one control system that contains the other control systems. It passes each
+/// order to every control system, with the number of the cycle. It has completed a cycle when all
+/// control systems have completed this cycle.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   order(robot, alike(123));
@@ -90,7 +91,8 @@ TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   EXPECT_EQ(second.calls, kAcknowledged);
 }
 
-/// @brief The robot with safety functions is one control system: each of its orders reaches the first stage.
+/// @brief The robot with safety functions is one control system. Each of its orders reaches the
+/// first stage.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_TheRobotIsOneControlSystem) {
   SafeSystem whole(robot);
@@ -133,7 +135,7 @@ class ProtectiveStopTest : public SafetyChain {
   }
 };
 
-/// @brief Without a fault set-points are forwarded, and the report names no cause.
+/// @brief Without a fault, set-points are forwarded, and the report contains no cause of a stop.
 /// @verifies FR-270
 /// @verifies FR-281
 TEST_F(ProtectiveStopTest, FR270_SetPointsPassWithoutAFault) {
@@ -144,8 +146,8 @@ TEST_F(ProtectiveStopTest, FR270_SetPointsPassWithoutAFault) {
   EXPECT_EQ(protection(stop), Protection{});
 }
 
-/// @brief A fault of one wheel holds all control systems in the same cycle and in every later
-/// cycle. This is true even after the end of the fault and after a hold.
+/// @brief Because of a fault of one wheel, all control systems are held in the same cycle and in
+/// every later cycle. This is true even after the end of the fault and after a hold.
 /// @verifies FR-270
 /// @verifies FR-281
 TEST_F(ProtectiveStopTest, FR270_AFaultHoldsInItsCycleAndAfterwards) {
@@ -170,7 +172,8 @@ TEST_F(ProtectiveStopTest, FR271_TheEmergencyStopIsACause) {
   expectLatched(StopCause::EmergencyStop, Protection::kNoWheel);
 }
 
-/// @brief After a reset the protective stop is latched again with its cause and its wheel, until it is acknowledged.
+/// @brief After a reset, the protective stop is latched again with its cause and its wheel. It
+/// lasts until it is acknowledged.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AProtectiveStopOutlivesAReset) {
   memory.save({.cause = StopCause::Overspeed, .wheel = 2});
@@ -186,7 +189,7 @@ TEST_F(ProtectiveStopTest, FR291_AProtectiveStopOutlivesAReset) {
   EXPECT_EQ(protection(released).cause, StopCause::None);
 }
 
-/// @brief The first cause is stored in the cycle that latches it.
+/// @brief The first cause of a protective stop is stored in the cycle that latches this cause.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_TheCauseIsStored) {
   EXPECT_EQ(memory.stored(), RetainedProtection::Stop());
@@ -196,8 +199,8 @@ TEST_F(ProtectiveStopTest, FR291_TheCauseIsStored) {
   EXPECT_EQ(memory.stored().wheel, Protection::kNoWheel);
 }
 
-/// @brief Power-on releases the protective stop. After any other reset, empty, erased or changed
-/// memory counts as a protective stop.
+/// @brief Power-on releases the protective stop. After any other reset, a memory that is empty,
+/// erased or changed counts as a protective stop.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   RetainedProtection::Cells cells{};
@@ -234,8 +237,8 @@ TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   EXPECT_EQ(memory.stored(), RetainedProtection::Stop{.cause = StopCause::MissingMeasurement});
 }
 
-/// @brief A loss of the clock, and a start without a clock, latch a protective stop; an earlier
-/// cause does not change.
+/// @brief A loss of the clock latches a protective stop. A start without a clock also latches it.
+/// An earlier cause does not change.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_ALossOfTheClockIsAProtectiveStop) {
   RetainedProtection::Cells cells{};
@@ -254,8 +257,8 @@ TEST(RetainedProtectionTest, FR291_ALossOfTheClockIsAProtectiveStop) {
   EXPECT_EQ(memory.stored().wheel, 3);
 }
 
-/// @brief An opening of three ticks between two cycles stops the robot in the next cycle; an
-/// opening of two ticks does not.
+/// @brief If the contact is open for three ticks between two cycles, the robot stops in the next
+/// cycle. If it is open for two ticks, the robot does not stop.
 /// @verifies FR-271
 TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
   for (const int ticks : {2, 2, 3}) {
@@ -271,8 +274,8 @@ TEST_F(ProtectiveStopTest, FR271_AShortOpeningIsLatched) {
   EXPECT_EQ(protection(stop).cause, StopCause::EmergencyStop);
 }
 
-/// @brief An opening is reported in each cycle in which the contact is open, also when it closes
-/// before the end of the cycle.
+/// @brief An opening is reported in each cycle in which the contact is open, even if the contact
+/// closes before the end of the cycle.
 /// @verifies FR-271
 TEST(ContactWatchTest, FR271_ALongOpeningIsReportedInEachCycle) {
   FakeEdgeInput contact;
@@ -325,8 +328,8 @@ TEST_F(ProtectiveStopTest, FR271_AnOpenContactCannotBeAcknowledged) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A wheel that moves less than the other wheels stops the robot. A wheel that draws 12 A
-/// for 1 s also stops it. A hold restarts the comparison.
+/// @brief The robot stops if a wheel moves less than the other wheels. It also stops if a wheel
+/// draws 12 A for 1 s. A hold restarts the comparison.
 /// @verifies FR-297
 /// @verifies FR-298
 TEST_F(ProtectiveStopTest, FR297_FR298_TheWheelsAreCompared) {
@@ -363,7 +366,7 @@ TEST_F(ProtectiveStopTest, FR270_AHoldPasses) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief An acknowledgement restarts the supervision of each wheel: the counts of another fault
+/// @brief An acknowledgement restarts the supervision of each wheel. The counts of other faults
 /// begin at 0.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnAcknowledgementRestartsTheSupervision) {
@@ -424,7 +427,7 @@ class ArmingTest : public SafetyChain {
   }
 };
 
-/// @brief Orders that are not neutral move nothing after start.
+/// @brief After the start, orders that are not neutral move nothing.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_NothingMovesUnarmed) {
   for (int cycles = 0; cycles < 50; ++cycles) {
@@ -435,7 +438,8 @@ TEST_F(ArmingTest, FR280_NothingMovesUnarmed) {
   }
 }
 
-/// @brief Orders are forwarded after five cycles of 100 ms with neutral orders, and not after four.
+/// @brief Orders are forwarded after five cycles of 100 ms with neutral orders. They are not
+/// forwarded after four cycles.
 /// @verifies FR-280
 /// @verifies FR-281
 TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
@@ -449,8 +453,8 @@ TEST_F(ArmingTest, FR280_NeutralOrdersOfHalfASecondArm) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A neutral order that stays in force counts once; an order that is not neutral restarts
-/// the count.
+/// @brief A neutral order that stays in force is counted only once. An order that is not neutral
+/// restarts the count.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_ANeutralOrderCountsOnce) {
   SetPoints old = alike(0);
@@ -481,7 +485,7 @@ TEST_F(ArmingTest, FR280_EveryWheelHasToBeNeutral) {
   }
 }
 
-/// @brief A hold and an acknowledgement withdraw the permission.
+/// @brief A hold disarms the robot. An acknowledgement also disarms it.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementDisarm) {
   neutral(5);
@@ -496,7 +500,7 @@ TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementDisarm) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief After a hold and after an acknowledgement the count of neutral orders begins at 0.
+/// @brief After a hold and after an acknowledgement, the count of neutral orders begins at 0.
 /// @verifies FR-280
 TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementRestartTheCount) {
   neutral(4);
@@ -510,7 +514,8 @@ TEST_F(ArmingTest, FR280_AHoldAndAnAcknowledgementRestartTheCount) {
   EXPECT_TRUE(protection(arming).armed);
 }
 
-/// @brief While a protective stop is latched the robot is not armed, and the report keeps the cause.
+/// @brief While a protective stop is latched, the robot is not armed, and the cause stays in the
+/// report.
 /// @verifies FR-281
 TEST_F(ArmingTest, FR281_AProtectiveStopIsReportedFirst) {
   FakeEdgeInput contact;
@@ -534,8 +539,8 @@ class SetPointRampTest : public SafetyChain {
   int first() const { return spy.applied.wheels[0].value; }
 };
 
-/// @brief From 0 to 300 rpm, which are 0.85 m/s, the set-point rises in at least 1.7 s. Then it is
-/// the ordered set-point. The decrease takes the same time.
+/// @brief The set-point needs at least 1.7 s to rise from 0 rpm to 300 rpm, which are 0.85 m/s.
+/// Then it is equal to the ordered set-point. The decrease takes the same time.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   constexpr double kMetresPerSecond = 0.85 / 3000;
@@ -553,7 +558,8 @@ TEST_F(SetPointRampTest, FR282_AccelerationIsAtMostHalfAMetrePerSecondSquared) {
   EXPECT_EQ(cycles, 18 + 35 + 18);
 }
 
-/// @brief A change of up to 17.6 rpm is applied in one cycle; a change of 17.7 rpm is not.
+/// @brief A change of up to 17.6 rpm is applied in one cycle. A change of 17.7 rpm needs more
+/// cycles.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_SmallChangesPass) {
   order(ramp, alike(176));
@@ -586,15 +592,16 @@ TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   EXPECT_EQ(spy.applied.wheels[2].value, -44);
 }
 
-/// @brief Set-points of current are not changed. The velocity then begins at the measured velocity,
-/// or at the velocity that the voltage of the wheel causes without load if this is lower. It begins
-/// at 0 when these two velocities have opposite directions.
+/// @brief Set-points of current are not changed. A later set-point of velocity begins at the lower
+/// of two velocities. The first velocity is measured, and the second velocity is the velocity of an
+/// unloaded wheel at the present voltage. If these velocities have opposite directions, the
+/// set-point begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_VelocityBeginsWithoutAJump) {
   struct Case {
     int velocity;  // [0.1 rpm]
     int volts;
-    int begin;  // 5.236 V make 100 rpm
+    int begin;  // 5.236 V cause 100 rpm
   };
   for (const auto& [velocity, volts, begin] :
        {Case{900, 12, 900}, Case{2000, 5, 954}, Case{-2000, -5, -954}, Case{2000, -5, 0}}) {
@@ -636,7 +643,8 @@ TEST_F(SetPointRampTest, FR295_VoltagesFollowARamp) {
 }
 
 /// @brief The permitted velocity is 300 rpm up to 1 degree, 260 rpm at 5 degrees and 240 rpm at 32
-/// degrees. The greater of the ordered and the measured angle counts. All wheels have one factor.
+/// degrees. It depends on the greater of the ordered and the measured angle. All set-points are
+/// reduced by the same factor.
 /// @verifies FR-294
 TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
   struct Case {
@@ -664,9 +672,9 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
   }
 }
 
-/// @brief While one wheel turns faster than 310.0 rpm, or will turn faster in two cycles, the
-/// set-points of all wheels fall. They fall by 6 % per cycle, to a tenth at the lowest. Otherwise
-/// they rise by 1 % per cycle. In a curve of 5 degrees the limit is 270.0 rpm.
+/// @brief The set-points of all wheels fall while one wheel turns faster than 310.0 rpm or will
+/// turn faster in two cycles. They fall by 6 % per cycle, but not below a tenth. Otherwise, they
+/// rise by 1 % per cycle. In a curve of 5 degrees, the limit is 270.0 rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   const auto at = [&](int velocity) {
@@ -699,8 +707,8 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   EXPECT_EQ(at(2701), 940);
 }
 
-/// @brief Any single wheel that is too fast lowers the set-points, also while it loses velocity. A
-/// wheel that will be at the limit in two cycles does not lower them.
+/// @brief Any single wheel that is too fast lowers the set-points, even while its velocity falls. A
+/// wheel that will only reach the limit in two cycles does not lower them.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -732,7 +740,7 @@ TEST_F(SetPointRampTest, FR282_AnAcknowledgementEndsTheReduction) {
   EXPECT_EQ(first(), 1000);
 }
 
-/// @brief After a hold and after an acknowledgement the ramp begins at 0.
+/// @brief After a hold and after an acknowledgement, the ramp begins at 0.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AHoldBeginsAtZero) {
   for (int cycles = 0; cycles < 10; ++cycles) {

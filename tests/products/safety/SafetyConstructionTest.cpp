@@ -33,21 +33,21 @@ class SafetyDirectors : public ProductFixture {
 
 using SafetyDirectorsDeathTest = SafetyDirectors;
 
-/// @brief A robot with safety functions is built once.
+/// @brief A robot with safety functions can be built only once.
 /// @verifies FR-78
 TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionTwiceEndsTheProgram) {
   director.construct();
   EXPECT_DEATH(director.construct(), "assertion 5 failed");
 }
 
-/// @brief A robot that receives orders only from the PC is built once.
+/// @brief A robot that receives orders only from the PC can be built only once.
 /// @verifies FR-78
 TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionForThePcTwiceEndsTheProgram) {
   pcDirector.construct();
   EXPECT_DEATH(pcDirector.construct(), "assertion 5 failed");
 }
 
-/// @brief A robot that is not built cannot start, and has no pin of the enable switch.
+/// @brief A robot that is not built cannot start. It has no pin of the enable switch.
 /// @verifies FR-78
 TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(director.start(), "assertion 1 failed");
@@ -55,7 +55,8 @@ TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(director.enablePin()), "assertion 1 failed");
 }
 
-/// @brief A robot with a PC and a remote control sends a Welcome and reports to the PC. It begins in the mode RC.
+/// @brief A robot with a PC and a remote control sends a Welcome and reports to the PC. It starts
+/// in the mode RC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   begin(director);
@@ -65,7 +66,8 @@ TEST_F(SafetyDirectors, FR293_RobotWithRemoteControlReports) {
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief A robot that receives orders only from the PC welcomes the PC and reports; its mode is PC.
+/// @brief A robot that receives orders only from the PC sends a Welcome and reports to the PC. Its
+/// mode is PC.
 /// @verifies FR-293
 TEST_F(SafetyDirectors, FR293_RobotForThePcReports) {
   begin(pcDirector);
@@ -98,7 +100,7 @@ TEST_F(SafetyBuilderDeathTest, FR78_UseBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(static_cast<void>(builder.tickCommand()), "assertion 1 failed");
 }
 
-/// @brief The robot as one control system can contain eight control systems, but not nine.
+/// @brief The control system of the whole robot can contain eight control systems, but not nine.
 /// @verifies FR-78
 TEST_F(SafetyBuilderDeathTest, FR78_ControlSystemTooManyEndsTheProgram) {
   SpySystem spy;
@@ -124,7 +126,7 @@ TEST_F(SafetyBuilderTest, FR293_ControlSystemsAreBuiltAsOne) {
   EXPECT_TRUE(builder.system().completed(1));
 }
 
-/// @brief The control systems are wrapped once.
+/// @brief The control systems can be wrapped only once.
 /// @verifies FR-78
 TEST_F(SafetyBuilderDeathTest, FR78_ConstructionTwiceEndsTheProgram) {
   builder.buildSystem();

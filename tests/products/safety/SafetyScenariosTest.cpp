@@ -13,8 +13,9 @@
 namespace wr::test {
 namespace {
 
-// Returns all scenarios that the image with safety functions must meet on the virtual board, except
-// the scenario of the clock, which only the virtual board has.
+// Returns all scenarios that the image with safety functions must meet on the virtual board. The
+// scenario with the loss of the clock is not included, because only the virtual board has an
+// external clock.
 std::vector<std::filesystem::path> scenarios() {
   std::vector<std::filesystem::path> files = allScenarios();
   std::erase_if(files, [](const std::filesystem::path& file) {
@@ -25,8 +26,8 @@ std::vector<std::filesystem::path> scenarios() {
 
 class ScenariosWithSafety : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The robot with safety functions meets each scenario, except scenarios that only the
-/// design of the paper can meet.
+/// @brief The robot with safety functions meets each scenario, except the scenarios that are only
+/// for the design of the paper.
 /// @verifies NFR-6
 TEST_P(ScenariosWithSafety, NFR6_RobotDoesWhatIsExpected) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -52,8 +53,8 @@ class SafetyScenario : public testing::TestWithParam<const char*> {
 
 class StopOfTheRemoteControl : public SafetyScenario {};
 
-/// @brief The enable switch stops the robot while the PC drives, without a source of orders, and
-/// while the PC connects.
+/// @brief The enable switch stops the robot while the PC drives, while the PC connects, and when
+/// there is no source of orders.
 /// @verifies FR-285
 TEST_P(StopOfTheRemoteControl, FR285_ActsInEveryModeAndState) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -66,7 +67,8 @@ INSTANTIATE_TEST_SUITE_P(States, StopOfTheRemoteControl,
 
 class SwappedLeads : public SafetyScenario {};
 
-/// @brief Leads that are swapped while the robot drives stop it within 0.3 m at any speed.
+/// @brief If the leads of a motor are swapped while the robot drives, the robot stops within 0.3 m
+/// at any speed.
 /// @verifies FR-307
 TEST_P(SwappedLeads, FR307_StopTheRobotThatDrives) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -80,8 +82,8 @@ INSTANTIATE_TEST_SUITE_P(Drives, SwappedLeads,
 
 class FaultOfAPart : public SafetyScenario {};
 
-/// @brief A fault of one wheel, of its leads or of its sensors brakes the whole robot, and the
-/// robot stays at rest.
+/// @brief A fault of one wheel, of its leads or of its sensors brakes the whole robot. The robot
+/// then stays at rest.
 /// @verifies FR-270
 TEST_P(FaultOfAPart, FR270_StopsTheWholeRobot) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -97,7 +99,8 @@ INSTANTIATE_TEST_SUITE_P(Faults, FaultOfAPart,
 
 class FaultOfTheSteering : public SafetyScenario {};
 
-/// @brief A steering that is stuck, and an angle sensor that drifts or is not connected, brake the robot.
+/// @brief The robot brakes if the steering is stuck, and if the angle sensor drifts or is not
+/// connected.
 /// @verifies FR-272
 TEST_P(FaultOfTheSteering, FR272_StopsTheRobot) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -149,8 +152,8 @@ INSTANTIATE_TEST_SUITE_P(Presses, EmergencyStop,
 
 class StartOfTheRobot : public SafetyScenario {};
 
-/// @brief After power-on, after a reset and after silence of the PC, orders move nothing until
-/// neutral orders have come.
+/// @brief After power-on, after a reset and after silence of the PC, orders move nothing until the
+/// robot has received neutral orders.
 /// @verifies FR-280
 TEST_P(StartOfTheRobot, FR280_NeedsNeutralOrders) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -163,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Starts, StartOfTheRobot,
 
 class StopOfThePc : public SafetyScenario {};
 
-/// @brief A stop of the PC lasts over a reset.
+/// @brief A stop of the PC continues after a reset.
 /// @verifies FR-290
 TEST_P(StopOfThePc, FR290_OutlivesAReset) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -174,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Resets, StopOfThePc, testing::Values("stop_survives_a_r
 
 class LossOfTheRemoteControl : public SafetyScenario {};
 
-/// @brief A receiver that repeats its last pulses stops the robot.
+/// @brief The robot stops when the receiver repeats its last pulses.
 /// @verifies FR-289
 TEST_P(LossOfTheRemoteControl, FR289_StopsTheRobot) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});

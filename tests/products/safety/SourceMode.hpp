@@ -6,7 +6,7 @@
 
 namespace wr::test {
 
-/// A mode whose orders and stops a test sets.
+/// A mode for tests. A test sets its orders and stops.
 class SourceMode final : public Mode {
  public:
   SourceMode() : Mode(ModeId::None) {}

@@ -20,7 +20,7 @@ class ComparedWheels : public testing::Test {
     EXPECT_EQ(comparison.behind(measurements), std::nullopt);
   }
 
-  /// Runs a cycle in which the wheels move by some edges.
+  /// Runs a cycle in which each wheel moves by a number of edges.
   std::optional<std::uint8_t> move(const std::array<int, kWheelCount>& edges) {
     for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
       HallCount& position = *measurements.wheels[wheel].position;
@@ -38,9 +38,9 @@ class ComparedWheels : public testing::Test {
   WheelComparison comparison;
 };
 
-/// @brief A wheel that does not move is detected after two comparisons, each over 20 edges of the
-/// other wheels. This is a distance of 0.114 m: a wheel with a radius of 0.272 m has 600 edges in a
-/// turn.
+/// @brief A wheel that does not move is detected after two comparisons. Each comparison lasts for
+/// 20 edges of the other wheels. Both comparisons together take 0.114 m, because a wheel with a
+/// radius of 0.272 m has 600 edges in a turn.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   for (const int direction : {1, -1}) {
@@ -53,9 +53,9 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   }
 }
 
-/// @brief A wheel that moves half as far as the other wheels is reported; a wheel that moves
-/// farther is not. A wheel that is faster than the other wheels, or too slow only once, is never
-/// reported.
+/// @brief A wheel that moves half as far as the other wheels is reported. A wheel that moves
+/// farther is not reported. A wheel that is faster than the other wheels is never reported. A wheel
+/// that is too slow only once is not reported either.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   for (int cycle = 0; cycle < 10; ++cycle) {
@@ -68,8 +68,8 @@ TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   EXPECT_EQ(move({13, 26, 26, 26}), std::uint8_t{0});
 }
 
-/// @brief A wheel whose sensors count the wrong way, and a wheel whose position is missing, are
-/// reported. The different velocities in the tightest curve are not reported.
+/// @brief A wheel is reported if its sensors count in the wrong direction or if its position is
+/// missing. The different velocities in the tightest curve are not reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
   for (int cycle = 0; cycle < 10; ++cycle) {
@@ -82,8 +82,8 @@ TEST_F(ComparedWheels, FR297_WrongAndMissingEdgesAreBehind) {
   EXPECT_EQ(comparison.behind(measurements), std::nullopt);
 }
 
-/// @brief More than 11.0 A in ten cycles in a row are too much, in either direction. 11.0 A are
-/// permitted, and a cycle with less current restarts the count.
+/// @brief A current of more than 11.0 A in ten successive cycles is too much, in either direction.
+/// A current of 11.0 A is permitted. A cycle with less current restarts the count.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_AGreatCurrentMayNotLast) {
   for (const int sign : {1, -1}) {
@@ -101,7 +101,7 @@ TEST_F(ComparedWheels, FR298_AGreatCurrentMayNotLast) {
   }
 }
 
-/// @brief The current of each wheel counts, and a reset restarts the counts.
+/// @brief The current of each wheel is supervised. A reset restarts the counts.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_EachWheelIsCounted) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -117,8 +117,8 @@ TEST_F(ComparedWheels, FR298_EachWheelIsCounted) {
   }
 }
 
-/// @brief In a curve of more than 11 degrees the set-points may make the wheels work against each
-/// other for 5 s, but no longer.
+/// @brief In a curve of more than 11 degrees, the set-points may make the wheels work against each
+/// other. There, a great current may last for 5 s, but not longer.
 /// @verifies FR-298
 TEST_F(ComparedWheels, FR298_InACurveAGreatCurrentMayLastLonger) {
   for (const int angle : {1101, -1101}) {

@@ -9,8 +9,9 @@
 namespace wr::test {
 namespace {
 
-/// A wheel whose measurements a test chooses. By default voltage, velocity and current match: at
-/// 150 rpm the motor of 52.36 mV per rpm needs 7.854 V, and 1.5 V more for 1 A through 1.5 Ohm.
+/// A wheel whose measurements a test sets. By default, voltage, velocity and current match. The
+/// motor has 52.36 mV per rpm and 1.5 Ohm. At 150 rpm, it needs 7.854 V, and 1.5 V more for a
+/// current of 1 A.
 class SupervisedWheel : public testing::Test {
  protected:
   static WheelMeasurements measured(double rpm, double amperes) {
@@ -24,14 +25,14 @@ class SupervisedWheel : public testing::Test {
     return {.quantity = WheelQuantity::Velocity, .value = static_cast<std::int16_t>(rpm * 10)};
   }
 
-  /// Runs a cycle with a voltage and a set-point that apply until the next cycle.
+  /// Runs a cycle. The voltage and the set-point apply until the next cycle.
   StopCause cycle(const WheelMeasurements& values, double volts, double setPoint) {
     const WheelSetPoint followed = velocity(setPoint);
     return wheel.examine(values, Tension(static_cast<std::int32_t>(volts * 1000)), &followed);
   }
 
-  /// Repeats a cycle, with the noise of a current sensor; returns the number of the first cycle
-  /// with a cause, 0 if there is none.
+  /// Repeats a cycle, with the noise of a current sensor. Returns the number of the first cycle
+  /// with a cause of a stop; 0 if there is no such cycle.
   int firstCause(int cycles, WheelMeasurements values, double volts, double setPoint) {
     for (int number = 1; number <= cycles; ++number) {
       if (values.current) {
@@ -45,7 +46,7 @@ class SupervisedWheel : public testing::Test {
     return 0;
   }
 
-  /// A halted wheel that still has the voltage of an earlier cycle.
+  /// Runs a cycle of a halted wheel that still has the voltage of an earlier cycle.
   StopCause halted(const WheelMeasurements& values, double volts = 0) {
     return wheel.examine(values, Tension(static_cast<std::int32_t>(volts * 1000)), nullptr);
   }
@@ -60,7 +61,7 @@ TEST_F(SupervisedWheel, FR277_MatchingMeasurementsArePlausible) {
   EXPECT_EQ(firstCause(100, measured(150, 1), 9.354, 150), 0);
 }
 
-/// @brief The overcurrent trip and missing motion are causes at once, even when the wheel is
+/// @brief The overcurrent trip and missing motion cause a stop immediately, even when the wheel is
 /// halted.
 /// @verifies FR-273
 TEST_F(SupervisedWheel, FR273_FaultsOfTheWheelAreCauses) {
@@ -76,8 +77,8 @@ TEST_F(SupervisedWheel, FR273_FaultsOfTheWheelAreCauses) {
   EXPECT_EQ(halted(measured(0, 0)), StopCause::None);
 }
 
-/// @brief 330.0 rpm is permitted, 330.1 rpm is a cause in its cycle, in both directions, also for a wheel
-/// that is halted.
+/// @brief A velocity of 330.0 rpm is permitted. A velocity of 330.1 rpm causes a stop in the same
+/// cycle. This is true in both directions, also for a halted wheel.
 /// @verifies FR-274
 TEST_F(SupervisedWheel, FR274_MoreThan330RpmIsACause) {
   EXPECT_EQ(halted(measured(330.0, 0)), StopCause::None);
@@ -87,8 +88,8 @@ TEST_F(SupervisedWheel, FR274_MoreThan330RpmIsACause) {
   EXPECT_EQ(halted(measured(-330.1, 0)), StopCause::Overspeed);
 }
 
-/// @brief A wheel whose motor turns it with 5.1 rpm against 1.1 V is a cause in the second cycle;
-/// 1.0 V and 5.0 rpm are no cause.
+/// @brief If the motor turns its wheel at 5.1 rpm against 1.1 V, this causes a stop in the second
+/// cycle. At 1.0 V or 5.0 rpm, it does not.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cycle(measured(0, 0), 1.1, 10), StopCause::None);
@@ -103,8 +104,8 @@ TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.5 V, and 20 rpm in the opposite direction, up to 1.124 V may remain unexplained: 40
-/// % of 1.5 V plus half of 1.047 V. The bound is met by 0.949 A.
+/// @brief At 1.5 V, and 20 rpm in the opposite direction, up to 1.124 V may remain unexplained.
+/// This bound is 40 % of 1.5 V plus half of 1.047 V. A current of 0.949 A is within the bound.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(firstCause(20, measured(-20, 0.96), 1.5, 17.6), 0);
@@ -112,8 +113,9 @@ TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.501 V, and 20 rpm in the opposite direction, exactly the bound of 1.123 V remains
-/// unexplained with 0.950 A: this is no cause. With 0.949 A, 1.125 V remain: this is a cause.
+/// @brief At 1.501 V, and 20 rpm in the opposite direction, a current of 0.950 A leaves exactly the
+/// bound of 1.123 V unexplained. This does not cause a stop. A current of 0.949 A leaves 1.125 V
+/// unexplained, which causes a stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheBoundOfTheUnexplainedVoltageIsPermitted) {
   for (int number = 0; number < 4; ++number) {
@@ -126,7 +128,7 @@ TEST_F(SupervisedWheel, FR275_TheBoundOfTheUnexplainedVoltageIsPermitted) {
 }
 
 /// @brief A slope drags a wheel faster and faster against its voltage. The wheel draws (3 V + k v)
-/// / 1.5 Ohm: this causes no stop, not even with 15 % more resistance and a supply of 21 V.
+/// / 1.5 Ohm. This does not cause a stop, even with 15 % more resistance and a supply of 21 V.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_ADraggedWheelIsNoCause) {
   for (const double share : {1.0, 21.0 / 24 / 1.15}) {
@@ -140,7 +142,8 @@ TEST_F(SupervisedWheel, FR275_ADraggedWheelIsNoCause) {
   }
 }
 
-/// @brief Swapped leads turn a wheel with 3 V against its voltage: the current is (3 V - k v) / 1.5 Ohm.
+/// @brief With swapped leads, a voltage of 3 V turns a wheel against this voltage. The current is
+/// (3 V - k v) / 1.5 Ohm. This causes a stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_SwappedLeadsAreACause) {
   EXPECT_EQ(cycle(measured(0, 2), 3.0, 30), StopCause::None);
@@ -148,8 +151,8 @@ TEST_F(SupervisedWheel, FR275_SwappedLeadsAreACause) {
   EXPECT_EQ(cycle(measured(-35, 0.78), 3.0, 30), StopCause::WrongDirection);
 }
 
-/// @brief A fault that is present in every second cycle is detected: a cycle without it subtracts
-/// half a cycle. A fault in every third cycle is not detected.
+/// @brief A fault that is present in every second cycle is detected, because a cycle without the
+/// fault subtracts only half a cycle. A fault in every third cycle is not detected.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_AnIntermittentFaultIsACause) {
   EXPECT_EQ(cycle(measured(0, 2), 3.0, 30), StopCause::None);
@@ -165,7 +168,8 @@ TEST_F(SupervisedWheel, FR275_AnIntermittentFaultIsACause) {
   }
 }
 
-/// @brief Velocities of more than 40 rpm and 25 % above the set-point are a cause in the third cycle.
+/// @brief A velocity that exceeds the set-point by more than 40 rpm plus 25 % of the set-point
+/// causes a stop in the third cycle.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_FasterThanTheSetPointIsACause) {
   const double volts = 150 * 0.05236 + 1.5;
@@ -186,8 +190,8 @@ TEST_F(SupervisedWheel, FR276_TheLastTenSetPointsCount) {
   EXPECT_EQ(cause, StopCause::Overspeed);
 }
 
-/// @brief A wheel that is too fast and loses more than 1 rpm in a cycle is being braked. This
-/// causes no stop. A wheel that loses only 1 rpm causes a stop.
+/// @brief A wheel that is too fast, but loses more than 1 rpm in a cycle, is being braked. It does
+/// not cause a stop. A wheel that loses only 1 rpm causes a stop.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
   EXPECT_EQ(firstCause(10, measured(20, 1), 2.5, 20), 0);
@@ -205,7 +209,8 @@ TEST_F(SupervisedWheel, FR276_AWheelThatSlowsDownIsNoCause) {
   EXPECT_EQ(cycle(measured(98, 0), 5.2, 20), StopCause::Overspeed);
 }
 
-/// @brief A wheel that follows a falling set-point with a delay of up to 0.4 s is no cause.
+/// @brief A wheel may follow a falling set-point with a delay of up to 0.4 s. It does not cause a
+/// stop.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
   std::vector<double> setPoints;
@@ -218,7 +223,7 @@ TEST_F(SupervisedWheel, FR276_BrakingIsNoCause) {
   }
 }
 
-/// @brief An order of voltage has no velocity to compare with.
+/// @brief If the order sets a voltage, there is no set-point of the velocity for a comparison.
 /// @verifies FR-276
 TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
   const WheelSetPoint order{.quantity = WheelQuantity::Tension, .value = 12000};
@@ -228,11 +233,12 @@ TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
   }
 }
 
-/// @brief At 10 V and 2 A the winding has 3 V. The difference may be 0.7 V, 20 % of 10 V, 25 % of 3 V and 10 % of
-/// the induced voltage. A greater difference is a cause in the second cycle.
+/// @brief At 10 V and 2 A, the winding has 3 V. The permitted difference is the sum of 0.7 V, 20 %
+/// of 10 V, 25 % of 3 V and 10 % of the induced voltage. A greater difference causes a stop in the
+/// second cycle.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
-  // 10 V - 3 V - e = 3.45 V + e / 10 holds for e = 3.227 V.
+  // The equation 10 V - 3 V - e = 3.45 V + e / 10 has the solution e = 3.227 V.
   const double permitted = 3.227 / 0.05236;
   EXPECT_EQ(cycle(measured(permitted, 2), 10, 300), StopCause::None);
   EXPECT_EQ(firstCause(20, measured(permitted + 0.3, 2), 10, 300), 0);
@@ -240,9 +246,9 @@ TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief A supply from 21 to 29 V, a resistance within 25 % of its nominal value and a motor
-/// constant within 10 % of its nominal value are no cause. This is tested for each voltage, load
-/// and direction of a wheel below 330 rpm.
+/// @brief A supply from 21 V to 29 V, a resistance within 25 % of its nominal value and a motor
+/// constant within 10 % of its nominal value do not cause a stop. This is tested for each voltage,
+/// load and direction of a wheel below 330 rpm.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
   int points = 0;
@@ -274,9 +280,9 @@ TEST_F(SupervisedWheel, FR277_TolerancesOfTheRobotAreNoCause) {
   EXPECT_GT(points, 1000);
 }
 
-/// @brief A deviation that is equal to the permitted deviation is no cause; a deviation that is 1 mV
-/// greater is a cause. At 60 rpm and 2 A, 3.740 V are permitted: 0.7 V, 20 % of the voltage, 25 %
-/// of 3 V and 10 % of 3.141 V.
+/// @brief A difference that is equal to the permitted difference does not cause a stop. A
+/// difference that is 1 mV greater causes a stop. At 60 rpm and 2 A, the permitted difference is
+/// 3.740 V. It is the sum of 0.7 V, 20 % of the voltage, 25 % of 3 V and 10 % of 3.141 V.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
   const WheelSetPoint followed = velocity(60);
@@ -288,7 +294,8 @@ TEST_F(SupervisedWheel, FR277_TheLimitOfTheDifferenceIsPermitted) {
   EXPECT_EQ(wheel.examine(measured(60, 2), Tension(9882), &followed), StopCause::Tracking);
 }
 
-/// @brief At 1.0 V, the voltage of the bring-up, a wheel at rest may differ by 1.5 V; at 1.1 V it may not.
+/// @brief At 1.0 V, which is the voltage of the bring-up, a difference of 1.5 V is permitted for a
+/// wheel at rest. At 1.1 V, this difference is not permitted.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(firstCause(20, measured(0, -0.25), 1.0, 0), 0);
@@ -297,8 +304,8 @@ TEST_F(SupervisedWheel, FR277_UpToOneVoltMoreIsPermitted) {
   EXPECT_EQ(cause, StopCause::Tracking);
 }
 
-/// @brief A wheel that the other wheels pull forwards against its swapped leads is a cause in the second
-/// cycle.
+/// @brief If the other wheels pull a wheel with swapped leads forwards, the wheel causes a stop in
+/// the second cycle.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   for (const double rpm : {50, 80, 150, 300}) {
@@ -311,9 +318,9 @@ TEST_F(SupervisedWheel, FR277_SwappedLeadsAreACause) {
   }
 }
 
-/// @brief At 1.1 V, a current that stays the same in seven successive cycles is a cause in the
-/// seventh cycle, also at a constant voltage. A current that varies by 1 mA and a constant current
-/// at 1.0 V are no cause.
+/// @brief At 1.1 V, a current that is constant in seven successive cycles causes a stop in the
+/// seventh cycle, also at a constant voltage. A current that varies by 1 mA does not cause a stop.
+/// A constant current at 1.0 V does not cause a stop either.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
   const auto stuckFor = [&](int cycles, double rpm, double volts, double noise) {
@@ -327,15 +334,16 @@ TEST_F(SupervisedWheel, FR278_ACurrentThatStaysTheSameIsACause) {
     return 0;
   };
   EXPECT_EQ(stuckFor(7, 150, 8, 0), 0);
-  EXPECT_EQ(stuckFor(9, 150, 8, 0), 8);  // the first cycle has no voltage before it
+  EXPECT_EQ(stuckFor(9, 150, 8, 0), 8);  // there is no voltage before the first cycle
   EXPECT_EQ(cause, StopCause::MissingMeasurement);
   EXPECT_EQ(stuckFor(50, 150, 8, 0.001), 0);
   EXPECT_GT(stuckFor(50, 18, 1.1, 0), 0);
   EXPECT_EQ(stuckFor(50, 18, 1.0, 0), 0);
 }
 
-/// @brief A wheel at rest without voltage has no current. More than 1.0 A in two cycles is a cause.
-/// 1.0 A is no cause; 1.1 A while the wheel turns is no cause either.
+/// @brief A wheel at rest without voltage has no current. A current of more than 1.0 A in two
+/// cycles causes a stop. A current of 1.0 A does not cause a stop. A current of 1.1 A while the
+/// wheel turns does not cause a stop either.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, 1.0)), StopCause::None);
@@ -364,15 +372,16 @@ TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   }
 }
 
-/// @brief Implausible Hall edges of a wheel, cycle after cycle.
+/// @brief A wheel with implausible Hall edges in successive cycles.
 class RejectedEdges : public SupervisedWheel {
  protected:
-  // Returns the last cause of some cycles, each with the same number of implausible edges.
+  // Runs cycles with the same number of implausible edges in each cycle. Returns the cause of the
+  // last cycle.
   StopCause rejected(int cycles, std::uint16_t edges, double rpm = 150, double volts = 9.354) {
     StopCause found = StopCause::None;
     for (int number = 0; number < cycles; ++number) {
       total_ = static_cast<std::uint16_t>(total_ + edges);
-      milliamperes_ = milliamperes_ == 0 ? 1 : 0;  // a current always varies
+      milliamperes_ = milliamperes_ == 0 ? 1 : 0;  // the current varies, as in a real sensor
       WheelMeasurements values = measured(rpm, 1 + milliamperes_ / 1000.0);
       values.rejectedEdges = total_;
       found = cycle(values, volts, rpm);
@@ -385,8 +394,8 @@ class RejectedEdges : public SupervisedWheel {
   int milliamperes_ = 0;
 };
 
-/// @brief Nine implausible edges while the wheel has voltage are a cause. One cycle counts at most
-/// five edges, and subtracts half an edge. Edges before the first cycle do not count.
+/// @brief Nine implausible edges while the wheel has voltage cause a stop. One cycle counts at most
+/// five edges, and subtracts half an edge. Edges before the first cycle are not counted.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 200), StopCause::None);
@@ -396,8 +405,8 @@ TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 5), StopCause::HallSignals);
 }
 
-/// @brief A lost edge gives two implausible edges. Ten lost edges in a second are a cause within 0.7 s; two
-/// lost edges are no cause.
+/// @brief A lost edge causes two implausible edges. Ten lost edges per second cause a stop within
+/// 0.7 s. Two lost edges per second do not cause a stop.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_SingleLostEdgesAddUp) {
   EXPECT_EQ(rejected(6, 2), StopCause::None);
@@ -409,8 +418,8 @@ TEST_F(RejectedEdges, FR279_SingleLostEdgesAddUp) {
   }
 }
 
-/// @brief A wheel at rest on an edge causes implausible edges: fewer than five in a cycle do not
-/// count.
+/// @brief A wheel at rest on an edge causes implausible edges. Fewer than five such edges in a
+/// cycle are not counted.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_AWheelAtRestMayGiveSome) {
   EXPECT_EQ(rejected(100, 4, 9, 2), StopCause::None);
@@ -418,8 +427,8 @@ TEST_F(RejectedEdges, FR279_AWheelAtRestMayGiveSome) {
   EXPECT_EQ(rejected(1, 5, 9, 2), StopCause::HallSignals);
 }
 
-/// @brief A cycle whose edges do not count subtracts half an edge. The edges of a wheel count from
-/// 10.0 rpm on.
+/// @brief A cycle whose edges are not counted subtracts half an edge. The edges of a wheel are
+/// counted from 10.0 rpm on.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_ACycleWithoutEdgesSubtractsHalfAnEdge) {
   EXPECT_EQ(rejected(1, 200, 9, 2), StopCause::None);
@@ -429,7 +438,7 @@ TEST_F(RejectedEdges, FR279_ACycleWithoutEdgesSubtractsHalfAnEdge) {
   EXPECT_EQ(rejected(1, 1, 10, 2), StopCause::HallSignals);
 }
 
-/// @brief Without voltage no implausible edge is a cause.
+/// @brief Without voltage, implausible edges do not cause a stop.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_WithoutVoltageNoneIsACause) {
   WheelMeasurements values = measured(0, 0);
@@ -439,7 +448,7 @@ TEST_F(RejectedEdges, FR279_WithoutVoltageNoneIsACause) {
   }
 }
 
-/// Faults of a wheel, each in every second cycle or in every cycle.
+/// A wheel with faults. Each fault is present in every cycle or in every second cycle.
 class FaultyWheel : public SupervisedWheel {
  protected:
   enum class Fault { Opposing, TooFast, Deviating, Missing, Edges, EqualCurrent, Swapped };
@@ -448,7 +457,8 @@ class FaultyWheel : public SupervisedWheel {
                                       Fault::Missing,  Fault::Edges,   Fault::EqualCurrent,
                                       Fault::Swapped};
 
-  /// Runs a cycle of a wheel; the fault is present in every cycle whose number is a multiple.
+  /// Runs a cycle of a wheel. The fault is present if the number of the cycle is a multiple of
+  /// `multiple`.
   static StopCause faulty(WheelSupervision& supervised, Fault fault, int number, int multiple) {
     const bool present = number % multiple == 0;
     const double noise = fault == Fault::EqualCurrent ? 0 : 0.001 * (number % 2);

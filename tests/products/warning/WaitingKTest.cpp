@@ -15,7 +15,7 @@ class WaitingKTest : public ControllerFixture {
     controller.read();
   }
 
-  // Returns whether a fake state controls.
+  // Returns whether a fake state is the current state.
   bool isCurrent(FakeState& fake) {
     fake.steps.clear();
     controller.control();
@@ -26,7 +26,7 @@ class WaitingKTest : public ControllerFixture {
   WaitingK waitingK{state, other, warning};
 };
 
-/// @brief The state warns when it controls, and the control systems follow the last set-points.
+/// @brief In its control step, the state warns. The control systems follow the last set-points.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_WarnsAndGoesOn) {
   EXPECT_FALSE(warning.isOn());
@@ -47,7 +47,7 @@ TEST_F(WaitingKTest, FR152_MessageEndsTheWarning) {
   EXPECT_TRUE(isCurrent(state));
 }
 
-/// @brief A failed read ends the warning: the next state follows, and the mode does not change.
+/// @brief A failed read ends the warning. The next state follows, and the mode does not change.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_FailedReadSetsTheNextState) {
   controller.control();
@@ -58,7 +58,7 @@ TEST_F(WaitingKTest, FR152_FailedReadSetsTheNextState) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief The report shows the state by its number.
+/// @brief The report contains the number of the state.
 /// @verifies FR-152
 TEST_F(WaitingKTest, FR152_ReportTellsTheState) {
   connect();

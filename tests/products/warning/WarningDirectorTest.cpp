@@ -38,8 +38,8 @@ TEST_F(WarningRobot, FR78_ControlSystemsAreBuiltAndStarted) {
   EXPECT_TRUE(spyBuilder.started);
 }
 
-/// @brief The warning is on only at the failed read before the last waiting state; the robot
-/// follows its set-points until the last waiting state ends.
+/// @brief The warning is on only in the cycle of the failed read before the last waiting state. The
+/// robot follows its set-points until the last waiting state ends.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_EQ(order(8).orderId, 8);
@@ -57,7 +57,7 @@ TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_FALSE(warning.isOn());
 }
 
-/// @brief A message ends the warning at once, and the next failed reads are counted again from 1.
+/// @brief A message ends the warning immediately. The next failed reads are counted again from 1.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_MessageEndsTheWarning) {
   for (int round = 0; round < 2; ++round) {
@@ -72,7 +72,7 @@ TEST_F(WarningRobot, FR152_MessageEndsTheWarning) {
   }
 }
 
-/// @brief While a stop is in force the lamp stays off, in all states up to the last state.
+/// @brief While a stop is in force, the lamp stays off, in all states up to the last state.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
   port.arrive(pc.order({.id = 9, .stop = true}));
@@ -87,7 +87,7 @@ TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
   EXPECT_TRUE(passed);
 }
 
-/// @brief The remote control commands this robot as well.
+/// @brief This robot also follows the remote control.
 /// @verifies FR-17
 TEST_F(WarningRobot, FR17_RemoteControlFollowsThePc) {
   for (int failed = 0; failed < kWaitingCycles + 1; ++failed) {

@@ -397,5 +397,5 @@ def test_a_folder_that_cannot_be_made_is_wrong_usage(
     with pytest.raises(SystemExit) as ended:
         parser.parse_args(["--record", str(plain / "folder")])
     assert ended.value.code == 2
-    assert f"cannot make {plain / 'folder'}: Not a directory" in capsys.readouterr().err
+    assert f"cannot create {plain / 'folder'}: Not a directory" in capsys.readouterr().err
     assert parser.parse_args(["--record", str(tmp_path / "new")]).record.is_dir()

@@ -91,7 +91,7 @@ def test_nothing_is_ordered_before_the_first_line() -> None:
 @pytest.mark.parametrize(
     ("text", "place", "reason"),
     [
-        ("at 0s velocity 150", 1, "cannot understand"),
+        ("at 0s velocity 150", 1, "is not valid here"),
         ("at 0s velocity 150 V", 1, "is rpm, not V"),
         ("at 0s wheel 4 velocity 5 rpm", 1, "not a wheel"),
         ("at 0s wheel x velocity 5 rpm", 1, "not a wheel"),
@@ -101,8 +101,8 @@ def test_nothing_is_ordered_before_the_first_line() -> None:
         ("at 0s speed 3 rpm", 1, "unknown word"),
         ("at 0s velocity x rpm", 1, "not a number"),
         ("velocity 3 rpm", 1, "begins with a time"),
-        ("at 0s", 1, "no values after it"),
-        ("at 2s stop\nat 1s release", 2, "before the line above"),
+        ("at 0s", 1, "no values after the time"),
+        ("at 2s stop\nat 1s release", 2, "before the time of the previous line"),
         ("at 2s end\nat 3s stop", 2, "nothing may follow"),
         ("at 2s stop end", 1, "must be alone"),
         ("at 2s end stop", 1, "must be alone"),
@@ -275,7 +275,7 @@ def test_a_script_that_is_no_text_is_wrong_usage(
     script = tmp_path / "script"
     script.write_bytes(b"\xff\xfe")
     assert drive.run(options(mcu, script=script)) == exit_codes.USAGE
-    assert f"{script}: this is not a text in UTF-8" in capsys.readouterr().err
+    assert f"{script}: the file is not a text in UTF-8" in capsys.readouterr().err
 
 
 def test_a_missing_script_is_named(

@@ -171,7 +171,7 @@ def test_a_robot_of_version_1_is_found_out(mcu: Any) -> None:
         assert serve_until(link, lambda: link.incompatible, 5.0)
         assert not link.connected
         assert link.incompatible == (
-            "The robot uses version 1 of the PC protocol, this client uses version 2. "
+            "The robot uses version 1 of the PC protocol. This client uses version 2. "
             "Flash the robot (./wr flash), and connect again."
         )
     assert not mcu.of_kind(CONFIRM)

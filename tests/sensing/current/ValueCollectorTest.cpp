@@ -18,7 +18,7 @@
 namespace wr::test {
 namespace {
 
-/// The test triggers each tick of the timer.
+/// A timer whose ticks the test triggers.
 class BeatTimer final : public PeriodicTimer {
  public:
   void start(Microseconds /*period*/) override {}
@@ -30,7 +30,7 @@ class CurrentTest : public testing::Test {
  protected:
   CurrentTest() { timer.add(readCnt); }
 
-  /// Runs one tick, at which the conversion of the previous tick has a result.
+  /// Runs one tick. At this tick, the conversion of the previous tick has a result.
   void tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -77,7 +77,7 @@ TEST_F(CurrentTest, FR100_EachBeatSamples) {
   EXPECT_EQ(collector.record().at, time.now());
 }
 
-/// @brief The record is written again with each eighth sample, with the time of that sample.
+/// @brief The record is written at each eighth sample, with the time of this sample.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_RecordInGroupsOfEight) {
   ticks(64 + 7, 2049);
@@ -94,9 +94,9 @@ TEST_F(CurrentTest, FR125_RecordInGroupsOfEight) {
   EXPECT_EQ(collector.record().sum, 8U);
 }
 
-/// @brief Sum and number may overflow: the mean of a cycle is still correct. With a negative
-/// current the sum underflows at the first sample; with a positive current it rises until it
-/// overflows.
+/// @brief The mean of a cycle is correct even if the sum and the number of samples overflow. With a
+/// negative current, the sum underflows at the first sample. With a positive current, the sum rises
+/// until it overflows.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_SumsMayWrap) {
   ticks(64, 2048);
@@ -116,7 +116,7 @@ TEST_F(CurrentTest, FR125_SumsMayWrap) {
   }
 }
 
-/// @brief A tick at which no conversion has ended has no sample, and requests a new sample.
+/// @brief If no conversion has ended at a tick, there is no sample. The tick requests a new sample.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_BeatWithoutSample) {
   ticks(71, 2048);
@@ -127,8 +127,8 @@ TEST_F(CurrentTest, FR125_BeatWithoutSample) {
   EXPECT_EQ(collector.record().number, 8U);
 }
 
-/// @brief The current of a cycle is the mean of its samples: 0.1 V is 1 A, and 3.3 V are 4096
-/// steps.
+/// @brief The current of a cycle is the mean of its samples. A voltage of 0.1 V is 1 A, and the
+/// range of 3.3 V has 4096 steps.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_MeanOfTheCycle) {
   ticks(64, 2048);
@@ -158,18 +158,19 @@ TEST_F(CurrentTest, FR125_EachCycleOfItsOwn) {
   EXPECT_EQ(measured()->value, Current(0));
 }
 
-/// @brief Samples of a group that is not complete count in the next cycle.
+/// @brief The samples of an incomplete group are used in the next cycle.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_NoSampleIsLost) {
   ticks(64, 2048);
   ticks(100, 2048);
   EXPECT_EQ(measured()->value, Current(0));
   ticks(4, 2048 + 1000);
-  EXPECT_EQ(measured()->value, Current(4028)) << "4 earlier samples, and 4 new samples";
+  EXPECT_EQ(measured()->value, Current(4028))
+      << "the group has 4 earlier samples and 4 new samples";
 }
 
-/// @brief Without a sample since the previous measurement nothing is written: the value becomes
-/// old.
+/// @brief If there was no sample since the previous measurement, no value is written. The last
+/// value becomes old.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_NothingWithoutSamples) {
   EXPECT_FALSE(measured());
@@ -183,8 +184,8 @@ TEST_F(CurrentTest, FR125_NothingWithoutSamples) {
   EXPECT_EQ(after.value, before.value);
 }
 
-/// @brief The noise of the sensor averages out: of 50 mA rms, 5 mA remain in the zero and 5 mA in
-/// the mean of a cycle.
+/// @brief The mean reduces the noise of the sensor. Of 50 mA rms, 5 mA remain in the zero, and 5 mA
+/// remain in the mean of a cycle.
 /// @verifies FR-125
 /// @verifies FR-126
 TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
@@ -202,7 +203,8 @@ TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
   EXPECT_NEAR(measured()->value.count(), 4000, 50);
 }
 
-/// @brief The first 64 samples are the zero, if it is within 5 % of the range from the middle.
+/// @brief The mean of the first 64 samples is the zero, if its distance from the middle is at most
+/// 5 % of the range.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   for (const int zero : {2048 - 204, 2000, 2048 + 204}) {
@@ -215,7 +217,8 @@ TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   }
 }
 
-/// @brief A zero further from the middle shows a broken sensor: all later samples are ignored.
+/// @brief A zero that is farther from the middle shows a broken sensor. All later samples are
+/// ignored.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ImplausibleZero) {
   for (const int zero : {0, 2048 - 205, 2048 + 205, 4095}) {
@@ -232,7 +235,7 @@ TEST_F(CurrentTest, FR126_ImplausibleZero) {
   }
 }
 
-/// @brief The zero is the mean, rounded to the nearest number.
+/// @brief The zero is the mean of its samples, rounded to the nearest number.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
   ticks(32, 2040);
@@ -242,9 +245,9 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
   EXPECT_EQ(collector.record().sum, 0U);
 }
 
-/// @brief Five samples in a row beyond 15 A switch the driver off, forwards and backwards. The
-/// command is executed in the interrupt of the fifth sample and of each following sample that is
-/// too high.
+/// @brief Five successive samples beyond 15 A switch the driver off, in both directions. The
+/// command is executed in the interrupt of the fifth sample, and in the interrupt of each following
+/// sample that is too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);
@@ -295,8 +298,8 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   }
 }
 
-/// @brief When the zero is less than 15 A from an end of the range, only the last value of the
-/// range is too high.
+/// @brief If the zero is less than 15 A from an end of the range, only the last value of the range
+/// is too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   struct Sensor {
@@ -321,8 +324,8 @@ TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   }
 }
 
-/// @brief A cycle whose mean is beyond 16 A, up to the end of the range, has no current: the value
-/// of a broken sensor is not reported.
+/// @brief If the mean of a cycle is beyond 16 A, up to the end of the range, the cycle has no
+/// current. The value of a broken sensor is not reported.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_EndOfTheRangeIsNoMeasurement) {
   ticks(64, 2048);

@@ -71,7 +71,7 @@ TEST(InstantCollector, FR52_WidthOfTheLastPulse) {
   EXPECT_EQ(known(width).last, Instant(102));
 }
 
-/// @brief A falling edge without a rising edge before it ends no pulse.
+/// @brief A falling edge does not end a pulse if there was no rising edge before.
 /// @verifies FR-52
 TEST(InstantCollector, FR52_NoWidthWithoutWholePulse) {
   BasicCollector basic;
@@ -97,7 +97,7 @@ TEST(InstantCollector, FR121_CountIsTheSumOfDirections) {
   EXPECT_EQ(known(count).last, Instant(1));
 }
 
-/// @brief Decorators can be combined: each value is available in any order of wrapping.
+/// @brief Decorators can be combined. Each value is available in any order of the decorators.
 /// @verifies FR-52
 /// @verifies FR-55
 /// @verifies FR-121

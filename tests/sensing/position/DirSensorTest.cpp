@@ -15,8 +15,8 @@ namespace {
 
 class DirSensorTest : public testing::Test {
  protected:
-  /// Runs one tick, at which the conversion of the previous tick has a result; returns true when
-  /// the tick ended a measurement.
+  /// Runs one tick. At this tick, the conversion of the previous tick has a result. Returns true
+  /// when the tick has ended a measurement.
   bool tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -49,8 +49,8 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   EXPECT_FALSE(input.result);
 }
 
-/// @brief There is no angle before 8 samples have come; then there is a new angle at each 8th tick,
-/// with its time, and the sensor reports it.
+/// @brief There is no angle before the first 8 samples. Then there is a new angle with its time at
+/// each 8th tick, and the sensor reports this.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   for (int measurement = 1; measurement <= 3; ++measurement) {
@@ -65,7 +65,7 @@ TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   }
 }
 
-/// @brief The function gets the sum of 8 samples and the time in which they came.
+/// @brief The function gets the sum of 8 samples and the duration in which they were sampled.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_ArgumentsOfTheFunction) {
   // Records its arguments.
@@ -90,8 +90,8 @@ TEST_F(DirSensorTest, FR129_ArgumentsOfTheFunction) {
   EXPECT_EQ(recorded.values[ArgumentId::Offset], 8 * 2048);
 }
 
-/// @brief The whole range is 80 degrees, its middle is straight on, and a higher value is to the
-/// left.
+/// @brief The whole range is 80 degrees. The middle of the range is straight ahead, and a higher
+/// value is farther to the left.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_ScaleOfTheSensor) {
   for (const int sample : {82, 512, 1024, 2047, 2048, 2049, 3000, 3686, 4013}) {
@@ -167,7 +167,7 @@ TEST_F(DirSensorTest, FR130_RefusesTheEndsOfTheRange) {
   }
 }
 
-/// @brief A sensor that is broken for a long time has no angle; its measurements still end.
+/// @brief A sensor that is broken for a long time has no angle. Its measurements still end.
 /// @verifies FR-130
 TEST_F(DirSensorTest, FR130_BrokenForLong) {
   int ended = 0;
@@ -178,7 +178,8 @@ TEST_F(DirSensorTest, FR130_BrokenForLong) {
   EXPECT_FALSE(pipe.read());
 }
 
-/// @brief A measurement with a missing sample writes nothing; the next measurement writes an angle.
+/// @brief A measurement with a missing sample writes no angle. The next measurement writes an
+/// angle.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_TickWithoutSample) {
   ticks(8, 2148);

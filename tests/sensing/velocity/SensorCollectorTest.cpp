@@ -14,7 +14,7 @@ namespace {
 
 class SensorCollectorTest : public testing::Test {
  protected:
-  /// Causes an edge, some time after the previous edge.
+  /// Generates an edge at a given time after the previous edge.
   void edge(std::uint8_t phase, std::int64_t microseconds = 10000) {
     at = at + Microseconds(microseconds);
     collector.collect(phase, at);
@@ -30,7 +30,7 @@ class SensorCollectorTest : public testing::Test {
   SensorCollector collector{counter};
 };
 
-/// @brief Before the first edge the record is empty, and the first levels alone are no edge.
+/// @brief Before the first edge, the record is empty. The first levels are not an edge.
 /// @verifies FR-121
 TEST_F(SensorCollectorTest, FR121_FirstLevelsAreNoEdge) {
   EXPECT_FALSE(collector.record().instants.last);
@@ -40,7 +40,8 @@ TEST_F(SensorCollectorTest, FR121_FirstLevelsAreNoEdge) {
   EXPECT_EQ(unclear() + reversals(), 0U);
 }
 
-/// @brief The levels 0, 1, 3, 2 are forwards, from any start; in reverse order they are backwards.
+/// @brief The sequence of levels 0, 1, 3, 2 means forwards, from any start. The reverse sequence
+/// means backwards.
 /// @verifies FR-121
 TEST_F(SensorCollectorTest, FR121_TellsTheDirection) {
   const std::array<std::uint8_t, 4> forwards = {0, 1, 3, 2};
@@ -97,8 +98,8 @@ TEST_F(SensorCollectorTest, FR123_RejectsNoChange) {
   EXPECT_EQ(unclear(), 1U);
 }
 
-/// @brief A change of both levels is rejected: its direction is unknown. Later edges count from
-/// the new levels.
+/// @brief A change of both levels is rejected, because its direction is unknown. Later edges are
+/// compared with the new levels.
 /// @verifies FR-123
 TEST_F(SensorCollectorTest, FR123_RejectsDoubleChange) {
   edge(0);
@@ -111,7 +112,7 @@ TEST_F(SensorCollectorTest, FR123_RejectsDoubleChange) {
   EXPECT_EQ(unclear(), 2U);
 }
 
-/// @brief Each step counts, at any time after the previous step.
+/// @brief Each step is counted, even directly after the previous step.
 /// @verifies FR-121
 TEST_F(SensorCollectorTest, FR121_CountsEachStepHoweverSoon) {
   edge(0);
@@ -123,7 +124,8 @@ TEST_F(SensorCollectorTest, FR121_CountsEachStepHoweverSoon) {
 }
 
 /// @brief A step that reverses the direction within 25 ms is counted as a step and as an
-/// implausible reversal, which no turning wheel can cause. After 25 ms a reversal is plausible.
+/// implausible reversal. No turning wheel can cause such a reversal. After 25 ms, a reversal is
+/// plausible.
 /// @verifies FR-123
 TEST_F(SensorCollectorTest, FR123_CountsFastReversals) {
   edge(0);
@@ -137,7 +139,7 @@ TEST_F(SensorCollectorTest, FR123_CountsFastReversals) {
   EXPECT_EQ(reversals(), 1U) << "the same direction as before";
 }
 
-/// @brief A disturbance on one line that ends at once does not change the position.
+/// @brief A short disturbance on one line does not change the position.
 /// @verifies FR-121
 /// @verifies FR-123
 TEST_F(SensorCollectorTest, FR123_DisturbanceLeavesThePosition) {

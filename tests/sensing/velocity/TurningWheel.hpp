@@ -16,12 +16,12 @@
 
 namespace wr::test {
 
-/// @brief A wheel that turns past two Hall sensors, and the objects that measure it. A turn of its
-/// shaft has 60 edges, so that 1 rpm is 1 edge a second.
+/// @brief A wheel with two Hall sensors, and the objects that measure the wheel. A turn of its
+/// shaft has 60 edges, so 1 rpm is one edge per second.
 struct TurningWheel {
   TurningWheel() { active.start(); }
 
-  /// @brief Turns the wheel evenly.
+  /// @brief Turns the wheel at a constant velocity.
   /// @param rpm velocity at the shaft, negative backwards
   /// @param duration duration of the turn
   void turn(double rpm, Microseconds duration) {
@@ -43,7 +43,7 @@ struct TurningWheel {
     advanceTo(std::llround(end));
   }
 
-  /// @brief Causes one edge at the present time.
+  /// @brief Generates one edge at the present time.
   /// @param direction 1 forwards, -1 backwards
   void edge(int direction) {
     passed += direction;

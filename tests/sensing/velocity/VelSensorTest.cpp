@@ -16,7 +16,7 @@ constexpr Microseconds kCycle = milliseconds(100);
 
 class VelSensorTest : public testing::Test {
  protected:
-  /// Turns for some cycles, with a measurement at the end of each.
+  /// Turns the wheel for some cycles, with a measurement at the end of each cycle.
   void cycles(double rpm, int count) {
     for (int i = 0; i < count; ++i) {
       wheel.turn(rpm, kCycle);
@@ -30,7 +30,8 @@ class VelSensorTest : public testing::Test {
 
 class VelocityAccuracy : public VelSensorTest, public testing::WithParamInterface<double> {};
 
-/// @brief At a constant velocity each measurement is within 0.2 % plus the rounding of the unit.
+/// @brief At a constant velocity, the error of each measurement is at most 0.2 % plus the rounding
+/// to the unit.
 /// @verifies FR-120
 TEST_P(VelocityAccuracy, FR120_EvenEdges) {
   const double rpm = GetParam();
@@ -41,8 +42,8 @@ TEST_P(VelocityAccuracy, FR120_EvenEdges) {
   }
 }
 
-/// @brief When a sensor is displaced by 5 % of the distance between two edges, each measurement is
-/// within 1 % from 60 rpm on, and within 6 % at any velocity.
+/// @brief One sensor is displaced by 5 % of the distance between two edges. From 60 rpm on, the
+/// error of each measurement is at most 1 %. At any velocity, it is at most 6 %.
 /// @verifies FR-120
 TEST_P(VelocityAccuracy, FR120_MisplacedSensor) {
   const double rpm = GetParam();
@@ -59,15 +60,15 @@ INSTANTIATE_TEST_SUITE_P(Rpm, VelocityAccuracy,
                          testing::Values(5, 7.3, 9.9, 10, 10.1, 20, 49.9, 60, 100, 150, 299.7, 300,
                                          -5, -20, -150, -300));
 
-/// @brief Before any edge the wheel is at rest.
+/// @brief Before the first edge, the velocity is 0.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_StandsAtStart) {
   cycles(0, 1);
   EXPECT_EQ(measured, 0);
 }
 
-/// @brief The first edges after a standstill are measured over the time since the previous
-/// measurement, not since the last edge of an earlier movement.
+/// @brief For the first edges after a standstill, the time begins at the previous measurement. It
+/// does not begin at the last edge of an earlier movement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   cycles(100, 3);
@@ -79,8 +80,8 @@ TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   EXPECT_NEAR(measured, 500, 1.5);
 }
 
-/// @brief One edge after a standstill counts as half: the wheel may have been at rest directly before
-/// it.
+/// @brief One edge after a standstill counts as half an edge, because the wheel may have been at
+/// rest directly before this edge.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
   for (const int direction : {1, -1}) {
@@ -92,7 +93,7 @@ TEST_F(VelSensorTest, FR120_FirstEdgeAfterStandstill) {
   }
 }
 
-/// @brief Two edges after a standstill count as one and a half.
+/// @brief Two edges after a standstill count as one and a half edges.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_TwoEdgesAfterStandstill) {
   for (const int direction : {1, -1}) {
@@ -106,7 +107,8 @@ TEST_F(VelSensorTest, FR120_TwoEdgesAfterStandstill) {
   }
 }
 
-/// @brief While no edges come, the velocity is at most one edge in the time since the last edge.
+/// @brief While there are no edges, the velocity is at most one edge divided by the time since the
+/// last edge.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
   for (const int direction : {1, -1}) {
@@ -122,15 +124,15 @@ TEST_F(VelSensorTest, FR122_FallsWhileEdgesStayAway) {
   }
 }
 
-/// @brief A wheel slows down. The velocity is the same whether the last edge comes just before or
-/// just after the measurement.
+/// @brief The velocity of a wheel that slows down is the same when its last edge is directly before
+/// the measurement and when it is directly after the measurement.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_AnEdgeAtTheMeasurementMakesNoStep) {
   for (const int direction : {1, -1}) {
     TurningWheel before;
     TurningWheel after;
     for (TurningWheel* each : {&before, &after}) {
-      each->turn(25 * direction, milliseconds(1000));  // its last edge is 20 ms old
+      each->turn(25 * direction, milliseconds(1000));  // the last edge is then 20 ms old
       each->measure();
       each->turn(0, milliseconds(37));
       each->edge(direction);
@@ -144,7 +146,8 @@ TEST_F(VelSensorTest, FR122_AnEdgeAtTheMeasurementMakesNoStep) {
   }
 }
 
-/// @brief A slow wheel keeps its velocity between two edges, since no edge is overdue.
+/// @brief Between two edges, the measured velocity of a slow wheel does not change, because no edge
+/// is overdue.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_KeepsAVelocityThatNoEdgeDenies) {
   cycles(4, 20);
@@ -163,7 +166,7 @@ TEST_F(VelSensorTest, FR122_MeasuresTwiceInARow) {
   EXPECT_EQ(wheel.measure(), before);
 }
 
-/// @brief The velocity is zero once no edge came for 500 ms, and not sooner.
+/// @brief The velocity becomes zero after 500 ms without an edge. It does not become zero earlier.
 /// @verifies FR-122
 TEST_F(VelSensorTest, FR122_StandsAfterHalfASecond) {
   wheel.turn(0, kCycle);
@@ -179,8 +182,8 @@ TEST_F(VelSensorTest, FR122_StandsAfterHalfASecond) {
   EXPECT_EQ(wheel.measure(), 0);
 }
 
-/// @brief When a wheel changes its direction within a cycle, its velocity is the velocity of the
-/// net movement.
+/// @brief If a wheel changes its direction within a cycle, the measured velocity is the velocity of
+/// the net movement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_TurnsBack) {
   cycles(100, 5);
@@ -191,7 +194,7 @@ TEST_F(VelSensorTest, FR120_TurnsBack) {
   EXPECT_NEAR(measured, -1000, 2.5);
 }
 
-/// @brief One lost edge removes two edges from one measurement; the next measurement is correct
+/// @brief One lost edge removes two edges from one measurement. The next measurement is correct
 /// again.
 /// @verifies FR-120
 /// @verifies FR-123
@@ -225,8 +228,8 @@ TEST_F(VelSensorTest, FR124_RefusesMoreThan600Rpm) {
   }
 }
 
-/// @brief With a sensor that is displaced by 30 electrical degrees, a third of the distance between
-/// two edges, the velocity is correct within 5 % from 70 rpm up to 450 rpm.
+/// @brief A sensor is displaced by 30 electrical degrees, which are a third of the distance between
+/// two edges. From 70 rpm to 450 rpm, the error of the velocity is at most 5 %.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   for (const int rpm : {70, 150, 300, 450, -70, -300}) {
@@ -243,8 +246,8 @@ TEST_F(VelSensorTest, FR120_SensorThirtyElectricalDegreesOffItsPlace) {
   }
 }
 
-/// @brief When one sensor stops sending edges while the wheel turns, the last velocity is more than
-/// 150 ms old from the second cycle on.
+/// @brief If one sensor has no more edges while the wheel turns, the last velocity is more than 150
+/// ms old from the second cycle on.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   for (const int rpm : {100, 150, 300, -300}) {
@@ -264,8 +267,8 @@ TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   }
 }
 
-/// @brief A short disturbance of one line gives two implausible edges; the velocity stays valid. Two
-/// disturbances in one cycle make the velocity invalid for this cycle.
+/// @brief A short disturbance of one line causes two implausible edges. The velocity stays valid.
+/// Two disturbances in one cycle make the velocity invalid for this cycle.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   const auto disturb = [this](int times) {
@@ -288,8 +291,8 @@ TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   EXPECT_NEAR(measured, 1000, 20);
 }
 
-/// @brief At 30 rpm or more in either direction, edges that alternate in direction are implausible:
-/// two disturbances in a cycle make the velocity invalid.
+/// @brief At 30 rpm or more, in either direction, edges with alternating directions are
+/// implausible. Two disturbances in a cycle make the velocity invalid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_DisturbancesCountFrom30Rpm) {
   for (const int direction : {1, -1}) {
@@ -312,8 +315,8 @@ TEST_F(VelSensorTest, FR220_DisturbancesCountFrom30Rpm) {
   }
 }
 
-/// @brief A wheel at rest on an edge may give many edges forwards and backwards: its velocity stays
-/// valid.
+/// @brief A wheel at rest on an edge may cause many edges forwards and backwards. Its velocity
+/// stays valid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_JitterAtRestIsNoDisturbance) {
   cycles(0, 3);
@@ -330,7 +333,7 @@ TEST_F(VelSensorTest, FR220_JitterAtRestIsNoDisturbance) {
   }
 }
 
-/// @brief Four changes of both levels at once make the velocity invalid, also at rest.
+/// @brief Four simultaneous changes of both levels make the velocity invalid, also at rest.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   cycles(0, 3);
@@ -347,7 +350,7 @@ TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   EXPECT_NE(wheel.pipe.read()->at, wheel.time.now());
 }
 
-/// @brief Changes of both levels of earlier cycles do not make a velocity invalid.
+/// @brief Simultaneous changes of both levels in earlier cycles do not make a velocity invalid.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_UnclearEdgesOfEarlierCyclesDoNotCount) {
   cycles(0, 3);
@@ -359,7 +362,7 @@ TEST_F(VelSensorTest, FR220_UnclearEdgesOfEarlierCyclesDoNotCount) {
   }
 }
 
-/// @brief The count of implausible edges stops at its greatest number.
+/// @brief The count of implausible edges stops at its maximum.
 /// @verifies FR-123
 TEST_F(VelSensorTest, FR123_CountStops) {
   for (int i = 0; i < 70000; ++i) {
@@ -370,8 +373,8 @@ TEST_F(VelSensorTest, FR123_CountStops) {
   EXPECT_EQ(wheel.velocity.rejectedEdges(), 65535);
 }
 
-/// @brief Position and velocity of a cycle belong to the same time: edges after the measurement
-/// belong to the next measurement.
+/// @brief The position and the velocity of a cycle belong to the same time. Edges after the
+/// measurement belong to the next measurement.
 /// @verifies FR-121
 TEST_F(VelSensorTest, FR121_PositionIsThatOfTheMeasurement) {
   cycles(100, 2);
@@ -392,7 +395,8 @@ class RecordedFunction final : public Function {
   mutable ArgumentValues values;
 };
 
-/// @brief The function gets the edges, their time, and the scale of one edge; 0 edges are 0 rpm.
+/// @brief The function gets the number of edges, their duration and the scale of one edge. Without
+/// edges, the velocity is 0 rpm.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_ArgumentsOfTheFunction) {
   RecordedFunction function;
@@ -431,7 +435,8 @@ TEST_F(VelSensorTest, FR121_FollowsAnyMovement) {
   }
 }
 
-/// @brief Both Hall sensors make the first edge count: the position is known from the start.
+/// @brief With both Hall sensors, the first edge is already counted. The position is correct from
+/// the start.
 /// @verifies FR-121
 TEST_F(VelSensorTest, FR121_CountsFromTheFirstEdge) {
   wheel.turn(0, milliseconds(10));

@@ -1,4 +1,5 @@
-// A raw image that is not part of the firmware, on the virtual board alone: no robot, no symbols.
+// A raw image that is not part of the firmware. It runs on the virtual board without a robot and
+// without symbols.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,7 +29,7 @@ std::string sentBy(emulator::VirtualBoard& board) {
   return {sent.begin(), sent.end()};
 }
 
-/// @brief The program prints its banner and the voltages that are at the converter's input.
+/// @brief The program prints its banner and the voltages at the input of the converter.
 TEST(AloneTest, PrintsBannerAndVoltages) {
   emulator::VirtualBoard board = switchedOn();
   board.setAnalog(0, 8, 1.65);
@@ -38,7 +39,7 @@ TEST(AloneTest, PrintsBannerAndVoltages) {
   EXPECT_EQ(sentBy(board), "alone on a K64\r\n1650 mV\r\n3300 mV\r\n");
 }
 
-/// @brief The LED changes its level each 50 ms.
+/// @brief The pin of the LED changes its level each 50 ms.
 TEST(AloneTest, BlinksWithItsTimer) {
   emulator::VirtualBoard board = switchedOn();
   std::vector<std::chrono::milliseconds> changes;
@@ -52,7 +53,8 @@ TEST(AloneTest, BlinksWithItsTimer) {
   EXPECT_TRUE(board.isOutput('E', 6));
 }
 
-/// @brief A register without a model stops the run; the finding names register, address and instruction.
+/// @brief An access to a register without a model stops the run. The finding contains the register,
+/// the address and the instruction.
 TEST(AloneTest, UnmodelledRegisterIsNamed) {
   emulator::VirtualBoard board = switchedOn();
   ASSERT_TRUE(board.runUntil(10ms));
@@ -66,7 +68,7 @@ TEST(AloneTest, UnmodelledRegisterIsNamed) {
   EXPECT_THAT(text, testing::ContainsRegex("at pc 0x[0-9A-F]+, 1[0-9][.][0-9]{3} ms"));
 }
 
-/// @brief When findings are warnings, the same access has no effect, and is reported once.
+/// @brief When such accesses are warnings, the same access has no effect, and is reported once.
 TEST(AloneTest, UnmodelledRegisterCanBeAWarning) {
   emulator::VirtualBoard board = switchedOn({.unmodelledIsFinding = false});
   ASSERT_TRUE(board.runUntil(10ms));
@@ -87,7 +89,7 @@ struct Named {
 
 class RegisterNamesTest : public testing::TestWithParam<Named> {};
 
-/// @brief Findings name addresses as the memory maps of the manual do.
+/// @brief Findings contain the register names of the manual's memory maps.
 TEST_P(RegisterNamesTest, IsThatOfTheManual) {
   EXPECT_EQ(emulator::registerName(GetParam().address), GetParam().name);
 }
@@ -105,13 +107,14 @@ INSTANTIATE_TEST_SUITE_P(
 
 class OtherFormatTest : public testing::TestWithParam<const char*> {};
 
-/// @brief A file of another format is rejected; the error names the command that converts it.
+/// @brief A file of another format is rejected. The error message contains the command that
+/// converts the file.
 TEST_P(OtherFormatTest, IsRefused) {
   const auto file = std::filesystem::temp_directory_path() / "other_format.bin";
   std::ofstream(file, std::ios::binary) << GetParam() << "more";
   try {
     static_cast<void>(emulator::readImage(file));
-    ADD_FAILURE() << "the file was read";
+    ADD_FAILURE() << "the file was not rejected";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("objcopy -O binary"));
   }

@@ -20,8 +20,8 @@ using testing::ElementsAre;
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// @brief The start sequence with external clock and PLL ends at 120 MHz, and lasts until the PLL
-/// has locked.
+/// @brief The start sequence with the external clock and the PLL lasts until the PLL has locked.
+/// Then the clock is 120 MHz.
 TEST(ClockOfBoard, RunsAt120MHz) {
   VirtualBoard board(Guest("runsAt120MHz").image());
   ASSERT_TRUE(board.runToSleep(10ms));
@@ -30,7 +30,7 @@ TEST(ClockOfBoard, RunsAt120MHz) {
   EXPECT_GT(board.now(), 580us);
 }
 
-/// @brief Without the external clock the core continues with its clock after reset.
+/// @brief Without the external clock, the core keeps the clock that it has after a reset.
 TEST(ClockOfBoard, StaysWithoutExternalClock) {
   VirtualBoard board(Guest("waitsForExternalClock").image(), {.externalClock = false});
   ASSERT_TRUE(board.runToSleep(1s));
@@ -38,7 +38,7 @@ TEST(ClockOfBoard, StaysWithoutExternalClock) {
   EXPECT_EQ(board.clockHz(), 20'971'520U);
 }
 
-/// @brief When its clock stops, the core stops, but time passes.
+/// @brief When the clock of the core stops, the core stops, but time passes.
 TEST(ClockOfBoard, CoreStandsWithoutItsClock) {
   VirtualBoard board(Guest("runsAt120MHz").image());
   ASSERT_TRUE(board.runToSleep(10ms));
@@ -49,7 +49,7 @@ TEST(ClockOfBoard, CoreStandsWithoutItsClock) {
   EXPECT_EQ(board.now(), 1s);
 }
 
-/// @brief A timer of N clocks pulses every N clocks, independent of the time of the handler.
+/// @brief A timer of N clocks interrupts every N clocks. The duration of the handler has no effect.
 TEST(TimerOfBoard, PulsesExactly) {
   Guest guest("runsTimers");
   guest.handleLine(48, "countsTimer");
@@ -87,7 +87,7 @@ TEST(TimerOfBoard, ChainedTimerCountsPeriods) {
   EXPECT_NEAR(static_cast<double>(board.now().count()), 10e6, 1e4);
 }
 
-/// @brief Bytes arrive and leave one after the other at 115200 baud.
+/// @brief Bytes are received and sent one after the other at 115200 baud.
 TEST(SerialPortOfBoard, EchoTakesTheTimeOfTwoBytes) {
   Guest guest("echoes");
   guest.handleLine(31, "echoesByte");
@@ -132,7 +132,7 @@ TEST(SerialPortOfBoard, FlagStaysUntilStatusAndDataWereRead) {
   EXPECT_EQ(told(board, 3) & 0x20U, 0U);
 }
 
-/// @brief A wrong stop bit sets the flag of the framing error, which a read of the data clears.
+/// @brief A wrong stop bit sets the flag of the framing error. Reading the data clears this flag.
 TEST(SerialPortOfBoard, FramingErrorIsFlagged) {
   Guest guest("receivesErrors");
   guest.handleLine(32, "readsFramingError");
@@ -145,15 +145,15 @@ TEST(SerialPortOfBoard, FramingErrorIsFlagged) {
   EXPECT_EQ(told(board, 2) & 0x22U, 0U);
 }
 
-/// @brief With its FIFO enabled the UART stores eight bytes.
+/// @brief With its FIFO enabled, the UART stores eight bytes.
 TEST(SerialPortOfBoard, FifoTakesEightBytes) {
   VirtualBoard board(Guest("usesFifo").image());
   ASSERT_TRUE(board.runUntil(2ms));
-  EXPECT_EQ(told(board, 0), 7U);  // one is in the shift register
+  EXPECT_EQ(told(board, 0), 7U);  // one of the eight bytes is in the shift register
   EXPECT_THAT(board.takeSent(), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
 }
 
-/// @brief A pin shows the level of the program, once it is an output.
+/// @brief When a pin is an output, it has the level that the program sets.
 TEST(PinOfBoard, OutputIsShown) {
   VirtualBoard board(Guest("drivesPin").image());
   EXPECT_FALSE(board.isOutput('B', 22));
@@ -170,8 +170,8 @@ TEST(PinOfBoard, OutputIsShown) {
   EXPECT_THAT(changes, ElementsAre(32 + 22, 0, 32 + 22, 1));
 }
 
-/// @brief A falling level raises the interrupt of its port once; before that a pull-up keeps the
-/// pin high.
+/// @brief A falling edge raises the interrupt of the port once. Before this edge, a pull-up keeps
+/// the pin high.
 TEST(PinOfBoard, FallingLevelRaisesInterrupt) {
   Guest guest("watchesPin");
   guest.handleLine(62, "notesPin");
@@ -188,8 +188,7 @@ TEST(PinOfBoard, FallingLevelRaisesInterrupt) {
   EXPECT_EQ(told(board, 0), 1U);
 }
 
-/// @brief The program can read the cause of the reset. Every reset except power-on leaves the
-/// memory unchanged.
+/// @brief The program can read the cause of the reset. No reset except power-on changes the memory.
 TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   VirtualBoard board(Guest("tellsCauseOfReset").image());
   ASSERT_TRUE(board.runToSleep(1ms));
@@ -212,14 +211,14 @@ TEST(ResetOfBoard, RequestStartsAnew) {
   EXPECT_EQ(board.resets(), 1);
 }
 
-/// @brief The watchdog resets repeatedly when it is not refreshed.
+/// @brief A watchdog that is not refreshed resets the board repeatedly.
 TEST(ResetOfBoard, WatchdogStartsAnew) {
   VirtualBoard board(Guest("refreshesNever").image(), {.resetsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1s));
   EXPECT_EQ(board.resets(), 3);
 }
 
-/// @brief Each repetition of a run has the same events at the same times.
+/// @brief All repetitions of a run have the same events at the same times.
 TEST(BoardInTwoRuns, GivesTheSameEvents) {
   const auto run = [] {
     Guest guest("echoes");

@@ -22,7 +22,7 @@ using testing::ElementsAre;
 
 using Bytes = std::vector<std::uint8_t>;
 
-// The bus clock after reset: 32768 Hz * 640.
+// Period of the bus clock [ns]. After a reset, the bus clock is 32768 Hz * 640.
 constexpr double kBusClock = 1e9 / 20'971'520;
 
 struct Pulse {
@@ -47,8 +47,8 @@ double clocksBetween(nanoseconds from, nanoseconds to) {
   return static_cast<double>((to - from).count()) / kBusClock;
 }
 
-/// @brief A pin is high for the share of the period that its channel sets, and the event contains
-/// this share. A channel without a pin has a share of 0.
+/// @brief A pin is high for the fraction of the period that its channel sets. The event contains
+/// this fraction. For a channel without a pin, the fraction is 0.
 TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   VirtualBoard board(Guest("pulses").image());
   EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
@@ -61,7 +61,7 @@ TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   EXPECT_EQ(pulses[0].share, 250'000U);
 }
 
-/// @brief Low-true pulses are low for the share of the channel.
+/// @brief Low-true pulses are low for the fraction of the channel.
 TEST(PulsesOfBoard, LowTruthTurnsTheShareRound) {
   VirtualBoard board(Guest("pulsesWithLowTruth").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -75,8 +75,8 @@ TEST(PulsesOfBoard, ValueOfThePeriodKeepsThePinHigh) {
   EXPECT_EQ(board.pwmDuty(0, 0), 1.0);
 }
 
-/// @brief A new value waits for the end of the period, so that each pulse has either the old or the
-/// new width.
+/// @brief A new value takes effect at the end of the period, so that each pulse has either the old
+/// or the new width.
 TEST(PulsesOfBoard, NewValueWaitsForTheEndOfThePeriod) {
   VirtualBoard board(Guest("changesWidthInThePeriod").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -98,7 +98,7 @@ TEST(PulsesOfBoard, PeriodAndValueChangeTogether) {
   EXPECT_EQ(board.pwmDuty(0, 0), 0.2);
 }
 
-/// @brief A counter without clock is stopped, and there are no pulses.
+/// @brief A counter without a clock is stopped, and there are no pulses.
 TEST(PulsesOfBoard, StandingCounterGivesNone) {
   VirtualBoard board(Guest("stopsPulses").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -109,7 +109,7 @@ TEST(PulsesOfBoard, StandingCounterGivesNone) {
   EXPECT_EQ(pulses[1].share, 0U);
 }
 
-/// @brief A pin that is disconnected from the timer gets no pulses, and the event shows it.
+/// @brief A pin that is disconnected from the timer gets no pulses. An event shows this.
 TEST(PulsesOfBoard, PinOfAnotherFunctionGetsNone) {
   VirtualBoard board(Guest("takesPinFromTimer").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -151,7 +151,8 @@ TEST(PulsesOfBoard, ProtectionIsTakenAwayAfterItWasRead) {
   EXPECT_EQ(told(board, 3), 0x28U);
 }
 
-/// @brief The result is the nearest step of the reference voltage, for each number of bits.
+/// @brief The result is the nearest step of the voltage range. This is true for each number of
+/// bits.
 TEST(ConverterOfBoard, ResultIsTheVoltageInSteps) {
   VirtualBoard board(Guest("convertsInputs").image());
   board.setAnalog(0, 12, 1.2345);
@@ -168,7 +169,7 @@ TEST(ConverterOfBoard, ResultIsTheVoltageInSteps) {
   EXPECT_EQ(told(board, 7), 65535U);
 }
 
-/// @brief The calibration takes 14000 clocks of the converter and 100 of the bus.
+/// @brief The calibration takes 14000 converter clocks and 100 bus clocks.
 TEST(ConverterOfBoard, CalibrationTakesItsTime) {
   Guest guest("convertsOnce");
   guest.handleLine(39, "notesConversion").handleLine(40, "handlerThatAcknowledgesNothing");
@@ -186,14 +187,14 @@ TEST(ConverterOfBoard, FailedCalibrationIsFlagged) {
   EXPECT_NE(board.finding()->what.find("without the gains"), std::string::npos);
 }
 
-/// @brief A conversion needs the clocks of its kind and then interrupts; reading the result clears
-/// the flag.
+/// @brief Each kind of conversion needs its number of clocks, and then raises the interrupt.
+/// Reading the result clears the flag.
 TEST(ConverterOfBoard, ConversionTakesItsTimeAndInterrupts) {
   struct Kind {
     const char* program;
     double clocks;
   };
-  // 5 bus clocks; then clocks of the converter, each of 8 bus clocks.
+  // A conversion takes 5 bus clocks and some converter clocks. A converter clock has 8 bus clocks.
   for (const Kind& kind : {Kind{"convertsOnce", 5 + 8.0 * (5 + 20)},
                            Kind{"convertsWithLongSample", 5 + 8.0 * (3 + 20 + 20 + 2)},
                            Kind{"convertsFourTimes", 5 + 8.0 * (5 + 4 * 20)}}) {
@@ -214,7 +215,8 @@ TEST(ConverterOfBoard, ConversionTakesItsTimeAndInterrupts) {
   }
 }
 
-/// @brief A conversion that starts before the previous conversion has ended replaces it.
+/// @brief A conversion that starts before the end of the previous conversion replaces the previous
+/// conversion.
 TEST(ConverterOfBoard, NewConversionTakesThePlaceOfTheLast) {
   Guest guest("convertsAnew");
   guest.handleLine(39, "notesConversion");
@@ -262,8 +264,8 @@ TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   EXPECT_NE(board.finding()->what.find("UART4"), std::string::npos);
 }
 
-/// @brief The program reads each level from its start time on. The sequence in which the test sets
-/// the levels has no effect.
+/// @brief The program reads each level from the start time of the level on. The order in which the
+/// test sets the levels has no effect.
 TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -285,8 +287,8 @@ TEST(WorldOfBoard, LevelsComeAtTheirTimes) {
   EXPECT_NEAR(static_cast<double>((entered[1] - 3ms).count()), 12 * kBusClock, 100);
 }
 
-/// @brief Of two levels for the same time the level that was set last is valid; a level for a past
-/// time is set now.
+/// @brief If two levels have the same time, the level that was set last is valid. A level with a
+/// past time is set immediately.
 TEST(WorldOfBoard, LevelsOfOneTimeComeInTheirOrder) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -300,8 +302,8 @@ TEST(WorldOfBoard, LevelsOfOneTimeComeInTheirOrder) {
   EXPECT_TRUE(board.pin('D', 6));
 }
 
-/// @brief Each pin interrupts at the configured edges. A pin without digital function never
-/// interrupts, and a change to a digital function is not an edge.
+/// @brief Each pin causes interrupts at the configured edges. A pin without a digital function
+/// never causes an interrupt. A change to a digital function is not an edge.
 TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
   Guest guest("watchesEdges");
   guest.handleLine(62, "notesEdge");
@@ -317,7 +319,7 @@ TEST(WorldOfBoard, PinsInterruptAtTheirEdges) {
   EXPECT_THAT(notes(board), ElementsAre(0x60001, 0x00004, 0x10001, 0x30002));
 }
 
-/// @brief An interrupt that a level raises is repeated until the level ends.
+/// @brief An interrupt that a level raises is repeated as long as the pin has this level.
 TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
   Guest guest("watchesLevel");
   guest.handleLine(62, "notesEdge");
@@ -330,8 +332,8 @@ TEST(WorldOfBoard, LevelInterruptsUntilItGoes) {
   EXPECT_LT(notes(board).size(), 20U);
 }
 
-/// @brief A periodic callback is called at each multiple of the period, before the instructions
-/// of that time, also while the program sleeps.
+/// @brief A periodic callback is called at each multiple of its period, before the instructions of
+/// this time. It is also called while the program sleeps.
 TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
   VirtualBoard board(Guest("emptyProgram").image());
   ASSERT_TRUE(board.runUntil(2'500us));
@@ -351,8 +353,8 @@ TEST(WorldOfBoard, CallsComeAtMultiplesOfTheirPeriod) {
   EXPECT_THROW(board.onTime(0ns, [] {}), std::invalid_argument);
 }
 
-/// @brief No interrupt of a robot with four wheels is lost. In each millisecond there are a timer,
-/// five conversions at two converters, and an edge of each wheel.
+/// @brief No interrupt of a robot with four wheels is lost. Each millisecond has the interrupts of
+/// a timer, of five conversions at two converters, and of the edges of each wheel.
 TEST(WorldOfBoard, InterruptsOfFourWheelsAreAllTaken) {
   Guest guest("drivesFourWheels");
   guest.handleLine(48, "startsConversions").handleLine(62, "countsEdges");

@@ -11,7 +11,7 @@
 namespace wr::emulator {
 namespace {
 
-/// @brief Each half-word of the lower RAM and of the flash has its bit; other addresses have none.
+/// @brief Each half-word of the lower RAM and of the flash has a bit. Other addresses have no bit.
 TEST(ExecutedCodeTest, EachHalfWordHasItsBit) {
   constexpr std::size_t kRamBytes = 0x10000 / 16;
   ExecutedCode code;
@@ -34,14 +34,15 @@ TEST(ExecutedCodeTest, EachHalfWordHasItsBit) {
   EXPECT_FALSE(code.noted(0x20000000));
 }
 
-/// @brief Each number of a half-word belongs to one address.
+/// @brief Each half-word number belongs to one address.
 TEST(ExecutedCodeTest, EachHalfWordHasItsAddress) {
   EXPECT_EQ(ExecutedCode::addressOf(0), 0x1FFF0000U);
   EXPECT_EQ(ExecutedCode::addressOf(0x8000), 0U);
   EXPECT_EQ(ExecutedCode::addressOf(ExecutedCode::kHalves - 1), 0xFFFFEU);
 }
 
-/// @brief The processor records executed instructions, but not instructions that it jumps over.
+/// @brief The processor records executed instructions. It does not record instructions that it
+/// jumps over.
 TEST(ExecutedCodeTest, WhatIsJumpedOverIsNotExecuted) {
   constexpr std::uint32_t kCode = 0x100;
   const std::array<std::uint8_t, 8> vectors{0, 8, 0, 0, 0x01, 0x01, 0, 0};  // start at kCode

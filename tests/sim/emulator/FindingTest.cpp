@@ -17,7 +17,7 @@ using emulator::VirtualBoard;
 struct Mistake {
   std::string program;
   std::string id;
-  std::string what;  // a part of it
+  std::string what;  // part of the description of the finding
 
   friend std::ostream& operator<<(std::ostream& stream, const Mistake& mistake) {
     return stream << mistake.program;
@@ -26,7 +26,7 @@ struct Mistake {
 
 class FindingOfBoard : public testing::TestWithParam<Mistake> {};
 
-/// @brief Each mistake of a program stops the run, and the finding names it.
+/// @brief Each mistake of a program stops the run. The finding describes the mistake.
 TEST_P(FindingOfBoard, NamesWhatTheProgramDid) {
   const Mistake& mistake = GetParam();
   Guest guest(mistake.program);
@@ -48,11 +48,12 @@ const std::array kMistakes{
     Mistake{"storesToFlash", "flash-store", "store to 0x00001000"},
     Mistake{"configuresNoWatchdog", "watchdog-sequence", "within 256 bus clocks"},
     Mistake{"unlocksTooLate", "watchdog-sequence", "within 256 bus clocks"},
-    Mistake{"givesSecondKeyTooLate", "watchdog-sequence", "second key of the unlock too late"},
+    Mistake{"givesSecondKeyTooLate", "watchdog-sequence", "second key of the unlock is too late"},
     Mistake{"givesWrongKey", "watchdog-sequence", "unlock with the key 0xC521"},
-    Mistake{"configuresInTheNextClock", "watchdog-sequence", "in the bus clock after its unlock"},
+    Mistake{"configuresInTheNextClock", "watchdog-sequence", "bus clock directly after its unlock"},
     Mistake{"unlocksWithoutConfiguration", "watchdog-sequence", "without configuration"},
-    Mistake{"refreshesWithWrongKey", "watchdog-sequence", "second key of the refresh without"},
+    Mistake{"refreshesWithWrongKey", "watchdog-sequence",
+            "second key of the refresh was written without"},
     Mistake{"configuresLockedWatchdog", "watchdog-sequence", "without unlock"},
     Mistake{"refreshesNever", "watchdog-missed", "not refreshed"},
     Mistake{"refreshesBeforeTheWindow", "watchdog-early", "before its window"},
@@ -65,14 +66,14 @@ const std::array kMistakes{
     Mistake{"writesWordToUart", "register-misuse", "UART0 + 0x0 accessed with 4 bytes"},
     Mistake{"startsTimerWithoutReadingItsControl", "register-misuse", "before MCR was read"},
     Mistake{"sleepsDeeply", "unmodelled-register", "SLEEPDEEP"},
-    Mistake{"waitsForNoLock", "register-misuse", "before it is locked"},
+    Mistake{"waitsForNoLock", "register-misuse", "before the PLL is locked"},
     Mistake{"dividesNothing", "register-misuse", "clock at 120 MHz, more than 60 MHz"},
     Mistake{"skipsMode", "register-misuse", "state diagram"},
     Mistake{"usesTimerBehindClosedGate", "clock-gate", "store to FTM3 + 0x8"},
-    Mistake{"startsProtectedTimer", "register-misuse", "FTM0_SC written while MODE.WPDIS is 0"},
-    Mistake{"changesProtectedChannel", "register-misuse", "FTM0_CnSC written while MODE.WPDIS"},
+    Mistake{"startsProtectedTimer", "register-misuse", "FTM0_SC was written while MODE.WPDIS is 0"},
+    Mistake{"changesProtectedChannel", "register-misuse", "FTM0_CnSC was written while MODE.WPDIS"},
     Mistake{"pulsesLongerThanThePeriod", "register-misuse", "1001 is beyond the period of 1000"},
-    Mistake{"closesGateOfRunningTimer", "register-misuse", "gate of FTM0 is closed"},
+    Mistake{"closesGateOfRunningTimer", "register-misuse", "gate of FTM0 was closed"},
     Mistake{"capturesEdges", "unmodelled-register", "other than edge-aligned PWM"},
     Mistake{"usesAllOfTimer", "unmodelled-register", "FTM0_MODE"},
     Mistake{"centersPulses", "unmodelled-register", "CPWMS"},
@@ -90,8 +91,8 @@ const std::array kMistakes{
     Mistake{"convertsTemperature", "unmodelled-register", "channel 26"},
     Mistake{"convertsInputA", "unmodelled-register", "channel 4, input a"},
     Mistake{"convertsDifference", "unmodelled-register", "DIFF"},
-    Mistake{"configuresConverterThatConverts", "register-misuse", "written while it converts"},
-    Mistake{"convertsInTheCalibration", "register-misuse", "written while it is calibrated"},
+    Mistake{"configuresConverterThatConverts", "register-misuse", "was written while it converts"},
+    Mistake{"convertsInTheCalibration", "register-misuse", "was written while it is calibrated"},
     Mistake{"storesToResult", "register-misuse", "store to a result of ADC0"},
     Mistake{"triggersConverterByHardware", "unmodelled-register", "ADC0_SC2"},
     Mistake{"usesSecondControlOfConverter", "unmodelled-register", "ADC0_SC1B"},
@@ -99,17 +100,17 @@ const std::array kMistakes{
     Mistake{"clocksConverterByItself", "unmodelled-register", "ADC0_CFG1 with ADICLK 3"},
     Mistake{"clocksConverterByAlternateClock", "unmodelled-register", "ADC0_CFG1 with ADICLK 1"},
     Mistake{"usesHoleOfConverter", "unmodelled-register", "ADC0 + 0x50"},
-    Mistake{"fillsSmallBuffer", "register-misuse", "UART4_D written while the transmit buffer"},
+    Mistake{"fillsSmallBuffer", "register-misuse", "UART4_D was written while the transmit buffer"},
     Mistake{"filtersPins", "unmodelled-register", "digital filter"},
     Mistake{"filtersPinsByLowPowerOscillator", "unmodelled-register", "digital filter"},
-    Mistake{"changesFilterThatIsOn", "register-misuse", "while one is on"},
+    Mistake{"changesFilterThatIsOn", "register-misuse", "while a filter is on"},
     Mistake{"asksForDmaAtEdges", "unmodelled-register", "DMA request"},
 };
 
 INSTANTIATE_TEST_SUITE_P(Mistakes, FindingOfBoard, testing::ValuesIn(kMistakes),
                          [](const auto& each) { return each.param.program; });
 
-/// @brief A program without mistake gives no finding.
+/// @brief A program without a mistake causes no finding.
 TEST(FindingOfBoardAlone, EmptyProgramGivesNone) {
   VirtualBoard board(Guest("emptyProgram").image());
   EXPECT_TRUE(board.runUntil(10s));
@@ -126,7 +127,7 @@ TEST(FindingOfBoardAlone, MemoryUpToTheBorderGivesNone) {
   EXPECT_EQ(told(board, 2), 0x12U);
 }
 
-/// @brief A finding contains the function and the line of the instruction, and the time.
+/// @brief A finding contains the time, and the function and the line of its instruction.
 TEST(FindingOfBoardAlone, NamesFunctionLineAndTime) {
   VirtualBoard board(Guest("usesPortBehindClosedGate").image(), {.elf = Guest::elf()});
   EXPECT_FALSE(board.runUntil(1s));
@@ -146,7 +147,7 @@ TEST(FindingOfBoardAlone, EndsTheRun) {
   EXPECT_EQ(board.now(), stoppedAt);
 }
 
-/// @brief An interrupt without vector is a finding when it is entered.
+/// @brief The entry of an interrupt without a vector causes a finding.
 TEST(FindingOfBoardAlone, MissingVector) {
   VirtualBoard board(Guest("startsTimer").image());
   EXPECT_FALSE(board.runUntil(1s));
@@ -154,8 +155,8 @@ TEST(FindingOfBoardAlone, MissingVector) {
   EXPECT_EQ(board.finding()->id, "vector-missing");
 }
 
-/// @brief A byte that arrives before the previous byte was read is an overrun; a single byte is
-/// not.
+/// @brief A byte that arrives before the previous byte was read causes an overrun finding. A single
+/// byte causes no finding.
 TEST(FindingOfBoardAlone, Overrun) {
   VirtualBoard board(Guest("readsNoByte").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -167,7 +168,7 @@ TEST(FindingOfBoardAlone, Overrun) {
   EXPECT_EQ(board.finding()->id, "uart-overrun");
 }
 
-/// @brief A byte that arrives while the receiver has another speed is a finding.
+/// @brief A byte that arrives while the receiver has another baud rate causes a finding.
 TEST(FindingOfBoardAlone, ReceiverAtWrongBaud) {
   VirtualBoard board(Guest("receivesAtWrongBaud").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -187,7 +188,7 @@ TEST(FindingOfBoardAlone, Lockup) {
   EXPECT_EQ(board.finding()->id, "lockup");
 }
 
-/// @brief A watchdog that is not refreshed in time is a finding at its time-out.
+/// @brief A watchdog that is not refreshed in time causes a finding at its time-out.
 TEST(FindingOfBoardAlone, MissedWatchdogAtItsTimeOut) {
   VirtualBoard board(Guest("refreshesNever").image());
   EXPECT_TRUE(board.runUntil(299ms));

@@ -9,7 +9,7 @@
 namespace wr::emulator {
 namespace {
 
-// The addresses and bits of this test come from the memory map and the register descriptions of the
+// The addresses and bits of this test are from the memory map and the register descriptions of the
 // reference manual K64P144M120SF5RM, chapter CAN (FlexCAN).
 constexpr std::uint32_t kMcr = 0x00;
 constexpr std::uint32_t kCtrl1 = 0x04;
@@ -19,7 +19,7 @@ constexpr std::uint32_t kIflag1 = 0x30;
 constexpr std::uint32_t kBuffer1 = 0x90;
 constexpr std::uint32_t kBuffer2 = 0xA0;
 constexpr unsigned kLine = 75;
-// 60 MHz / 6 / 20 quanta: 500 kbit/s
+// 60 MHz / 6 / 20 quanta are 500 kbit/s
 constexpr std::uint32_t kTiming = 0x05BA2007;
 
 class Surroundings final : public Microcontroller {
@@ -49,7 +49,8 @@ class CanOfTheBoard : public testing::Test {
     can.connectPins([this] { return connected; });
   }
 
-  // Sets the controller up: buffer 1 receives the identifier 0x101, and buffer 2 sends 0x102.
+  // Configures the controller. Buffer 1 receives the identifier 0x101, and buffer 2 sends the
+  // identifier 0x102.
   void bringUp() {
     can.write(kCtrl1, 4, 0x2000);
     can.write(kMcr, 4, 0x50020002);
@@ -73,8 +74,8 @@ class CanOfTheBoard : public testing::Test {
   FlexCan can{now};
 };
 
-/// @brief A frame of 8 bytes is sent in 111 bits. Then its buffer is inactive, and its flag requests the interrupt until
-/// it is cleared.
+/// @brief A frame with 8 data bytes is sent in 111 bits. Then its buffer is inactive. The flag of
+/// the buffer requests an interrupt until the flag is cleared.
 TEST_F(CanOfTheBoard, SendsAFrame) {
   bringUp();
   can.write(kBuffer2 + 8, 4, 0x01020304);
@@ -95,7 +96,7 @@ TEST_F(CanOfTheBoard, SendsAFrame) {
   EXPECT_TRUE(now.findings.empty());
 }
 
-/// @brief A buffer stores frames with its identifier, and no others.
+/// @brief A buffer stores only frames with its own identifier.
 TEST_F(CanOfTheBoard, ReceivesTheFramesOfItsIdentifier) {
   bringUp();
   can.arrive({.identifier = 0x100, .data = {9}});
@@ -108,8 +109,8 @@ TEST_F(CanOfTheBoard, ReceivesTheFramesOfItsIdentifier) {
   EXPECT_EQ(can.read(kBuffer1 + 8, 4), 0xA1B2C300U);
 }
 
-/// @brief A frame that comes before the previous frame was read overwrites it, and the code of the buffer shows
-/// it.
+/// @brief A frame that arrives before the previous frame was read overwrites the previous frame.
+/// The code of the buffer shows this.
 TEST_F(CanOfTheBoard, ShowsALostFrame) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});
@@ -134,14 +135,14 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
   EXPECT_EQ(can.read(kIflag1, 4), 0U);
   pass(std::chrono::microseconds(110));
   EXPECT_EQ(can.read(kIflag1, 4), 2U)
-      << "after its first frame the other node sends its second frame";
+      << "after its first frame, the other node sends its second frame";
   pass(std::chrono::milliseconds(1));
   EXPECT_EQ(can.read(kIflag1, 4), 6U);
 }
 
-/// @brief Four uses that the manual forbids are findings. They are a write of the timing outside of
-/// the freeze mode, a write of the clock source while the controller is enabled, a write of a
-/// buffer while the controller is disabled, and a frame without pins.
+/// @brief Four uses that the manual forbids cause findings. They are writing the timing outside of
+/// the freeze mode, writing the clock source while the controller is enabled, writing a buffer
+/// while the controller is disabled, and sending a frame without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
   EXPECT_EQ(now.findings.size(), 1U) << "buffer while disabled";

@@ -30,13 +30,13 @@ class Guest {
     handle(1, program);
   }
 
-  /// Names the function that handles an exception.
+  /// Sets the function that handles an exception.
   Guest& handle(unsigned exception, const std::string& function) {
     setWord(4 * exception, addressOf(function) | 1U);
     return *this;
   }
 
-  /// Names the function that handles an interrupt.
+  /// Sets the function that handles an interrupt.
   Guest& handleLine(unsigned line, const std::string& function) {
     return handle(16 + line, function);
   }
@@ -68,12 +68,12 @@ class Guest {
   std::vector<std::uint8_t> image_;
 };
 
-/// Returns the results that a program reported to its test.
+/// Returns a result that a program has reported to its test.
 inline std::uint32_t told(const emulator::VirtualBoard& board, unsigned number) {
   return board.word(0x20000000 + 4 * number);
 }
 
-/// Returns the numbers that a program recorded.
+/// Returns the numbers that a program has recorded.
 inline std::vector<std::uint32_t> notes(const emulator::VirtualBoard& board) {
   std::vector<std::uint32_t> numbers(board.word(0x20000100));
   for (std::size_t i = 0; i < numbers.size(); ++i) {

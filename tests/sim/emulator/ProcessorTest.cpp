@@ -16,7 +16,7 @@ using emulator::Event;
 using emulator::VirtualBoard;
 using testing::ElementsAre;
 
-// The core clock after reset: 32768 Hz * 640.
+// Core clock after a reset, which is 32768 Hz * 640.
 constexpr std::uint32_t kStartHz = 20'971'520;
 
 /// @brief An interrupt of higher priority runs inside the handler of an interrupt of lower
@@ -29,7 +29,8 @@ TEST(ProcessorOfBoard, HigherPriorityPreempts) {
   EXPECT_THAT(notes(board), ElementsAre(10, 2, 11, 20));
 }
 
-/// @brief An interrupt of equal priority follows the handler without a return between them.
+/// @brief A second interrupt of equal priority follows the first handler without a return between
+/// the handlers.
 TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
   Guest guest("pendsEqualPriority");
   guest.handleLine(1, "pendsTwoInside").handleLine(2, "notesTwo");
@@ -41,12 +42,12 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
   ASSERT_EQ(events.size(), 4U);
   EXPECT_EQ(events[1].kind, Event::Kind::ExceptionLeft);
   EXPECT_EQ(events[2].kind, Event::Kind::ExceptionEntered);
-  // The change takes 6 cycles; a return and an entry would take 22 cycles.
+  // The change takes 6 cycles. A return and an entry would take 22 cycles.
   EXPECT_LE(events[2].at - events[1].at, 6 * 48ns);
 }
 
-/// @brief Masked interrupts wait, and are entered in the order of their priorities and numbers. An
-/// interrupt that PRIMASK masks ends the sleep, and is entered when the mask is removed.
+/// @brief Masked interrupts wait. They are entered in the order of their priorities and numbers. An
+/// interrupt that PRIMASK masks ends the sleep. It is entered when the mask is removed.
 TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
   Guest guest("pendsTwoBehindMask");
   guest.handleLine(1, "notesOne").handleLine(2, "notesTwo").handleLine(3, "notesThree");
@@ -67,7 +68,7 @@ TEST(ProcessorOfBoard, FloatingPointRegistersAreKept) {
   EXPECT_EQ(told(board, 3), 0U);
 }
 
-/// @brief The exception frame of a program on the process stack is on the process stack; the
+/// @brief If a program uses the process stack, its exception frame is on the process stack. The
 /// handler uses the main stack.
 TEST(ProcessorOfBoard, ProcessStackHoldsTheFrame) {
   Guest guest("usesProcessStack");
@@ -81,7 +82,7 @@ TEST(ProcessorOfBoard, ProcessStackHoldsTheFrame) {
   EXPECT_EQ(told(board, 4), 2U);
 }
 
-/// @brief A bus fault is delivered with its address when its handler is enabled.
+/// @brief If the handler of bus faults is enabled, it gets a bus fault with its address.
 TEST(ProcessorOfBoard, BusFaultTellsTheAddress) {
   Guest guest("faultsWithHandlerOn");
   guest.handle(5, "tellsFault");
@@ -102,7 +103,7 @@ TEST(ProcessorOfBoard, FaultBecomesHardFault) {
   EXPECT_EQ(told(board, 3), 3U);
 }
 
-/// @brief A fault that the test raises reaches the program, even when faults are findings.
+/// @brief A fault that the test raises is delivered to the program, even when faults are findings.
 TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
   Guest guest("countsUp");
   guest.handle(3, "tellsFault");
@@ -113,7 +114,7 @@ TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
   EXPECT_EQ(told(board, 3), 3U);
 }
 
-/// @brief Each instruction takes one cycle, and the cycle counter shows it.
+/// @brief Each instruction takes one cycle. The cycle counter shows this.
 TEST(ProcessorOfBoard, CycleCounterCountsInstructions) {
   VirtualBoard board(Guest("measures100Instructions").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -122,7 +123,7 @@ TEST(ProcessorOfBoard, CycleCounterCountsInstructions) {
   EXPECT_EQ(board.clockHz(), kStartHz);
 }
 
-/// @brief SysTick counts core clocks; sleep executes no instruction.
+/// @brief SysTick counts core clocks. During sleep, no instruction is executed.
 TEST(ProcessorOfBoard, SysTickEndsSleep) {
   Guest guest("startsSysTick");
   guest.handle(15, "countsTicks");
@@ -132,8 +133,8 @@ TEST(ProcessorOfBoard, SysTickEndsSleep) {
   EXPECT_LT(board.instructions(), 20'000U);
 }
 
-/// @brief An interrupt may come inside an IT block: its handler is not conditional, and the rest of
-/// the block continues after it.
+/// @brief An interrupt may occur inside an IT block. Its handler is not conditional. After the
+/// handler, the rest of the block continues.
 TEST(ProcessorOfBoard, InterruptsComeInsideConditionalBlocks) {
   Guest guest("runsConditionalBlocks");
   guest.handle(15, "countsTicksBetweenConditions");
@@ -143,7 +144,7 @@ TEST(ProcessorOfBoard, InterruptsComeInsideConditionalBlocks) {
   EXPECT_EQ(told(board, 0), 5'000U * (1 + 100'000));
 }
 
-/// @brief A run can stop at an interrupt and at the sleep after it.
+/// @brief A run can stop at an interrupt and at the next sleep.
 TEST(ProcessorOfBoard, RunsToInterruptAndToSleep) {
   Guest guest("runsTimers");
   guest.handleLine(48, "acknowledgesTimer");
@@ -177,7 +178,8 @@ TEST(ProcessorOfBoard, CallsAreRecorded) {
                           handler, handler | kLeft, inner, inner | kLeft));
 }
 
-/// @brief An interrupt that comes before any instruction of the program hides no call from the record.
+/// @brief An interrupt may occur before any instruction of the program. All calls are still
+/// recorded.
 TEST(ProcessorOfBoard, AnInterruptHidesNoCall) {
   Guest guest("callsFunctions");
   guest.handleLine(1, "handlerThatAcknowledgesNothing");
@@ -199,8 +201,8 @@ TEST(ProcessorOfBoard, AnInterruptHidesNoCall) {
   }
 }
 
-/// @brief An interrupt that repeats the same calls is recorded only once, until the record is
-/// cleared.
+/// @brief If an interrupt repeats the same calls, its calls are recorded only once, until the
+/// record is cleared.
 TEST(ProcessorOfBoard, CallsOfAnInterruptThatRepeatsAreRecordedOnce) {
   Guest guest("callsFunctions");
   guest.handleLine(1, "handlerThatAcknowledgesNothing");

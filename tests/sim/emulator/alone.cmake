@@ -1,4 +1,4 @@
-# A program that is not part of the firmware, for the virtual K64 alone: a raw image without symbols.
+# A raw image without symbols for the virtual K64. The program is not part of the firmware.
 set(alone_program ${CMAKE_BINARY_DIR}/guest/alone.bin)
 set(alone_folder ${CMAKE_CURRENT_SOURCE_DIR}/sim/emulator/alone)
 find_program(alone_compiler arm-none-eabi-gcc REQUIRED)

@@ -1,4 +1,4 @@
-# The programs that the tests of the virtual K64 run. They are built for the processor, not for this machine.
+# The programs that the tests of the virtual K64 run. They are built for the processor of the K64.
 set(guest_program ${CMAKE_BINARY_DIR}/guest/guest.bin)
 set(guest_folder ${CMAKE_CURRENT_SOURCE_DIR}/sim/emulator/guest)
 file(GLOB guest_sources CONFIGURE_DEPENDS ${guest_folder}/*.cpp)

@@ -25,16 +25,16 @@ using faults::Kind;
 using faults::Outcome;
 
 constexpr int kAt = 3000;           // ms
-constexpr std::uint64_t kSeed = 7;  // in this drive all wheels turn at kAt
+constexpr std::uint64_t kSeed = 7;  // in this drive, all wheels turn at kAt
 
-constexpr std::uint32_t kAngleDrift = 9;  // among the faults of sensors
+constexpr std::uint32_t kAngleDrift = 9;  // number among the faults of sensors
 
 class FaultRunTest : public testing::Test {
  protected:
   static std::filesystem::path elf() { return imageOf("weeding_robot").replace_extension(".elf"); }
   static std::vector<std::uint8_t> image() { return emulator::readImage(imageOf("weeding_robot")); }
 
-  /// Returns the drive without a fault, which is the same for all tests.
+  /// Returns the drive without a fault. All tests use the same drive.
   static FaultRun& drive() {
     static FaultRun run(image(), elf(), kSeed);
     return run;
@@ -77,8 +77,8 @@ TEST_F(FaultRunTest, AJumpToNowhereIsDetectedByAReset) {
   EXPECT_LE(result.verdict.safeAfter, 10);
 }
 
-// The firmware reports the drift when the angle is wrong by 3 degrees, and the outputs are wrong
-// from 1 degree on.
+// The firmware reports the drift when the error of the angle is 3 degrees. The outputs count as
+// wrong from an error of 1 degree on.
 TEST_F(FaultRunTest, ADriftOfTheAngleIsReportedLate) {
   const auto result = drive().injectOne({Kind::Sensor, kAngleDrift, 0, 130}, kAt);
   EXPECT_EQ(result.verdict.outcome, Outcome::Late);
@@ -147,7 +147,7 @@ TEST_F(FaultRunTest, ARandomCampaignHasMoreThanOneClassAndKind) {
   EXPECT_GT(outcomes.size(), 1U);
 }
 
-// The handler returns and does not clear the flag of its timer: the interrupt repeats without end.
+// The handler returns without clearing the flag of its timer, so the interrupt repeats without end.
 TEST_F(FaultRunTest, AnInterruptThatForgetsItsFlagIsFoundWithoutAFault) {
   const Code forgets{0x4770};  // bx lr
   EXPECT_THROW(FaultRun(withHandler(image(), kPulseException, forgets), elf(), kSeed),

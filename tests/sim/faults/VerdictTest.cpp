@@ -18,7 +18,7 @@ constexpr Outputs kDriving{.drive = {0.3F, 0.3F, 0.3F, 0.3F}, .steering = 5};
 constexpr Outputs kOff{.drive = {}, .steering = 5};
 constexpr Outputs kWrong{.drive = {0.9F, 0.3F, 0.3F, 0.3F}, .steering = 5};
 
-/// Returns a run with a fault. The run has these outputs from a given time on, for a given
+/// Returns a run with a fault. The run has the given outputs from a given time on, for a given
 /// duration.
 Observation runWith(const Outputs& outputs, int from, int count) {
   Observation seen{.outputs = std::vector<Outputs>(kWindow, kDriving)};

@@ -15,7 +15,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief A PWM output keeps its share within its limits.
+/// @brief A PWM output limits its duty cycle to the valid range.
 TEST(HostPwmOutputTest, KeepsWithinTheLimits) {
   host::HostPwmOutput output;
   EXPECT_EQ(output.dutyCycle(), DutyCycle(0));
@@ -27,7 +27,8 @@ TEST(HostPwmOutputTest, KeepsWithinTheLimits) {
   EXPECT_EQ(output.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief An output sends a report when it is switched on, and no report while it stays on.
+/// @brief An output calls its callback when it is switched on. It does not call the callback while
+/// it stays on.
 TEST(HostDigitalOutputTest, TellsWhenItGoesOn) {
   host::HostDigitalOutput output;
   output.set(true);
@@ -57,7 +58,8 @@ TEST(HostAnalogInputTest, EachSampleIsThatOfTheCallBefore) {
   EXPECT_EQ(input.sample(), 1024);
 }
 
-/// @brief Edges interrupt only after the input was started, and only when the level changes.
+/// @brief Edges cause interrupts only after the start of the input, and only when the level
+/// changes.
 TEST(HostEdgeInputTest, EdgesInterruptOnceStarted) {
   host::HostScheduler scheduler;
   host::HostEdgeInput input(scheduler);
@@ -96,7 +98,7 @@ class HostWiresTest : public testing::Test {
   host_robot::HostWires binding{pins, robot};
 };
 
-/// @brief At rest the currents and the steering are in the middle, and no end stop is reached.
+/// @brief At rest, the currents and the steering are in the middle, and no end stop is reached.
 TEST_F(HostWiresTest, AtRestAllIsInTheMiddle) {
   binding.measure();
   for (host::HostWheelPins& wheel : pins.wheels) {
@@ -128,7 +130,7 @@ TEST_F(HostWiresTest, WheelsTurnAsTheirPinsSay) {
   EXPECT_EQ(converted(pins.wheels[2].current), 2048);
 }
 
-/// @brief Each pulse is a step to the side of the direction output, while the motor is on.
+/// @brief While the motor is on, each pulse is a step in the direction of the direction output.
 TEST_F(HostWiresTest, PulsesTurnTheSteering) {
   const auto pulses = [this](int count) {
     for (int i = 0; i < count; ++i) {

@@ -39,7 +39,7 @@ class HostSchedulerTest : public testing::Test {
   host::HostThread alsoHigh{scheduler, 2};
 };
 
-/// @brief A thread of higher priority runs before the post that triggers it returns.
+/// @brief A thread of higher priority runs immediately, before the post returns.
 TEST_F(HostSchedulerTest, HigherPriorityRunsAtOnce) {
   Body highBody([&] { log.emplace_back("high"); });
   Body lowBody([&] {
@@ -81,7 +81,7 @@ TEST_F(HostSchedulerTest, ThreadRunsAfterTheInterrupt) {
   EXPECT_EQ(log, (Log{"interrupt ends", "high"}));
 }
 
-/// @brief A thread that posts itself runs once more, not nested.
+/// @brief A thread that posts itself runs once more, after its present activation.
 TEST_F(HostSchedulerTest, ThreadThatPostsItselfRunsAgain) {
   int runs = 0;
   Body body([&] {
@@ -134,7 +134,7 @@ scenario::Bytes readAll(SerialPort& port) {
   return all;
 }
 
-/// @brief Received bytes are read in their order; bytes for which there is no space are counted as
+/// @brief Received bytes are read in their order. Bytes for which there is no space are counted as
 /// lost.
 TEST(HostSerialPortTest, ReceivesUpToItsCapacity) {
   host::HostSerialPort port;
@@ -143,7 +143,7 @@ TEST(HostSerialPortTest, ReceivesUpToItsCapacity) {
   EXPECT_EQ(readAll(port), counting(host::HostSerialPort::kReceived));
 }
 
-/// @brief A read ends with a zero byte, and the port returns the time of that byte.
+/// @brief A read ends with a zero byte. The port returns the time of this byte.
 /// @verifies FR-20
 TEST(HostSerialPortTest, ReadEndsWithAZeroByte) {
   host::HostTimebase time;
@@ -162,7 +162,7 @@ TEST(HostSerialPortTest, ReadEndsWithAZeroByte) {
   EXPECT_EQ(port.read(read), 0U);
 }
 
-/// @brief A write is accepted as a whole or not at all.
+/// @brief A write is accepted only as a whole.
 TEST(HostSerialPortTest, WritesAllOrNothing) {
   host::HostSerialPort port;
   EXPECT_TRUE(port.write(counting(host::HostSerialPort::kSent - 2)));

@@ -17,7 +17,7 @@ constexpr Instant at(std::uint64_t ms) {
   return Instant(ms * 1000);
 }
 
-// The whole firmware in the simulated robot, and a PC that orders in each cycle.
+// The whole firmware in the simulated robot, and a PC that sends an order in each cycle.
 class HostSimulationTest : public testing::Test {
  protected:
   HostSimulationTest() { line.start(); }
@@ -78,8 +78,8 @@ TEST_F(HostSimulationTest, WithoutOrdersTheRobotStands) {
   EXPECT_EQ(world.physics.steeringDegrees(), 0.0);
 }
 
-/// @brief Each edge comes at the time at which the shaft reaches it. The firmware counts 60 edges
-/// in a turn of the shaft, and measures the speed of the wheel.
+/// @brief Each edge occurs at the time at which the shaft reaches its position. The firmware counts
+/// 60 edges per turn of the shaft, and measures the velocity of the wheel.
 TEST_F(HostSimulationTest, FirmwareCountsTheWayOfTheWheels) {
   connect();
   cycles(30, velocity(1000));
@@ -119,7 +119,7 @@ TEST_F(HostSimulationTest, ResetStartsNewFirmwareInTheSameRobot) {
   EXPECT_NEAR(report.velocity.at(0), 500, 20);
 }
 
-/// @brief The emergency stop opens its contact, which the pin shows as high.
+/// @brief The emergency stop opens its contact. The pin is then high.
 TEST_F(HostSimulationTest, EmergencyStopIsOnItsPin) {
   world.runUntil(at(10));
   EXPECT_FALSE(world.robot.pins().emergencyStop.level());
@@ -128,7 +128,8 @@ TEST_F(HostSimulationTest, EmergencyStopIsOnItsPin) {
   EXPECT_TRUE(world.robot.pins().emergencyStop.level());
 }
 
-/// @brief The enable switch of the remote control sends from power-on; the sticks do not.
+/// @brief From power-on, only the enable switch of the remote control has pulses. The sticks have
+/// no pulses at first.
 TEST_F(HostSimulationTest, OnlyTheEnableSwitchSendsAtFirst) {
   int rises = 0;
   bool high = false;
@@ -143,7 +144,7 @@ TEST_F(HostSimulationTest, OnlyTheEnableSwitchSendsAtFirst) {
   EXPECT_NEAR(rises, 50, 1);
 }
 
-/// @brief Two runs of the same world are equal to the last bit.
+/// @brief Two runs with the same inputs are equal to the last bit.
 TEST_F(HostSimulationTest, RunsRepeatExactly) {
   host::HostSerialPort port;
   host_robot::HostSimulation other(port);

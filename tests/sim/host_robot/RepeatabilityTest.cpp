@@ -13,8 +13,8 @@
 namespace wr::test {
 namespace {
 
-// Returns all examples except the longest example, which ScenariosOnBoard repeats on the virtual
-// board.
+// Returns all examples except the longest example. ScenariosOnBoard repeats the longest example on
+// the virtual board.
 std::vector<std::string> examples() {
   std::vector<std::string> names;
   const auto folder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples";
@@ -37,7 +37,7 @@ std::string reportsOf(const scenario::Scenario& scenario) {
 
 class Repeatability : public testing::TestWithParam<std::string> {};
 
-/// @brief An example that is played twice gives the same reports, and the robot moves in the same way.
+/// @brief If an example is played twice, the reports and the movements of the robot are the same.
 /// @verifies NFR-6
 TEST_P(Repeatability, NFR6_SameScenarioGivesTheSameRun) {
   const scenario::Scenario scenario = scenario::Scenario::load(

@@ -11,8 +11,8 @@
 namespace wr::test {
 namespace {
 
-// The firmware in a robot whose parameters differ from the firmware's assumptions: a seed chooses
-// them.
+// The firmware in a robot whose parameters differ from the firmware's assumptions. A seed selects
+// the parameters.
 class VariedRobot : public testing::TestWithParam<std::uint32_t> {
  protected:
   VariedRobot() {
@@ -62,8 +62,8 @@ class VariedRobot : public testing::TestWithParam<std::uint32_t> {
   scenario::PcSender pc;
 };
 
-/// @brief With any motors, battery and load within their tolerances, each wheel turns at 50 and at
-/// 150 rpm with an error of at most 5 %, 5 s after the order.
+/// @brief Motors, battery and load have any values within their tolerances. 5 s after an order of
+/// 50 rpm or 150 rpm, the error of each wheel's velocity is at most 5 %.
 TEST_P(VariedRobot, VelocityIsReached) {
   cycles(50, 500);
   EXPECT_LT(greatestError(50), 2.5);
@@ -71,8 +71,8 @@ TEST_P(VariedRobot, VelocityIsReached) {
   EXPECT_LT(greatestError(150), 7.5);
 }
 
-/// @brief At the greatest velocity that can be ordered no wheel turns faster than 330 rpm, and after the
-/// last message the robot is at rest within 1.5 m.
+/// @brief At the greatest velocity that can be ordered, no wheel turns faster than 330 rpm. After
+/// the last message, the robot stops within 1.5 m.
 TEST_P(VariedRobot, StopsFromFullSpeed) {
   cycles(80, 3000);
   EXPECT_LT(robot().greatestRpm(), 330);

@@ -22,7 +22,7 @@ struct Pulse {
   nanoseconds width;
 };
 
-// Returns the pulses that a remote control sends in some time.
+// Returns the pulses of a remote control in a duration.
 std::vector<Pulse> pulsesOf(plant::RemoteControl& remote, int ms) {
   std::vector<Pulse> pulses;
   std::array<nanoseconds, 3> begins{};
@@ -57,7 +57,8 @@ class RemoteControlTest : public testing::Test {
   plant::RemoteControl remote;
 };
 
-/// @brief At first the channels of the sticks send nothing, and the enable switch is in its middle.
+/// @brief At first, the channels of the sticks have no pulses, and the enable switch is in its
+/// middle position.
 TEST_F(RemoteControlTest, OnlyTheEnableSwitchAtFirst) {
   const std::vector<Pulse> pulses = pulsesOf(remote, 100);
   ASSERT_EQ(pulses.size(), 5U);
@@ -67,7 +68,7 @@ TEST_F(RemoteControlTest, OnlyTheEnableSwitchAtFirst) {
   }
 }
 
-/// @brief Each channel has 50 pulses a second; their width follows the stick.
+/// @brief Each channel has 50 pulses per second. The width of the pulses follows the stick.
 TEST_F(RemoteControlTest, FiftyPulsesASecondOnEachChannel) {
   remote.set(plant::Sticks{.velocity = 0.5, .steering = -1.0});
   const std::vector<Pulse> pulses = pulsesOf(remote, 1000);
@@ -106,7 +107,7 @@ TEST_F(RemoteControlTest, PulseThatHasBegunEnds) {
   EXPECT_TRUE(pulsesOf(remote, 100).empty());
 }
 
-/// @brief The value of a stick is limited to its ends.
+/// @brief The value of a stick is limited to its range.
 TEST_F(RemoteControlTest, SticksHaveEnds) {
   remote.set(plant::Sticks{.velocity = 3.0, .steering = -3.0});
   const std::vector<Pulse> pulses = pulsesOf(remote, 20);
@@ -115,7 +116,8 @@ TEST_F(RemoteControlTest, SticksHaveEnds) {
   EXPECT_EQ(pulses[1].width, milliseconds(1));
 }
 
-/// @brief While the transmitter is on, pulses vary by up to 2 us on each side.
+/// @brief While the transmitter is on, the width of the pulses varies by up to 2 us in both
+/// directions.
 TEST_F(RemoteControlTest, PulsesOfATransmitterVary) {
   remote.setNoise(true);
   remote.set(plant::Sticks{});
@@ -156,7 +158,7 @@ TEST_F(RemoteControlTest, ReceiverWithNeutralFailSafeSendsTheMiddle) {
   }
 }
 
-/// @brief The pulses of all channels can begin at one time.
+/// @brief The pulses of all channels can begin at the same time.
 TEST_F(RemoteControlTest, PulsesCanBeginTogether) {
   remote.set(plant::Sticks{});
   remote.setCoincident(true);
@@ -166,8 +168,7 @@ TEST_F(RemoteControlTest, PulsesCanBeginTogether) {
   EXPECT_EQ(pulses[0].begin, pulses[2].begin);
 }
 
-/// @brief A trembling hand changes the pulses of the velocity by the given amount, and no other
-/// pulses.
+/// @brief A trembling hand changes only the pulses of the velocity, by the given amount.
 TEST_F(RemoteControlTest, HandTrembles) {
   remote.set(plant::Sticks{});
   remote.setTremor(20);

@@ -48,8 +48,8 @@ class RobotTest : public testing::Test {
     }
   }
 
-  // Returns the net number of edges forwards of a wheel, by the Gray sequence 00, 01, 11, 10 of (b,
-  // a).
+  // Returns the number of forward edges minus the number of backward edges of a wheel. The forward
+  // sequence of (b, a) is 00, 01, 11, 10.
   [[nodiscard]] int netEdges(std::size_t wheel) const {
     int count = 0;
     std::array<bool, 2> level{};
@@ -63,8 +63,8 @@ class RobotTest : public testing::Test {
     return count;
   }
 
-  // Returns the current that the motor needs at a speed while each tyre pulls with a force;
-  // calculated by hand from the equations of a steady state.
+  // Returns the current that the motor needs at a speed while each tyre pulls with a force. The
+  // formula was derived by hand from the equations of a steady state.
   [[nodiscard]] static double currentFor(double force, double rpm) {
     constexpr MotorParameters motor;
     const double torque = force * DriveTrain::kRadius / DriveTrain::kRatio;
@@ -75,8 +75,8 @@ class RobotTest : public testing::Test {
     return (gear + friction) / motor.constant;
   }
 
-  // Checks the steady state: Ohm's law with the speed that was reached, and the current that the
-  // forces need.
+  // Checks that the robot is in a steady state. The speed must fit Ohm's law, and the current must
+  // fit the forces.
   void expectSteady(double volts, double forceOfWheel) const {
     constexpr MotorParameters motor;
     const double rpm = robot.velocityRpm(0);
@@ -91,9 +91,9 @@ class RobotTest : public testing::Test {
   std::vector<HallEdge> edges;
 };
 
-/// @brief With the whole supply on flat ground, the speed of the wheels follows from Ohm's law, the
-/// motor's constant, rolling resistance and friction. The robot moves with the speed of the wheels
-/// minus the slip.
+/// @brief At full supply voltage on flat ground, the speed of the wheels follows from Ohm's law,
+/// the motor constant, rolling resistance and friction. The speed of the robot is the speed of the
+/// wheels minus the slip.
 TEST_F(RobotTest, FlatGroundWithTheWholeSupply) {
   drive({.duty = 1.0, .backwards = false, .enabled = true});
   run(6000);
@@ -104,7 +104,7 @@ TEST_F(RobotTest, FlatGroundWithTheWholeSupply) {
   EXPECT_GT(robot.groundSpeed(), 0.99 * wheels);
 }
 
-/// @brief Uphill the motors also carry the weight.
+/// @brief Uphill, the motors also work against the weight.
 TEST_F(RobotTest, TenPercentUphill) {
   robot.setSlope(10);
   drive({.duty = 0.9, .backwards = false, .enabled = true});
@@ -113,7 +113,7 @@ TEST_F(RobotTest, TenPercentUphill) {
   EXPECT_NEAR(robot.velocityRpm(2), 300, 5);
 }
 
-/// @brief Downhill the wheels drive the motors: the current and the power of the motor are
+/// @brief Downhill, the wheels drive the motors. The current and the power of the motors are
 /// negative.
 TEST_F(RobotTest, DownhillTheMotorsBrake) {
   robot.setSlope(-10);
@@ -164,7 +164,7 @@ TEST_F(RobotTest, EnergyIsOnlyLost) {
   }
 }
 
-/// @brief Without its driver a motor has no current, and the robot coasts far longer than with
+/// @brief A motor whose driver is off has no current. The robot then coasts far longer than with
 /// short-circuited motors.
 TEST_F(RobotTest, CoastingIsNotBraking) {
   const auto wayToRest = [](const WheelDrive& after) {
@@ -198,7 +198,8 @@ TEST_F(RobotTest, StandsUntilTheForceExceedsStaticFriction) {
   EXPECT_GT(robot.distance(), 0.1);
 }
 
-/// @brief On a slope of 4 percent the robot is at rest without current; on 20 percent it rolls down.
+/// @brief On a slope of 4 percent, the robot is at rest without current. On a slope of 20 percent,
+/// it rolls down.
 TEST_F(RobotTest, RollsDownASteepSlope) {
   robot.setSlope(4);
   run(3000);
@@ -208,8 +209,8 @@ TEST_F(RobotTest, RollsDownASteepSlope) {
   EXPECT_LT(robot.distance(), -0.1);
 }
 
-/// @brief The robot comes onto a slope axle by axle. While it drives, its slope changes linearly
-/// over one wheelbase of 1.582 m; at rest it changes within 2 s.
+/// @brief The robot reaches a slope axle by axle. While the robot drives, its slope changes
+/// linearly over one wheelbase of 1.582 m. At rest, its slope changes within 2 s.
 TEST_F(RobotTest, ASlopeBeginsAxleByAxle) {
   robot.setSlope(2);
   EXPECT_EQ(robot.slope(), 0);
@@ -228,7 +229,7 @@ TEST_F(RobotTest, ASlopeBeginsAxleByAxle) {
   EXPECT_EQ(robot.slope(), -2);
 }
 
-/// @brief A turn of the motor gives 60 edges, in the sequence of the direction.
+/// @brief A turn of the motor causes 60 edges, in the sequence of its direction.
 TEST_F(RobotTest, SixtyEdgesInATurn) {
   drive({.duty = 0.5, .backwards = false, .enabled = true});
   run(4000);
@@ -245,8 +246,8 @@ TEST_F(RobotTest, SixtyEdgesInATurn) {
   EXPECT_NEAR(netEdges(1) - forwards, 60 * back, 0.02 * 60 * std::abs(back));
 }
 
-/// @brief At a constant speed the edges have equal distances, and each is within the time step that
-/// reports it.
+/// @brief At a constant speed, the edges have equal distances. Each edge is within the time step
+/// that reports it.
 TEST_F(RobotTest, EdgesAreEven) {
   drive({.duty = 0.5, .backwards = false, .enabled = true});
   run(4000);
@@ -260,14 +261,15 @@ TEST_F(RobotTest, EdgesAreEven) {
       }
     }
   }
-  const double expected = 1e9 / robot.velocityRpm(0);  // 60 edges a turn: rpm edges a second
+  const double expected =
+      1e9 / robot.velocityRpm(0);  // with 60 edges per turn, 1 rpm is one edge per second
   ASSERT_GT(times.size(), 100U);
   for (std::size_t i = 1; i < times.size(); ++i) {
     EXPECT_NEAR(times[i] - times[i - 1], expected, 0.01 * expected);
   }
 }
 
-/// @brief The noise of a seed is always the same, and other seeds have other noise.
+/// @brief The same seed always causes the same noise. Other seeds cause other noise.
 TEST_F(RobotTest, NoiseBelongsToTheSeed) {
   const auto signature = [](std::uint32_t seed, bool asksMore) {
     Robot robot(seed);
@@ -290,8 +292,8 @@ TEST_F(RobotTest, NoiseBelongsToTheSeed) {
   EXPECT_NE(signature(1, false), signature(2, false));
 }
 
-/// @brief Current sensors have noise of 50 mA, the angle sensor of 0.05 degree, both about the true
-/// value.
+/// @brief The current sensors have a noise of 50 mA, and the angle sensor has a noise of 0.05
+/// degree. The mean of the noise is 0.
 TEST_F(RobotTest, NoiseHasTheSizeOfTheSensors) {
   robot.setNoise(true);
   constexpr int kSamples = 10'000;
@@ -315,7 +317,8 @@ TEST_F(RobotTest, NoiseHasTheSizeOfTheSensors) {
   EXPECT_NEAR(std::sqrt(angleSquares / kSamples), 0.05, 0.003);
 }
 
-/// @brief Steps turn the steering by 0.05 degree each, up to its ends, where the switches close.
+/// @brief Each step turns the steering by 0.05 degree, up to its ends. At the ends, the switches
+/// operate.
 TEST_F(RobotTest, SteeringTurnsByStepsToItsEnds) {
   robot.setSteeringEnabled(true);
   for (int i = 0; i < 200; ++i) {
@@ -342,7 +345,7 @@ TEST_F(RobotTest, SteeringTurnsByStepsToItsEnds) {
   EXPECT_FALSE(robot.leftEnd());
 }
 
-/// @brief Steps are lost while the steering's motor is off, or stalls.
+/// @brief Steps are lost while the steering motor is off or stalled.
 TEST_F(RobotTest, StepsAreLostWithoutCurrentAndWhenStalled) {
   robot.steeringStep(true);
   EXPECT_EQ(robot.steeringDegrees(), 0.0);
@@ -355,7 +358,7 @@ TEST_F(RobotTest, StepsAreLostWithoutCurrentAndWhenStalled) {
   EXPECT_NEAR(robot.steeringDegrees(), 0.05, 1e-9);
 }
 
-/// @brief A dead Hall sensor keeps its level; the other sensors continue.
+/// @brief A dead Hall sensor keeps its level. The other sensors continue to work.
 TEST_F(RobotTest, DeadHallSensors) {
   robot.setFault(Fault::Hall, 0, true);
   robot.setFault(Fault::HallB, 1, true);
@@ -375,7 +378,7 @@ TEST_F(RobotTest, DeadHallSensors) {
   EXPECT_GT(netEdges(0), 5);
 }
 
-/// @brief A broken cable gives 0 V.
+/// @brief A sensor with a broken cable has 0 V.
 TEST_F(RobotTest, BrokenCables) {
   robot.setFault(Fault::Current, 3, true);
   robot.setFault(Fault::Angle, 0, true);
@@ -394,8 +397,8 @@ TEST_F(RobotTest, BlockedWheelDrawsAllCurrent) {
   EXPECT_NEAR(robot.currentAmperes(1), 24.0 / 1.42, 0.1);
 }
 
-/// @brief Four blocked wheels draw 15.6 A each; over 0.03 ohm the battery of 24 V falls below 22.2
-/// V, and without load it has 24 V again.
+/// @brief Each of four blocked wheels draws 15.6 A. With its resistance of 0.03 ohm, the voltage of
+/// the battery falls from 24 V to less than 22.2 V. Without load, it is 24 V again.
 TEST_F(RobotTest, BatterySagsUnderLoad) {
   robot.setParameter(plant::Parameter::Battery, 0.03);
   for (std::size_t wheel = 0; wheel < plant::kWheels; ++wheel) {
@@ -409,8 +412,8 @@ TEST_F(RobotTest, BatterySagsUnderLoad) {
   EXPECT_NEAR(robot.supplyVolts(), 24.0, 0.01);
 }
 
-/// @brief A seed always gives the same robot, and other seeds give other robots. Each of a hundred
-/// robots has parameters within the ranges that the page of the simulated robot states.
+/// @brief The same seed always selects the same robot. Other seeds select other robots. The
+/// parameters of a hundred robots are within the ranges on the page about the simulated robot.
 TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
   double lowest = 100;
   double highest = 0;
@@ -440,9 +443,9 @@ TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
   EXPECT_GT(highest, 28.5);
 }
 
-/// @brief Both front wheels turn about the same centre of the curve. At 32 degrees the inner wheel
-/// is turned by 38.2 degrees, and the outer wheel by 27.4 degrees (cot outer - cot inner = track /
-/// wheelbase).
+/// @brief Both front wheels move on circles around the same centre. At 32 degrees, the inner wheel
+/// is turned by 38.2 degrees, and the outer wheel is turned by 27.4 degrees (cot outer - cot inner
+/// = track / wheelbase).
 TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   plant::SteeringLinkage linkage;
   linkage.turn(32);
@@ -488,13 +491,13 @@ class CurveTest : public RobotTest {
   std::array<double, plant::kWheels> integrals_{};
 };
 
-// Distance of each wheel relative to the middle of the rear axle at 32 degrees: its distance from
-// the middle of the curve divided by the distance of the rear axle, 1.582 m / tan 32 degrees =
+// For each wheel, its distance from the centre of the curve at 32 degrees, divided by the distance
+// of the rear axle from this centre. The distance of the rear axle is 1.582 m / tan 32 degrees =
 // 2.532 m.
 constexpr std::array<double, plant::kWheels> kGeometry{1.008, 1.360, 0.792, 1.208};
 
-/// @brief With set-points that match the geometry, the robot drives the curve of the geometry, and
-/// the wheels have equal forces.
+/// @brief With set-points that match the geometry, the robot drives the geometric curve, and all
+/// wheels have equal forces.
 TEST_F(CurveTest, GeometryGivesTheCurveWithoutFight) {
   follow({100 * kGeometry[0], 100 * kGeometry[1], 100 * kGeometry[2], 100 * kGeometry[3]}, 8000);
   const double rear = 100.0 / 600 * 2 * std::numbers::pi * DriveTrain::kRadius;
@@ -505,8 +508,8 @@ TEST_F(CurveTest, GeometryGivesTheCurveWithoutFight) {
   }
 }
 
-/// @brief With equal set-points the wheels work against each other: the inner rear wheel brakes, the outer
-/// front wheel pulls with several times the current of a straight drive.
+/// @brief With equal set-points, the wheels work against each other. The inner rear wheel brakes.
+/// The outer front wheel pulls with several times the current of a straight drive.
 TEST_F(CurveTest, EqualVelocitiesFight) {
   follow({100, 100, 100, 100}, 8000);
   double greatest = 0;
@@ -519,14 +522,14 @@ TEST_F(CurveTest, EqualVelocitiesFight) {
   EXPECT_LT(least, -2);
 }
 
-/// @brief In a curve the robot turns about a vertical axis, to the side of the steering.
+/// @brief In a curve, the robot turns about a vertical axis, in the direction of the steering.
 TEST_F(CurveTest, SteeringTurnsTheRobot) {
   follow({50, 50, 50, 50}, 3000);
   EXPECT_GT(robot.yawRate(), 0.02);
   EXPECT_GT(robot.heading(), 0.03);
 }
 
-/// @brief The slope belongs to the ground: a robot that drove uphill drives downhill after half a
+/// @brief The slope belongs to the ground. A robot that drove uphill drives downhill after half a
 /// turn.
 TEST_F(CurveTest, SlopeBelongsToTheGround) {
   robot.setSlope(4);
@@ -547,8 +550,8 @@ TEST_F(CurveTest, SlopeBelongsToTheGround) {
   EXPECT_GT(uphill, meanCurrent() + 1.0);
 }
 
-/// @brief With swapped leads a forward voltage turns the wheel backwards, and its sensor still
-/// shows the current of the driver.
+/// @brief With swapped leads, a forward voltage turns the wheel backwards. The current sensor still
+/// measures the current of the driver.
 TEST_F(RobotTest, SwappedLeadsTurnTheMotorRound) {
   robot.setFault(Fault::Leads, 2, true);
   robot.setWheel(2, {.duty = 0.2, .backwards = false, .enabled = true});
@@ -558,7 +561,7 @@ TEST_F(RobotTest, SwappedLeadsTurnTheMotorRound) {
   EXPECT_GT(robot.currentVolts(2), Robot::kMiddle);
 }
 
-/// @brief With swapped Hall sensors the same rotation counts backwards.
+/// @brief With swapped Hall sensors, a forward rotation is counted backwards.
 TEST_F(RobotTest, SwappedHallSensorsCountBackwards) {
   robot.setFault(Fault::HallSwapped, 1, true);
   drive({.duty = 0.5, .backwards = false, .enabled = true});
@@ -567,7 +570,8 @@ TEST_F(RobotTest, SwappedHallSensorsCountBackwards) {
   EXPECT_NEAR(netEdges(1), -netEdges(0), 0.02 * netEdges(0));
 }
 
-/// @brief A sensor that is 30 electrical degrees displaced causes gaps of 60 and 120 degrees.
+/// @brief A sensor that is displaced by 30 electrical degrees causes distances of 60 and 120
+/// degrees between edges.
 TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
   robot.setFault(Fault::HallMisplaced, 0, true, 30);
   drive({.duty = 0.5, .backwards = false, .enabled = true});
@@ -609,7 +613,8 @@ TEST_F(RobotTest, GlitchesAndLostEdges) {
   EXPECT_NEAR(static_cast<double>(ofWheel(0) - ofWheel(1)), 200, 50);
 }
 
-/// @brief A stuck current sensor keeps its value; a sensor with an offset shows its error.
+/// @brief A stuck current sensor keeps its value. The value of a sensor with an offset contains the
+/// offset.
 TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
   run(1);
   robot.setFault(Fault::CurrentStuck, 0, true);
@@ -626,7 +631,7 @@ TEST_F(RobotTest, StuckAndOffsetCurrentSensors) {
   EXPECT_GT(robot.currentVolts(0), Robot::kMiddle + 1);
 }
 
-/// @brief An open current input has the voltage of the input that was converted before.
+/// @brief The voltage of an open current input follows the input that was converted before.
 TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   robot.setFault(Fault::CurrentOffset, 0, true, 8000);
   robot.setFault(Fault::CurrentOpen, 1, true);
@@ -640,8 +645,8 @@ TEST_F(RobotTest, OpenCurrentInputFollowsItsNeighbour) {
   EXPECT_EQ(robot.currentVolts(1), Robot::kMiddle);
 }
 
-/// @brief An open angle input has the voltage of the input that was converted before. A stuck
-/// sensor keeps its value. A drifting sensor deviates from the true value at its rate.
+/// @brief The voltage of an open angle input follows the input that was converted before. A stuck
+/// sensor keeps its value. The error of a drifting sensor grows at its rate.
 TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   robot.setSteeringEnabled(true);
   for (int i = 0; i < 400; ++i) {
@@ -667,7 +672,7 @@ TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   EXPECT_NEAR(robot.steeringVolts(), 2.45, 0.01);
 }
 
-/// @brief The contacts of the end stops are open at the ends, and when their wire is broken.
+/// @brief The contact of an end stop is open at its end and when its wire is broken.
 TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
   EXPECT_FALSE(robot.leftEnd());
   robot.setFault(Fault::LeftEnd, 0, true);
@@ -678,8 +683,7 @@ TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
 }
 
 /// @brief The emergency stop removes all torque, independent of the firmware, and opens its
-/// contact. With
-/// short-circuited motors the robot is at rest sooner.
+/// contact. With short-circuited motors, the robot stops sooner.
 TEST_F(RobotTest, EmergencyStopTakesAllTorque) {
   const auto wayAfter = [](plant::EmergencyStop state) {
     Robot driven(1);
@@ -720,7 +724,7 @@ TEST_F(RobotTest, GreatestVelocityIsKept) {
   EXPECT_LT(robot.greatestRpm(), 1);
 }
 
-/// @brief The force of a tyre is limited by the grip: with little grip the wheels spin.
+/// @brief The grip limits the force of a tyre. With little grip, the wheels spin.
 TEST_F(RobotTest, TyresSlipBeyondTheLimitOfFriction) {
   plant::Ground ice;
   ice.grip = 0.05;

@@ -10,7 +10,7 @@ namespace {
 using programs::Pace;
 using std::chrono::milliseconds;
 
-/// A clock that only the test and a sleep advance.
+/// A clock that advances only by the test and by a sleep.
 class PaceOfTheRobot : public testing::Test {
  protected:
   Pace::Clock::time_point clock;
@@ -25,7 +25,7 @@ TEST_F(PaceOfTheRobot, WaitsForTheClock) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(6));
 }
 
-/// @brief A delay of the machine by 20 ms is caught up.
+/// @brief The robot's time catches up after a delay of the machine of 20 ms.
 TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   clock += milliseconds(25);
   pace.waitFor(milliseconds(5));
@@ -35,7 +35,7 @@ TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(30));
 }
 
-/// @brief After a longer delay the time of the robot continues without catching up.
+/// @brief After a longer delay, the robot's time continues without catching up.
 TEST_F(PaceOfTheRobot, StandsStillWhileTheMachineIsLate) {
   clock += milliseconds(1005);
   pace.waitFor(milliseconds(5));
@@ -44,7 +44,7 @@ TEST_F(PaceOfTheRobot, StandsStillWhileTheMachineIsLate) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(1006));
 }
 
-/// @brief The clock of the machine is used when no other is given.
+/// @brief By default, the clock of the machine is used.
 TEST_F(PaceOfTheRobot, FollowsTheMachine) {
   const auto before = Pace::Clock::now();
   Pace real;

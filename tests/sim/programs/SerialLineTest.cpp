@@ -20,7 +20,7 @@
 namespace wr::test {
 namespace {
 
-// Reads until the given number of bytes has come, or until a second has passed.
+// Reads until the given number of bytes was received or a second has passed.
 Bytes readAll(programs::SerialLine& line, std::size_t count) {
   Bytes all;
   Bytes read(4096);
@@ -80,8 +80,8 @@ TEST(PseudoTerminalTest, SurvivesAClientThatLeaves) {
   EXPECT_EQ(port.read(read), 0U);
 }
 
-/// @brief When the other end does not read, the port fills; then each write is rejected as a whole,
-/// and nothing blocks.
+/// @brief When the other end does not read, the buffer of the port becomes full. Then each write is
+/// rejected as a whole, and no call blocks.
 TEST(PseudoTerminalTest, RefusesWhatHasNoRoom) {
   programs::PseudoTerminal port;
   int written = 0;
@@ -124,7 +124,7 @@ class TcpClient {
 };
 
 /// @brief All 256 byte values pass a TCP line unchanged in both directions, for one client after
-/// another. Without a client bytes are lost.
+/// another. Without a client, bytes are lost.
 TEST(TcpLineTest, PassesEveryByteValueToEachClient) {
   programs::TcpLine line(0);
   EXPECT_FALSE(line.write(counting(1)));
@@ -137,13 +137,13 @@ TEST(TcpLineTest, PassesEveryByteValueToEachClient) {
   }
 }
 
-/// @brief A TCP port that is in use is an error that names the port.
+/// @brief A TCP port that is in use causes an error. The message contains the number of the port.
 TEST(TcpLineTest, NamesAPortThatIsInUse) {
   const programs::TcpLine line(0);
   const std::string port = line.name().substr(line.name().rfind(':') + 1);
   try {
     static_cast<void>(programs::openLine("tcp:" + port));
-    ADD_FAILURE() << "two lines have one port";
+    ADD_FAILURE() << "two lines have the same port";
   } catch (const std::system_error& error) {
     EXPECT_NE(std::string(error.what()).find("TCP port " + port), std::string::npos);
   }
@@ -159,7 +159,8 @@ TEST(SerialLineTest, HasThreeKinds) {
   }
 }
 
-/// @brief A voltage names converter, input and volts; each part has its range.
+/// @brief The text of a voltage contains the converter, the input and the volts. Each of these
+/// parts has a range.
 TEST(SignalsTest, ReadsVoltages) {
   const programs::AnalogSignal signal = programs::analogSignalOf("ADC1_SE23=3.3");
   EXPECT_EQ(signal.converter, 1);
@@ -171,7 +172,8 @@ TEST(SignalsTest, ReadsVoltages) {
   }
 }
 
-/// @brief A level names port, pin and level; each part has its range.
+/// @brief The text of a level contains the port, the pin and the level. Each of these parts has a
+/// range.
 TEST(SignalsTest, ReadsLevels) {
   const programs::DigitalSignal signal = programs::digitalSignalOf("PTE31=1");
   EXPECT_EQ(signal.port, 'E');

@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// The operator's end: a named socket that sends actions and reads answers.
+// The operator's end of the channel. It has a named socket that sends actions and receives answers.
 class Operator {
  public:
   Operator(const std::string& path, const std::string& channel) : path_(path) {
@@ -59,7 +59,7 @@ class ControlChannelTest : public testing::Test {
   ControlChannelTest() { robot.start(); }
   ~ControlChannelTest() override { std::filesystem::remove_all(folder); }
 
-  /// Lets 2 s pass for the robot.
+  /// Runs the robot for 2 s.
   void rest() {
     for (int step = 0; step <= 2000; ++step) {
       (void)robot.robot().step();
@@ -73,8 +73,8 @@ class ControlChannelTest : public testing::Test {
   const bool made = std::filesystem::create_directory(folder);
 };
 
-/// @brief An action of the world has its effect, and a second action replaces it. A slope is
-/// complete after 2 s.
+/// @brief An action of the world has its effect. A second action replaces the first action. A slope
+/// is complete after 2 s.
 TEST_F(ControlChannelTest, ActionsActOnTheRobotThatRuns) {
   scenario::ControlChannel channel("", robot);
   EXPECT_EQ(channel.perform("slope 10"), "ok");
@@ -110,7 +110,7 @@ TEST_F(ControlChannelTest, WordsThatAreNoActionAreRefused) {
   EXPECT_THAT(channel.perform("slope 1\nat 0 slope 2"), HasSubstr("one line"));
 }
 
-/// @brief Actions of the PC are refused: its link is in use.
+/// @brief Actions of the PC are rejected, because the PC link is in use.
 TEST_F(ControlChannelTest, ActionsOfThePcAreRefused) {
   scenario::ControlChannel channel("", robot);
   for (const char* words : {"connect", "hello", "order velocity 5", "bytes 00", "mark", "arm"}) {
@@ -119,7 +119,7 @@ TEST_F(ControlChannelTest, ActionsOfThePcAreRefused) {
   EXPECT_EQ(robot.takeSent().size(), 0U);
 }
 
-/// @brief The socket answers each datagram to its sender, and is removed with the channel.
+/// @brief The sender of each datagram gets an answer. The socket is removed with the channel.
 TEST_F(ControlChannelTest, TheSocketAnswersItsSender) {
   {
     scenario::ControlChannel channel(path, robot);
@@ -137,7 +137,8 @@ TEST_F(ControlChannelTest, TheSocketAnswersItsSender) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-/// @brief A socket that an ended simulator left is replaced; another file is not.
+/// @brief A socket of a simulator that has ended is replaced. A file of another kind is not
+/// replaced.
 TEST_F(ControlChannelTest, AnOldSocketIsReplacedAndAnotherFileIsNot) {
   const int old = socket(AF_UNIX, SOCK_DGRAM, 0);
   sockaddr_un address{};
@@ -152,7 +153,7 @@ TEST_F(ControlChannelTest, AnOldSocketIsReplacedAndAnotherFileIsNot) {
   EXPECT_TRUE(std::filesystem::exists(path));
 }
 
-/// @brief A path that no socket can have is refused.
+/// @brief A path that is too long for a socket is rejected.
 TEST_F(ControlChannelTest, APathThatIsTooLongIsRefused) {
   EXPECT_THROW(scenario::ControlChannel(folder + "/" + std::string(200, 'x'), robot),
                std::invalid_argument);

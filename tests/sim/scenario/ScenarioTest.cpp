@@ -49,8 +49,8 @@ scenario::ScenarioPlayer::Outcome played(const std::string& text, std::ostream* 
   return scenario::ScenarioPlayer(scenario, robot, reports).play();
 }
 
-/// @brief Comments and empty lines are ignored; steps come in the order of time, then of their
-/// lines.
+/// @brief Comments and empty lines are ignored. The steps are in the order of time. Steps with the
+/// same time are in the order of their lines.
 TEST(ScenarioTest, StepsAreInTheOrderOfTime) {
   const scenario::Scenario scenario = scenarioOf(
       "# a comment\n\n"
@@ -65,7 +65,7 @@ TEST(ScenarioTest, StepsAreInTheOrderOfTime) {
   EXPECT_EQ(scenario.end(), scenario::Scenario::Time(400));
 }
 
-/// @brief An order gives all wheels one value, or a value for each.
+/// @brief An order contains one value for all wheels, or one value for each wheel.
 TEST(ScenarioTest, OrderNamesWheelsTogetherOrOneByOne) {
   const scenario::Scenario scenario =
       scenarioOf("at 0 order current 5\nat 1 order steering -3 tension 1 2 3 -4 stop\nat 2 end\n");
@@ -90,12 +90,12 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"at soon hello\n", "text:1: 'soon' is not a time in ms"},
       {"at -1 hello\n", "text:1: '-1' is not a time in ms"},
       {"at 0\n", "text:1: an action is missing"},
-      {"at 0 hello there\n", "text:1: 'there' is one word too many"},
+      {"at 0 hello there\n", "text:1: 'there' is a superfluous word"},
       {"from 9 to 8 every 1 hello\n", "text:1: there are no times between these limits"},
       {"from 0 to 8 every 0 hello\n", "text:1: there are no times between these limits"},
       {"from 0 to 100000 every 1 hello\n", "text:1: the line acts more than 100000 times"},
       {"from 0 until 8 every 1 hello\n", "text:1: 'to' is expected here, not 'until'"},
-      {"at 0 order speed 3\n", "text:1: an order has no 'speed'"},
+      {"at 0 order speed 3\n", "text:1: an order has no part 'speed'"},
       {"at 0 order velocity\n", "text:1: a number is missing"},
       {"at 0 order velocity 40000\n", "text:1: '40000' is not a number from -32768 to 32767"},
       {"at 0 order velocity 1 2\n", "text:1: a number is missing"},
@@ -128,21 +128,23 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
        "text:1: 'big' is not a parameter of the robot: supply, battery, mass, inertia, resistance, "
        "motor-constant, friction, rolling, current-gain, angle-gain"},
       {"plant supply 0\n", "text:1: a parameter of the robot must be greater than 0"},
-      {"at 0 hello\nplant nominal\n", "text:2: a plant must be before all lines that have a time"},
+      {"at 0 hello\nplant nominal\n",
+       "text:2: a line with plant must be before all lines that have a time"},
       {"at 0 expect way 1 within 5\n", "text:1: 'ms' is missing"},
       {"at 0 repair hall 4\n", "text:1: '4' is not a wheel from 0 to 3"},
-      {"at 0 fault angle 1\n", "text:1: '1' is one word too many"},
+      {"at 0 fault angle 1\n", "text:1: '1' is a superfluous word"},
       {"seed x\n", "text:1: 'x' is no seed"},
-      {"at 0 hello\nseed 1\n", "text:2: a seed must be before all lines that have a time"},
+      {"at 0 hello\nseed 1\n",
+       "text:2: a line with seed must be before all lines that have a time"},
       {"at 0 end\nat 1 hello\n", "text:2: nothing may follow 'end'"},
-      {"at 5 hello\nat 4 end\n", "text:1: this is after the end"},
+      {"at 5 hello\nat 4 end\n", "text:1: this time is after the end"},
   };
   for (const auto& [text, error] : wrong) {
     EXPECT_EQ(errorOf(text), error) << text;
   }
 }
 
-/// @brief A scenario with random edits is read, or gives an error with its line.
+/// @brief A scenario with random edits is read, or it causes an error with a line number.
 TEST(ScenarioTest, ADamagedScenarioIsReadOrHasALineWithAnError) {
   std::mt19937 random(seed());
   const auto below = [&](std::size_t limit) { return random() % limit; };
@@ -171,7 +173,8 @@ TEST(ScenarioTest, ADamagedScenarioIsReadOrHasALineWithAnError) {
   EXPECT_GT(errors, 100);
 }
 
-/// @brief Sticks of the remote control have the units of orders; faults have a name and a wheel.
+/// @brief The sticks of the remote control have the units of orders. A fault has a name and a
+/// wheel.
 TEST(ScenarioTest, ActionsOfTheWorld) {
   const scenario::Scenario scenario = scenarioOf(
       "seed 9\nat 0 rc velocity -1500 steering 1600\nat 1 rc off\nat 2 slope -2.5\n"
@@ -192,7 +195,7 @@ TEST(ScenarioTest, ActionsOfTheWorld) {
   EXPECT_FALSE(worldOf<scenario::world::SetNoise>(steps[5]).on);
 }
 
-/// @brief Switch, fail-safe, emergency stop, plant, clock and reset are actions of the world too.
+/// @brief Switch, fail-safe, emergency stop, plant, clock and reset are also actions of the world.
 TEST(ScenarioTest, SafetyActionsOfTheWorld) {
   const scenario::Scenario scenario = scenarioOf(
       "plant varied\nplant supply 21000\nat 0 rc enable drive\nat 1 rc failsafe hold\n"
@@ -243,8 +246,8 @@ TEST(ScenarioTest, WorldActionOfALine) {
                scenario::Scenario::Error);
 }
 
-/// @brief An expectation with a limit is met when it becomes true before the limit, in time or in
-/// distance.
+/// @brief An expectation with a limit is met when it becomes true before the limit. The limit is a
+/// time or a distance.
 TEST(ScenarioPlayerTest, ExpectationsThatMayComeTrue) {
   const std::string drive = "at 0 connect\nfrom 200 to 3900 every 100 order velocity 500\n";
   EXPECT_EQ(played(drive + "at 0 expect distance between 10 99 within 2000 ms\n"
@@ -271,14 +274,14 @@ TEST(ScenarioPlayerTest, ReplayBringsTheSameBytes) {
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
 }
 
-/// @brief A replay before the first order is an error of the scenario.
+/// @brief A replay before the first order causes a failure of the scenario.
 TEST(ScenarioPlayerTest, ReplayNeedsAnOrder) {
   const auto outcome = played("at 50 replay\nat 100 end\n");
   EXPECT_EQ(outcome.failures,
             std::vector<std::string>{"text:1: there is no earlier order to replay, at 50 ms"});
 }
 
-/// @brief After a reset the firmware starts again, while the robot continues to roll.
+/// @brief After a reset, the firmware starts again while the robot continues to roll.
 TEST(ScenarioPlayerTest, ResetStartsTheFirmwareAgain) {
   const auto outcome = played(
       "at 0 arm\nfrom 1500 to 4900 every 100 order velocity 1000\n"
@@ -295,7 +298,8 @@ TEST(ScenarioPlayerTest, HostHasNoExternalClock) {
   EXPECT_THROW(static_cast<void>(played("at 0 clock lost\nat 10 end\n")), std::runtime_error);
 }
 
-/// @brief Events of the world reach the robot, and its true values can be expected.
+/// @brief Actions of the world affect the robot. A scenario can have expectations about the true
+/// values of the robot.
 TEST(ScenarioPlayerTest, WorldActsOnTheRobot) {
   const auto outcome = played(
       "seed 5\nat 0 noise off\nat 100 slope 20\nat 2200 expect way between -3000 -10\n"
@@ -307,7 +311,8 @@ TEST(ScenarioPlayerTest, WorldActsOnTheRobot) {
   EXPECT_EQ(outcome.failures, std::vector<std::string>{});
 }
 
-/// @brief A value out of its range is reported, for a report and for the robot.
+/// @brief A value out of the expected range is reported. This is true for values of a report and
+/// for true values of the robot.
 TEST(ScenarioPlayerTest, RangesThatDoNotHoldAreTold) {
   const auto outcome = played(
       "at 0 connect\nat 350 expect cycle between 4 5\nat 350 expect cycle between 1 2\n"
@@ -319,7 +324,7 @@ TEST(ScenarioPlayerTest, RangesThatDoNotHoldAreTold) {
                                   "text:5: distance is 0.0, not between -2 and -1, at 350 ms"}));
 }
 
-/// @brief A connected PC gets reports, which meet the expectations.
+/// @brief A connected PC gets reports. Expectations check the last report.
 TEST(ScenarioPlayerTest, ExpectationsLookAtTheLastReport) {
   const auto outcome = played(
       "at 0 connect\nat 250 order velocity 300\nat 360 expect cycle 3\nat 360 expect held yes\n"
@@ -358,7 +363,7 @@ TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   EXPECT_THAT(text, testing::ContainsRegex(",3..(,-?[0-9]+[.][0-9])+\n$"));
 }
 
-// A robot that a finding stops after some time.
+// A robot that a finding stops during the run.
 class BrokenRobot final : public scenario::RobotSession {
  public:
   void send(std::span<const std::uint8_t> /*bytes*/) override {}
@@ -383,8 +388,7 @@ class BrokenRobot final : public scenario::RobotSession {
   plant::RemoteControl remoteControl_;
 };
 
-/// @brief A finding ends the scenario. The finding makes the scenario fail, unless a later line
-/// expects it.
+/// @brief A finding ends the scenario. If no later line expects the finding, the scenario fails.
 TEST(ScenarioPlayerTest, FindingEndsTheScenario) {
   const auto outcomeOf = [](const std::string& text) {
     BrokenRobot robot;

@@ -1,5 +1,5 @@
-// Tests of the robot in the page Run the robot: its cycles, recorded calls, frames, and the actions
-// of the user.
+// Tests the robot of the page "Run the robot" with its cycles, recorded calls and frames, and with
+// the actions of the user.
 #include "sim/web/LiveRobot.hpp"
 
 #include <gtest/gtest.h>
@@ -23,9 +23,9 @@ namespace {
 
 constexpr int kCyclesToMode = 12;  // cycles until the mode PC reads
 constexpr int kCycles = 30;        // cycles of a drive
-constexpr int kTicks = 100;        // in a cycle
+constexpr int kTicks = 100;        // ticks in a cycle
 constexpr std::uint32_t kLongestCycle =
-    100'100'000;  // [ns] a running interrupt delays the next pulse
+    100'100'000;  // [ns]; a running interrupt may delay the next pulse
 const std::string kFree = "at 50 connect\nat 600000 end\n";
 
 std::vector<std::uint32_t> functions() {
@@ -70,8 +70,8 @@ TEST(LiveRobotTest, RunsCycleByCycle) {
   EXPECT_GT(std::ranges::max(robot->entries()), 4U);
 }
 
-/// @brief The last call of a function has its time and its registers. A function that no code calls has no
-/// time.
+/// @brief The record of the last call of a function has its time and its registers. A function that
+/// was never called has no time.
 TEST(LiveRobotTest, RecordsTheLastCallOfEachFunction) {
   const auto robot = robotIn(kFree);
   run(*robot, kCyclesToMode);
@@ -90,8 +90,8 @@ TEST(LiveRobotTest, RecordsTheLastCallOfEachFunction) {
   EXPECT_TRUE(std::ranges::any_of(calls, [](const auto& call) { return call.at.count() < 0; }));
 }
 
-/// @brief The entries and exits of interrupts and threads of a cycle are in the order of time, from a
-/// clock pulse to the next clock pulse. The tick comes each millisecond.
+/// @brief The entries and exits of interrupts and threads are in the order of time. A cycle
+/// contains them from one clock pulse to the next. There is a tick in each millisecond.
 TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
   const auto robot = robotIn(kFree);
   run(*robot, kCyclesToMode);
@@ -113,7 +113,7 @@ TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
       begins, [](const auto& one) { return one.second >= kTicks - 1 && one.second <= kTicks; }));
 }
 
-/// @brief The order of the user is sent repeatedly, and the robot drives; without an order it
+/// @brief The order of the user is sent repeatedly, and the robot drives. Without an order, it
 /// halts.
 TEST(LiveRobotTest, RepeatsAnOrder) {
   const auto robot = robotIn(kFree);
@@ -138,7 +138,7 @@ TEST(LiveRobotTest, ActsOnTheWorld) {
   EXPECT_THROW(robot->perform("fault nonsense"), scenario::Scenario::Error);
 }
 
-/// @brief The bytes of both directions are recorded, each once.
+/// @brief The bytes of both directions are recorded. Each byte is recorded once.
 TEST(LiveRobotTest, RecordsTheLine) {
   const auto robot = robotIn(kFree);
   run(*robot, 5);

@@ -9,7 +9,7 @@ constexpr StepRate kRest(0);
 constexpr StepRate kLeft(500);
 constexpr StepRate kRight(-500);
 
-/// @brief The rule through its interface.
+/// @brief The algorithm, which the tests use through its interface.
 struct DeadbandTurnTest : testing::Test {
   /// @brief Returns the demanded turn at a distance from the target, for any target.
   StepRate turn(std::int32_t away, StepRate now) {
@@ -24,8 +24,8 @@ struct DeadbandTurnTest : testing::Test {
   SteeringAlgorithm& algorithm = rule;
 };
 
-/// @brief A steering at rest stays at rest up to 0.20 degrees from the target, and turns at a
-/// greater distance.
+/// @brief A steering at rest stays at rest up to a distance of 0.20 degrees from the target. It
+/// turns at a greater distance.
 /// @verifies FR-102
 TEST_F(DeadbandTurnTest, FR102_AtRestItTurnsBeyondTheDeadBand) {
   EXPECT_EQ(turn(0, kRest), kRest);

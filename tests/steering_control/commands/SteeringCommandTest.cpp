@@ -10,7 +10,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The commands of one device, as the controller sees them.
+/// @brief The commands of one device, with the interface for the controller.
 struct SteeringCommandTest : testing::Test {
   static void execute(SteeringCommand& command, StepRate rate) { command.execute(rate); }
 
@@ -20,7 +20,8 @@ struct SteeringCommandTest : testing::Test {
   SetTurn setTurn{motor.device};
 };
 
-/// @brief One command switches the motor on, another switches it off; their rate is ignored.
+/// @brief One command switches the motor on, and another command switches it off. Both ignore the
+/// rate.
 /// @verifies FR-106
 /// @verifies FR-113
 TEST_F(SteeringCommandTest, FR106_TheMotorIsSwitchedOnAndOff) {

@@ -12,7 +12,7 @@ struct SteeringPowerTest : testing::Test {
   SteeringDevice& device = motor.device;
 };
 
-/// @brief After start the motor is off, for any number of ticks and any set turn.
+/// @brief After the start, the motor is off, for any number of ticks and any turn that is set.
 /// @verifies FR-106
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR106_TheMotorIsOffAfterStart) {
@@ -24,7 +24,7 @@ TEST_F(SteeringPowerTest, FR106_TheMotorIsOffAfterStart) {
   EXPECT_EQ(device.steps(), 0);
 }
 
-/// @brief A motor that is switched on has its current at once, and is ready after 50 ticks.
+/// @brief A motor that is switched on has its current immediately, and is ready after 50 ticks.
 /// @verifies FR-107
 TEST_F(SteeringPowerTest, FR107_TheMotorIsReadyAfter50Milliseconds) {
   device.enable();
@@ -40,7 +40,7 @@ TEST_F(SteeringPowerTest, FR107_TheMotorIsReadyAfter50Milliseconds) {
   EXPECT_EQ(device.rate(), StepRate(1));
 }
 
-/// @brief Switching on a motor that is on has no effect: the motor need not settle again.
+/// @brief Switching on a motor that is on has no effect. The motor need not settle again.
 /// @verifies FR-107
 TEST_F(SteeringPowerTest, FR107_AMotorThatIsOnStaysReady) {
   motor.settle();
@@ -49,8 +49,8 @@ TEST_F(SteeringPowerTest, FR107_AMotorThatIsOnStaysReady) {
   EXPECT_TRUE(device.ready());
 }
 
-/// @brief A motor that is switched off has no current and no rate at once; its last pulse ends with
-/// the next tick, and no other pulse follows.
+/// @brief A motor that is switched off immediately has no current and no rate. Its last pulse ends
+/// with the next tick, and no other pulse follows.
 /// @verifies FR-113
 TEST_F(SteeringPowerTest, FR113_AMotorThatIsSwitchedOffStopsAtOnce) {
   motor.settle();

@@ -18,7 +18,7 @@ TEST_F(DirStateTest, FR116_StatesAreNumbered) {
   EXPECT_EQ(control.states.fault.id(), SteeringState::Fault);
 }
 
-/// @brief The motor stays off without an order, and with an order to hold.
+/// @brief The motor stays off without an order and with an order to hold.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
   tickOnly();
@@ -28,8 +28,8 @@ TEST_F(DirStateTest, FR106_OffStaysOffWithoutAnOrderToFollow) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief An order to follow a set-point switches the motor on, even when the steering has the right
-/// angle. The motor stays on.
+/// @brief An order to follow a set-point switches the motor on, even when the steering has the
+/// right angle. The motor stays on.
 /// @verifies FR-106
 TEST_F(DirStateTest, FR106_AnOrderToFollowSwitchesOn) {
   for (int i = 0; i < 2; ++i) {
@@ -61,7 +61,8 @@ TEST_F(DirStateTest, FR107_NoTurnBeforeTheMotorIsReady) {
   EXPECT_EQ(state(), SteeringState::Turning);
 }
 
-/// @brief Holding does not turn within the dead band, and turns when the angle is further away.
+/// @brief In the state Holding, the steering does not turn within the dead band. It turns when the
+/// angle is farther away.
 /// @verifies FR-102
 TEST_F(DirStateTest, FR102_HoldingTurnsBeyondTheDeadBand) {
   switchOn();
@@ -75,7 +76,7 @@ TEST_F(DirStateTest, FR102_HoldingTurnsBeyondTheDeadBand) {
   EXPECT_EQ(demand(), StepRate(1));
 }
 
-/// @brief An order to hold in the state Holding keeps the motor on, and the angle is ignored.
+/// @brief With an order to hold in the state Holding, the motor stays on, and the angle is ignored.
 /// @verifies FR-108
 TEST_F(DirStateTest, FR108_HoldingStaysOnWithAnOrderToHold) {
   switchOn();
@@ -88,8 +89,8 @@ TEST_F(DirStateTest, FR108_HoldingStaysOnWithAnOrderToHold) {
   EXPECT_EQ(demand(), StepRate(0));
 }
 
-/// @brief An order to hold ends a turn: the demand is 0, and the state Holding follows when the
-/// motor is at rest.
+/// @brief An order to hold ends a turn. The demanded rate is 0, and the state Holding follows when
+/// the motor is at rest.
 /// @verifies FR-108
 TEST_F(DirStateTest, FR108_AnOrderToHoldEndsATurn) {
   beginTurn();
@@ -103,7 +104,7 @@ TEST_F(DirStateTest, FR108_AnOrderToHoldEndsATurn) {
   EXPECT_TRUE(powered());
 }
 
-/// @brief A turn ends when the steering has arrived and the motor rests, not before.
+/// @brief A turn ends only when the steering has reached the angle and the motor is at rest.
 /// @verifies FR-101
 TEST_F(DirStateTest, FR101_ATurnEndsAtRest) {
   beginTurn();
@@ -133,8 +134,8 @@ TEST_F(DirStateTest, FR101_ATargetOnTheOtherSideReversesTheTurn) {
   EXPECT_EQ(demand(), StepRate(-1));
 }
 
-/// @brief Towards an end stop that is reached the steering does not turn; away from it the turn
-/// begins.
+/// @brief The steering does not turn towards an end stop that is reached. It can turn away from
+/// this end stop.
 /// @verifies FR-105
 TEST_F(DirStateTest, FR105_NoTurnTowardsAnEnd) {
   switchOn();
@@ -185,8 +186,8 @@ TEST_F(DirStateTest, FR109_TurningWithoutOrdersIsSwitchedOff) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief The state Holding changes to the fault state when the last position is older than 20 ms;
-/// the fault lasts.
+/// @brief The state Holding changes to the fault state when the last position is older than 20 ms.
+/// The fault remains.
 /// @verifies FR-110
 TEST_F(DirStateTest, FR110_HoldingWithoutPositionIsAFault) {
   switchOn();
@@ -222,7 +223,7 @@ TEST_F(DirStateTest, FR110_WithoutAnyPositionThereIsAFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief A turn is a fault when its steps do not move the steering.
+/// @brief A turn changes to the fault state when its steps do not move the steering.
 /// @verifies FR-111
 TEST_F(DirStateTest, FR111_ATurnThatMovesNothingIsAFault) {
   beginTurn();
@@ -237,7 +238,7 @@ TEST_F(DirStateTest, FR111_ATurnThatMovesNothingIsAFault) {
   EXPECT_FALSE(powered());
 }
 
-/// @brief The fault lasts with any order to follow a set-point, and without orders.
+/// @brief The fault remains with any order to follow a set-point, and without orders.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_AFaultStays) {
   switchOn();
@@ -256,7 +257,7 @@ TEST_F(DirStateTest, FR112_AFaultStays) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief An order to hold that was given before the fault does not end it.
+/// @brief An order to hold from before the fault does not end the fault.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_AnOrderToHoldFromBeforeTheFaultDoesNotEndIt) {
   switchOn();
@@ -267,8 +268,8 @@ TEST_F(DirStateTest, FR112_AnOrderToHoldFromBeforeTheFaultDoesNotEndIt) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief An order to hold does not end a fault; a release does. The motor stays off until an order to
-/// follow comes.
+/// @brief An order to hold does not end a fault. A release ends the fault. The motor stays off
+/// until there is an order to follow a set-point.
 /// @verifies FR-112
 TEST_F(DirStateTest, FR112_OnlyAReleaseEndsAFault) {
   switchOn();

@@ -1,4 +1,4 @@
-// The robot of the system tests is the image of the firmware on the virtual K64.
+// In this target, the robot of the system tests is the image of the firmware on the virtual K64.
 
 #include <chrono>
 #include <memory>

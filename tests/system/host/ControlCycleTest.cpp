@@ -23,7 +23,7 @@ class Action final : public Command {
 
 class ControlCycleOfRobotOnHost : public testing::Test {
  protected:
-  // Lets a period pass at once. In this time the second timer has ticked, so that the steering
+  // Advances the time by a period in one step. Then the second timer ticks, so that the steering
   // works.
   void skipPeriod() {
     constexpr int kBeats = 8;
@@ -36,7 +36,7 @@ class ControlCycleOfRobotOnHost : public testing::Test {
   HostSteppedRobot robot;
 };
 
-/// @brief A cycle reads the order, then controls with it, then reports it.
+/// @brief A cycle reads an order. Then it controls with this order, and then it reports the order.
 /// @verifies FR-2
 TEST_F(ControlCycleOfRobotOnHost, FR2_CycleReadsThenControlsThenWrites) {
   robot.rcOrder(1, 0);
@@ -54,8 +54,8 @@ TEST_F(ControlCycleOfRobotOnHost, FR2_CycleReadsThenControlsThenWrites) {
   EXPECT_EQ(robot.report().velocity[0], 432);
 }
 
-/// @brief A cycle that has not begun when the next clock pulse comes is reported as an overrun, and
-/// one more cycle follows.
+/// @brief If a cycle has not begun at the next clock pulse, it is reported as an overrun. One more
+/// cycle follows.
 /// @verifies FR-4
 TEST_F(ControlCycleOfRobotOnHost, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOverrun) {
   robot.connect();
@@ -78,7 +78,7 @@ TEST_F(ControlCycleOfRobotOnHost, FR4_CycleThatHasNotBegunAtTheNextPulseIsAnOver
   EXPECT_EQ(scenario::reportOf(sent[1])->overruns, 1);
 }
 
-/// @brief A clock pulse that comes while the cycle controls marks this cycle as an overrun.
+/// @brief A clock pulse during the control step of a cycle marks this cycle as an overrun.
 /// @verifies FR-4
 TEST_F(ControlCycleOfRobotOnHost, FR4_PulseDuringTheCycleMarksTheCycle) {
   robot.connect();
@@ -98,7 +98,8 @@ TEST_F(ControlCycleOfRobotOnHost, FR4_PulseDuringTheCycleMarksTheCycle) {
   EXPECT_EQ(scenario::reportOf(sent[1])->timeMs, scenario::reportOf(sent[0])->timeMs + 100);
 }
 
-/// @brief A cycle in which a control system did not complete its work is reported as an overrun.
+/// @brief If a control system does not complete its work in a cycle, the cycle is reported as an
+/// overrun.
 /// @verifies FR-5
 TEST_F(ControlCycleOfRobotOnHost, FR5_WorkThatIsNotCompletedIsAnOverrun) {
   robot.connect();

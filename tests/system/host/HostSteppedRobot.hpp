@@ -8,8 +8,8 @@
 
 namespace wr::test {
 
-/// The robot on the host, where a test also has access to the devices behind the PC's line: the
-/// remote control, the scheduler, and one control system that records its orders.
+/// The robot on the host. A test also has access to the remote control, the scheduler, and one
+/// control system that records its orders.
 class HostSteppedRobot : public SteppedRobot {
  public:
   explicit HostSteppedRobot(host::HostEquipment equipment = host::HostEquipment::Whole)
@@ -23,8 +23,8 @@ class HostSteppedRobot : public SteppedRobot {
   /// Runs a cycle while the line accepts no bytes, so that the port fills.
   void cycleWithoutLine() { host_.runThroughPulse(); }
 
-  /// Returns the time until the next clock pulse. The first clock pulse comes more than a period
-  /// after start.
+  /// Returns the time until the next clock pulse. The first clock pulse is more than a period after
+  /// the start.
   [[nodiscard]] microseconds untilPulse() const {
     return microseconds((host_.world.nextPulse() - time.now()).count());
   }

@@ -40,16 +40,16 @@ class ComparisonInside final : public Comparison {
   Runs rc_{false, 5, 12};
 };
 
-// Main Control with one control system that records its orders: wheels and steering have no
-// influence here.
+// Main Control with one control system that records its orders. Wheels and steering have no
+// influence in this test.
 class MainControlRobot final : public HostSteppedRobot {
  public:
   MainControlRobot() : HostSteppedRobot(host::HostEquipment::MainControl) {}
 };
 
-/// @brief In 10000 random sequences of orders from both sources the robot behaves in every cycle
-/// like a reference that was written from the requirements, and executes each transition of both
-/// machines often.
+/// @brief The test runs 10000 random sequences of orders from both sources. In every cycle, the
+/// robot behaves like a reference that was written from the requirements. It executes each
+/// transition of both state machines often.
 /// @verifies FR-10
 /// @verifies FR-11
 /// @verifies FR-12

@@ -8,7 +8,8 @@ namespace {
 
 class OperationStatesOfRobotOnHost : public testing::Test {
  protected:
-  // Connects the PC while the remote control commands, so that every later cycle reports.
+  // Connects the PC while the robot follows the remote control, so that every later cycle sends a
+  // report.
   void SetUp() override {
     robot.rcOrder(100, 0);
     robot.hello();
@@ -21,7 +22,8 @@ class OperationStatesOfRobotOnHost : public testing::Test {
   HostSteppedRobot robot;
 };
 
-/// @brief After start, with orders of the remote control, the robot is in Working and in the mode RC.
+/// @brief After the start, the robot is in Working and in the mode RC if the remote control sends
+/// orders.
 /// @verifies FR-10
 TEST_F(OperationStatesOfRobotOnHost, FR10_BeginsInWorkingAndModeRc) {
   EXPECT_EQ(robot.report().cycle, 2U);
@@ -29,7 +31,7 @@ TEST_F(OperationStatesOfRobotOnHost, FR10_BeginsInWorkingAndModeRc) {
   EXPECT_EQ(robot.report().mode, kRc);
 }
 
-/// @brief In the waiting states the control systems follow the set-points that were read last.
+/// @brief In the waiting states, the control systems follow the set-points that were read last.
 /// @verifies FR-14
 TEST_F(OperationStatesOfRobotOnHost, FR14_WaitingStatesFollowTheLastSetPoints) {
   for (int failed = 1; failed <= kWaitingCycles; ++failed) {
@@ -41,7 +43,7 @@ TEST_F(OperationStatesOfRobotOnHost, FR14_WaitingStatesFollowTheLastSetPoints) {
   }
 }
 
-/// @brief In Reconnecting the wheels are halted and the steering is held, until an order is read.
+/// @brief In Reconnecting, the wheels are halted and the steering is held until an order is read.
 /// @verifies FR-18
 TEST_F(OperationStatesOfRobotOnHost, FR18_ReconnectingHoldsTheRobot) {
   robot.silentCycles(kWaitingCycles + 1);

@@ -22,7 +22,7 @@ class OrdersOfRobotOnHost : public testing::Test {
   HostSteppedRobot robot;
 };
 
-/// @brief In the mode RC an order of the PC is not read.
+/// @brief In the mode RC, an order of the PC is not read.
 /// @verifies FR-11
 TEST_F(OrdersOfRobotOnHost, FR11_ModeRcReadsNoOrderOfThePc) {
   commandByRc();
@@ -38,7 +38,8 @@ TEST_F(OrdersOfRobotOnHost, FR11_ModeRcReadsNoOrderOfThePc) {
   EXPECT_EQ(robot.report().state, kWaiting);
 }
 
-/// @brief One signal of the remote control alone is not an order; the second signal completes it.
+/// @brief A single signal of the remote control is not an order. The second signal completes the
+/// order.
 /// @verifies FR-50
 TEST_F(OrdersOfRobotOnHost, FR50_OrderOfTheRemoteControlNeedsBothSignals) {
   robot.connect();
@@ -54,7 +55,7 @@ TEST_F(OrdersOfRobotOnHost, FR50_OrderOfTheRemoteControlNeedsBothSignals) {
   EXPECT_EQ(robot.report().steeringSetPoint, 50);
 }
 
-/// @brief In the mode PC an order of the remote control is not read.
+/// @brief In the mode PC, an order of the remote control is not read.
 /// @verifies FR-12
 TEST_F(OrdersOfRobotOnHost, FR12_ModePcReadsNoOrderOfTheRemoteControl) {
   robot.commandByPc();
@@ -70,7 +71,7 @@ TEST_F(OrdersOfRobotOnHost, FR12_ModePcReadsNoOrderOfTheRemoteControl) {
   EXPECT_EQ(robot.report().state, kWaiting);
 }
 
-/// @brief The source of the set-points stays the source of the last order, also while the mode
+/// @brief The source of the set-points remains the source of the last order, even while the mode
 /// alternates.
 /// @verifies FR-19
 TEST_F(OrdersOfRobotOnHost, FR19_SourceIsThatOfTheSetPointsInForce) {
@@ -88,8 +89,8 @@ TEST_F(OrdersOfRobotOnHost, FR19_SourceIsThatOfTheSetPointsInForce) {
   EXPECT_EQ(robot.report().orderId, 3);
 }
 
-/// @brief A stop of the PC holds the robot although the remote control commands, until the PC orders
-/// without stop. The orders of the remote control are still read.
+/// @brief A stop of the PC holds the robot even while it reads from the remote control. The hold
+/// lasts until the PC sends an order without stop. The orders of the remote control are still read.
 /// @verifies FR-21
 TEST_F(OrdersOfRobotOnHost, FR21_StopOfThePcActsInModeRc) {
   commandByRc();

@@ -13,8 +13,8 @@ class ReportsOfRobotOnHost : public testing::Test {
   HostSteppedRobot robot;
 };
 
-/// @brief The report shows the conditions of the steering and of the wheels from the control
-/// systems.
+/// @brief The report contains the conditions of the steering and of the wheels that the control
+/// systems return.
 /// @verifies FR-65
 /// @verifies FR-66
 /// @verifies FR-67
@@ -53,7 +53,8 @@ TEST_F(ReportsOfRobotOnHost, FR64_ReportWithoutRoomIsDroppedWholeAndCounted) {
     robot.cycleWithoutLine();
   }
   robot.keepAlive();
-  robot.cycle();  // the port is still full when this cycle writes; then the line accepts all bytes
+  robot.cycle();  // the port is still full when this cycle writes; afterwards the line accepts all
+                  // bytes
   robot.keepAlive();
   robot.cycle();
   EXPECT_EQ(robot.report().cycle, before + 10);
@@ -61,7 +62,7 @@ TEST_F(ReportsOfRobotOnHost, FR64_ReportWithoutRoomIsDroppedWholeAndCounted) {
   EXPECT_EQ(robot.system.cycle, before + 10);
 }
 
-/// @brief The host counts no cycles of its processor.
+/// @brief On the host, the firmware does not count processor cycles.
 /// @verifies FR-304
 TEST_F(ReportsOfRobotOnHost, FR304_TheHostTellsNoCosts) {
   robot.connect();

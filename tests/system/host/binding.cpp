@@ -1,4 +1,4 @@
-// The robot of the system tests is the firmware on the host.
+// In this target, the robot of the system tests is the firmware on the host.
 
 #include "sim/host_robot/HostSession.hpp"
 #include "system/SteppedRobot.hpp"

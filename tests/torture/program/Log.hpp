@@ -8,15 +8,15 @@
 
 namespace wr::torture {
 
-/// @brief The records of the program, which are passed to the machine that runs it.
+/// @brief The records of the program. They are passed to the machine that runs the program.
 class Log {
  public:
-  /// @brief Adds a record. Each exception can call it, because exceptions only come when the
-  /// program triggers them.
+  /// @brief Adds a record. Each exception can call this function, because exceptions occur only
+  /// when the program triggers them.
   void add(const Record& record);
 
-  /// @brief Passes the records to the machine when many have been collected. Only thread mode calls
-  /// it.
+  /// @brief Passes the records to the machine when many records have been collected. Only thread
+  /// mode calls this function.
   void hand();
 
   /// @brief Passes the last records to the machine and ends the run.

@@ -6,7 +6,7 @@
 
 namespace wr::torture {
 
-/// @brief Values of all registers before an action that may cause exceptions, and after it. The
+/// @brief The values of all registers before and after an action that may cause exceptions. The
 /// functions in probe.S use the offsets of the members.
 struct Probe {
   std::array<std::uint32_t, 13> core;

@@ -6,7 +6,7 @@
 // Members of Probe
   .equ core, 0          // R0 to R12
   .equ flags, 52
-  .equ pad, 56          // 0 or 4: bytes by which the stack pointer is off a multiple of 8
+  .equ pad, 56          // 0 or 4; remainder of the stack pointer modulo 8
   .equ usesFp, 60
   .equ stack, 64        // stack pointer that is restored
   .equ coreAfter, 68    // R0 to R12

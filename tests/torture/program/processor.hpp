@@ -39,7 +39,7 @@ inline void write(std::uint32_t address, std::uint32_t value) {
   return at<std::uint32_t>(address);
 }
 
-/// @brief The masks of exceptions: BASEPRI, PRIMASK, FAULTMASK.
+/// @brief The exception masks BASEPRI, PRIMASK and FAULTMASK.
 struct Masks {
   std::uint32_t basePriority;
   std::uint32_t interrupts;

@@ -16,8 +16,7 @@
   .text
   .global start
   .thumb_func
-// RAM is zero on both machines when they are switched on. With an odd seed thread mode has a
-// separate stack.
+// On both machines, RAM is zero after power-on. With an odd seed, thread mode has a separate stack.
 start:
   ldr r0, =0xE000ED88  // CPACR: floating point
   ldr r1, =0x00F00000

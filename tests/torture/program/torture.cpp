@@ -1,5 +1,5 @@
-// Triggers random exceptions. No timer runs, so that exceptions come from the program only, and
-// each machine must handle them in the same order.
+// Triggers random exceptions. No timer runs, so that only the program causes exceptions. Each
+// machine must handle them in the same order.
 #include "torture/program/Log.hpp"
 #include "torture/program/Probe.hpp"
 #include "torture/program/processor.hpp"
@@ -40,7 +40,7 @@ constexpr std::uint32_t bit(std::uint32_t number) {
   return std::uint32_t{1} << number;
 }
 
-/// @brief Returns one to three lines, often including the running line.
+/// @brief Returns one to three lines. They often include the line whose handler runs.
 std::uint32_t randomLines() {
   std::uint32_t lines = bit(random(32));
   if (random(3) == 0) {
@@ -54,8 +54,9 @@ std::uint32_t randomLines() {
 }
 
 void note(Kind kind, std::uint32_t detail) {
-  // ICSR without the bits that machines may compute in different ways: VECTPENDING with or without
-  // BASEPRI, ISRPENDING with or without the lines that are not enabled, RETTOBASE in thread mode.
+  // ICSR is compared without the bits that machines may compute in different ways. VECTPENDING may
+  // be computed with or without BASEPRI, and ISRPENDING with or without the lines that are not
+  // enabled. RETTOBASE may differ in thread mode.
   const std::uint32_t controlBits = depth == 0 ? 0x940001FF : 0x940009FF;
   const Masks now = masks();
   log.add({kind,
@@ -89,7 +90,7 @@ void check(Check what, std::uint32_t wanted, std::uint32_t found) {
   check(static_cast<std::uint32_t>(what), wanted, found);
 }
 
-/// @brief Returns random values for all registers but R0 and R1.
+/// @brief Returns random values for all registers except R0 and R1.
 Probe filled(std::uint32_t r0, std::uint32_t r1) {
   Probe probe;
   for (std::uint32_t& value : probe.core) {
@@ -171,8 +172,8 @@ void setPriorities() {
   write(kPriority + random(8) * 4, random() & 0xF0F0F0F0);
 }
 
-/// @brief Chooses whether the memory, bus and usage faults have separate handlers, or are hard
-/// faults.
+/// @brief Enables or disables the separate handlers of the memory, bus and usage faults. Without
+/// its handler, a fault is a hard fault.
 void enableFaults() {
   const std::uint32_t others = read(kSystemHandlers) & ~(bit(16) | bit(17) | bit(18));
   write(kSystemHandlers, others | random(8) << 16);
@@ -210,7 +211,7 @@ void maskInterrupts(std::uint32_t inner) {
   setInterruptMask(before);
 }
 
-/// @brief Sometimes an exception leaves the mask set, and the return of the exception clears the
+/// @brief Masks faults. Sometimes an exception returns with the mask set, and its return clears the
 /// mask.
 void maskFaults(std::uint32_t inner) {
   if (unmaskable > 0) {
@@ -224,8 +225,8 @@ void maskFaults(std::uint32_t inner) {
   }
 }
 
-/// @brief Lets thread mode sleep while an interrupt is pending, like an idle loop with masked
-/// interrupts.
+/// @brief Puts thread mode to sleep while an interrupt is pending, as an idle loop with masked
+/// interrupts does.
 void sleep() {
   const Masks now = masks();
   if (depth > 0 || now.basePriority + now.interrupts + now.faults > 0) {
@@ -240,7 +241,8 @@ void sleep() {
   setInterruptMask(0);
 }
 
-/// @brief Lets the next exception not preserve the floating-point registers.
+/// @brief Clears the flag that the floating-point registers are in use. The next exception does not
+/// preserve them.
 void forgetFloatingPoint() {
   if (depth == 0) {
     setControl(control() & ~bit(2));
@@ -326,7 +328,7 @@ Action randomAction(std::uint32_t inner) {
   if (choice < 26) {
     return Action::PendSystem;
   }
-  // Sections are nested at most two deep.
+  // The nesting of sections is at most two.
   const auto kinds = static_cast<std::uint32_t>(Action::End);
   const auto action = static_cast<Action>(choice - 26 < kinds ? choice - 26 : random(kinds));
   const bool section = action == Action::RaiseBasePriority || action == Action::MaskInterrupts ||
@@ -343,7 +345,8 @@ void act(std::uint32_t inner) {
   note(action);
 }
 
-/// @brief Records the state after a fault, clears it, and lets the program continue after it.
+/// @brief Records the state after a fault, and clears this state. The program then continues after
+/// the instruction that caused the fault.
 void settleFault(std::uint32_t* frame) {
   const std::uint32_t status = read(kFaultStatus);
   const std::uint32_t address = (status & bit(15)) != 0 ? read(kBusFaultAddress) : 0;

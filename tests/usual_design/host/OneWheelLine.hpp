@@ -20,8 +20,8 @@
 
 namespace wr::test {
 
-/// A design of Main Control and one wheel on the host, in the simulated robot, in stepped time. The
-/// other wheels have no firmware: they coast.
+/// A design of Main Control and one wheel on the host, in the simulated robot and in stepped time.
+/// The other wheels have no firmware, so they coast.
 /// @tparam Design the design
 template <class Design>
 class OneWheelLine final : public scenario::RobotSession {
@@ -111,7 +111,7 @@ class OneWheelLine final : public scenario::RobotSession {
 
   [[nodiscard]] Time nextPulse() const { return nextPulse_; }
 
-  // Runs 1 ms: the tick and the clock pulse at its beginning, then the edges in it.
+  // Runs 1 ms. The tick and the clock pulse are at its beginning. Then the edges of this ms follow.
   void step() {
     advanceTo(nextStep_);
     tickTimer_.periodPassed();

@@ -29,10 +29,11 @@ struct DesignName {
   }
 };
 
-/// The number of the first successive failed read that changes the mode; each later failed read
-/// also changes it. The baseline design changes it when its counter reaches N, as Figure 7 of the
-/// paper does. In the state machine the N-th failed read leads to the last waiting state. The next
-/// failed read leads to Reconnecting, and the failed read after it changes the mode.
+/// The mode changes for the first time at this number of successive failed reads. Each later failed
+/// read also changes the mode. As in Figure 7 of the paper, the baseline design changes the mode
+/// when its counter reaches N. In the state machine, the N-th failed read leads to the last waiting
+/// state. The next failed read leads to Reconnecting. The next failed read after that changes the
+/// mode.
 template <class Design>
 inline constexpr int kFirstAlternation = kN + 2;
 template <>
@@ -51,7 +52,7 @@ class OneWheelRobot : public SteppedRobot {
     return {.id = id, .wheels = {{{0, value}}}};
   }
 
-  /// Runs cycles in each of which the PC sends the same order.
+  /// Runs cycles. In each cycle, the PC sends the same order.
   void orderedCycles(const scenario::PcOrder& same, int count) {
     for (int i = 0; i < count; ++i) {
       order(same);

@@ -1,5 +1,5 @@
 // The composition of Main Control and one wheel for the K64. The build selects the design by the
-// folder in which it finds Design.hpp.
+// folder of Design.hpp.
 
 #include "Design.hpp"
 #include "k64/core.hpp"
@@ -32,7 +32,7 @@ Design design({.pwm = platform::wheels[0].pwm,
 
 }  // namespace wr
 
-// Each handler waits for its stores: see the handlers of the devices.
+// Each handler waits for its stores, as the handlers of the devices do.
 
 void cycleTimerInterrupt() {
   wr::design.cycleTimerExpired();

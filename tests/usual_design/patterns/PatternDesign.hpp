@@ -13,7 +13,7 @@
 
 namespace wr {
 
-/// Main Control and one wheel, composed of the modules of the robot like each product.
+/// Main Control and one wheel. They are composed of the modules of the robot, as in each product.
 class PatternDesign {
  public:
   explicit PatternDesign(const Devices& devices);
@@ -28,7 +28,8 @@ class PatternDesign {
   void hallEdge();
   void remoteControlEdge();
 
-  // The main loop calls this function after each interrupt. Here the threads do the work.
+  // The main loop calls this function after each interrupt. In this design, the threads do the
+  // work.
   void run() {}
 
  private:

@@ -15,7 +15,7 @@ namespace {
 constexpr const SystemConstants& kConstants = SystemConstants::instance();
 constexpr std::uint8_t kN = kConstants.waitingCycles();
 
-// Operation states, as reports number them.
+// Operation states, with their numbers in reports.
 constexpr std::uint8_t kWorking = 0;
 constexpr std::uint8_t kWaiting = 1;
 constexpr std::uint8_t kWaitingN = 2;
@@ -30,7 +30,7 @@ constexpr std::size_t kWelcomeLength = 29;
 constexpr std::size_t kMostBytes = 4096;
 constexpr std::uint32_t kMostAhead = 127;
 
-// Widths [us] and periods of the pulses of the remote control.
+// Widths and periods of the pulses of the remote control.
 constexpr Microseconds kShortestPeriod = milliseconds(15);
 constexpr Microseconds kLongestPeriod = milliseconds(30);
 constexpr std::int32_t kMiddle = 1500;
@@ -53,7 +53,7 @@ constexpr Velocity kMoving(300);
 constexpr std::uint32_t kMostImplausible = 3;
 constexpr Microseconds kStandstill = milliseconds(500);
 
-// Current sensor: 33000 mA over 4096 steps.
+// Current sensor. Its range is 33000 mA over 4096 steps.
 constexpr std::int32_t kZeroSamples = 64;
 constexpr std::int32_t kMilliamperes = 33000;
 constexpr std::int32_t kRange = 4096;
@@ -63,7 +63,7 @@ constexpr std::int32_t kGreatestCurrent = 16000;
 constexpr std::uint32_t kTooManyInARow = 5;
 constexpr std::uint32_t kGroup = 8;
 
-// Control of the wheel; docs/wheel_control.rst derives the gains.
+// Control of the wheel. docs/wheel_control.rst derives the gains.
 constexpr std::int64_t kThousand = 1000;
 constexpr std::int64_t kDecay = 637;
 constexpr std::int64_t kMean = 806;
@@ -721,8 +721,8 @@ void UsualDesign::measureVelocity(const HallRecord& record, Instant now) {
     const std::int32_t edges = record.count - seenCount_;
     const Instant from = standing_ ? measuredAt_ : *seenEdge_;
     if (standing_) {
-      // The wheel was at rest between two edges: on average the first edge comes after half of the
-      // distance.
+      // The wheel was at rest between two edges. On average, the first edge occurs after half of
+      // the distance.
       const std::int32_t direction = std::clamp<std::int32_t>(edges, -1, 1);
       measured = velocityOf(2 * edges - direction, (now - from) * 2);
     } else {
@@ -752,7 +752,8 @@ bool UsualDesign::plausible(const HallRecord& record) const {
   return record.unclear - seenHall_.unclear + reversals <= kMostImplausible;
 }
 
-// Limits a velocity: a faster wheel would have caused one more edge.
+// Limits a velocity to the greatest value that is possible, because a faster wheel would have
+// caused one more edge.
 Velocity UsualDesign::bounded(Velocity value, std::int32_t edges, Microseconds elapsed) const {
   const std::optional<Velocity> bound = velocityOf(std::abs(edges) + 1, elapsed);
   return bound ? std::clamp(value, -*bound, *bound) : value;
@@ -986,7 +987,8 @@ void UsualDesign::enableDriver(Trip permitted) {
   if (trip_.load() == permitted) {
     devices_.enable.set(true);
   }
-  if (trip_.load() != permitted) {  // the interrupt may have come before the driver was switched on
+  if (trip_.load() !=
+      permitted) {  // the interrupt may have occurred before the driver was switched on
     devices_.enable.set(false);
   }
 }

@@ -19,9 +19,9 @@
 
 namespace wr {
 
-/// Main Control and one wheel in the baseline design: one class, variables for the state, and
-/// conditions on them. Interrupts collect values; the main loop runs a control cycle at each clock
-/// pulse.
+/// Main Control and one wheel in the baseline design. The design is one class with variables for
+/// the state, and conditions on these variables. Interrupts collect values. The main loop runs a
+/// control cycle at each clock pulse.
 class UsualDesign {
  public:
   explicit UsualDesign(const Devices& devices);

@@ -23,15 +23,15 @@ TEST_F(CurrentAlgorithmTest, FR85_WindingAtRest) {
   EXPECT_EQ(calculate(-4000, 0, 0), Tension(-6000));
 }
 
-/// @brief The algorithm predicts the velocity from the last two velocities, and adds its induced
-/// voltage.
+/// @brief The algorithm predicts the velocity from the last two velocities. It adds the induced
+/// voltage of the predicted velocity.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_ForeseesTheVelocity) {
   EXPECT_EQ(calculate(0, 1000, 0), Tension(5236));
   EXPECT_EQ(calculate(0, 1200, 0), Tension(1400 * 5236 / 1000));
 }
 
-/// @brief Each cycle corrects half of the error of the cycle that ends.
+/// @brief Each calculation corrects half of the error of the cycle that ends.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_CorrectsTheError) {
   algorithm.applied(calculate(2000, 0, 0));

@@ -12,7 +12,7 @@ class PiRegulatorTest : public testing::Test {
   PiRegulator regulator{{.proportional = 3000, .integral = 500}};
 };
 
-/// @brief The voltage is a share of the error plus a share of each earlier error.
+/// @brief The voltage is a fraction of the error plus a fraction of each earlier error.
 /// @verifies FR-83
 TEST_F(PiRegulatorTest, FR83_AddsErrorAndSumOfErrors) {
   EXPECT_EQ(regulator.regulate(100), Tension(350));
@@ -21,7 +21,7 @@ TEST_F(PiRegulatorTest, FR83_AddsErrorAndSumOfErrors) {
   EXPECT_EQ(regulator.regulate(-200), Tension(-600));
 }
 
-/// @brief Fractions of a millivolt are kept: errors of half a millivolt are added up.
+/// @brief Fractions of a millivolt are not lost. Errors of half a millivolt are added.
 /// @verifies FR-83
 TEST_F(PiRegulatorTest, FR83_KeepsFractions) {
   PiRegulator integral({.proportional = 0, .integral = 500});
@@ -31,7 +31,7 @@ TEST_F(PiRegulatorTest, FR83_KeepsFractions) {
   EXPECT_EQ(integral.regulate(-1), Tension(0));
 }
 
-/// @brief The integral is limited to the supply, on either side.
+/// @brief The integral is limited to the supply voltage, in both directions.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_IntegralStaysWithinTheSupply) {
   for (int cycle = 0; cycle < 10; ++cycle) {
@@ -44,7 +44,7 @@ TEST_F(PiRegulatorTest, FR301_IntegralStaysWithinTheSupply) {
   EXPECT_EQ(regulator.regulate(0), Tension(-24000));
 }
 
-/// @brief An error that a missing voltage explains is not added to the integral; an error with the
+/// @brief An error that a missing voltage explains is not added to the integral. An error with the
 /// opposite sign is added.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
@@ -59,8 +59,8 @@ TEST_F(PiRegulatorTest, FR301_ExplainedErrorIsNotKept) {
   EXPECT_EQ(regulator.regulate(-100), Tension(-300 + 450));
 }
 
-/// @brief A missing voltage below 0.1 V does not explain an error: the integral can raise a demand
-/// that waits for a change of orientation.
+/// @brief A missing voltage of less than 0.1 V does not explain an error. The integral can
+/// therefore raise a demand that waits for a change of orientation.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
   regulator.missed(Tension(99));
@@ -73,7 +73,7 @@ TEST_F(PiRegulatorTest, FR301_SlightShortfallExplainsNothing) {
   EXPECT_EQ(regulator.regulate(-100), Tension(-300));
 }
 
-/// @brief A missing voltage also explains the least error.
+/// @brief A missing voltage also explains the smallest error.
 /// @verifies FR-301
 TEST_F(PiRegulatorTest, FR301_LeastErrorIsExplained) {
   for (const int sign : {1, -1}) {

@@ -28,8 +28,8 @@ TEST_F(VelocityAlgorithmTest, FR82_BeginsWithTheTensionOfTheSetPoint) {
   EXPECT_EQ(calculate(0, 700), Tension(0));
 }
 
-/// @brief A wheel that follows the model gets only this voltage. A rounded velocity may add one unit
-/// to the error: 7 mV.
+/// @brief A wheel that follows the model gets only the voltage of a motor without load. A rounded
+/// velocity may add one unit to the error, which is 7 mV.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_WheelOfTheModelNeedsNoCorrection) {
   double velocity = 0;
@@ -59,12 +59,13 @@ TEST_F(VelocityAlgorithmTest, FR83_LoadRaisesTheTension) {
   }
 }
 
-/// @brief After a voltage that could not be applied the model continues from the measured velocity.
+/// @brief After a voltage that could not be applied, the model continues from the measured
+/// velocity.
 /// @verifies FR-301
 TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
   calculate(3000, 0);
   algorithm.applied(Tension(12000));
-  // From rest the mean velocity of the model in this cycle is 58.2 rpm, stored as 582.0.
+  // From rest, the mean velocity of the model in this cycle is 58.2 rpm. It is stored as 582.0.
   const Tension explained = calculate(3000, 400, 6600);
   EXPECT_EQ(explained, Tension(15708 + 4650 * 182 / 1000));
   algorithm.applied(explained);
@@ -72,7 +73,7 @@ TEST_F(VelocityAlgorithmTest, FR301_ModelGoesOnFromTheMeasuredVelocity) {
 }
 
 /// @brief For a wheel at 100 rpm with 7 V and 1.1 A, a measured velocity of 10 rpm is impossible.
-/// For 5 cycles the voltage does not change; then the measured velocity is used.
+/// For 5 cycles, the voltage does not change. Then the measured velocity is used.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
   Tension steady;
@@ -89,7 +90,7 @@ TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
   EXPECT_GT(calculate(1000, 100, 1100), steady + Tension(4000));
 }
 
-/// @brief After a reset, or after one possible velocity, five doubtful cycles are permitted again.
+/// @brief After a reset or after one possible velocity, five doubtful cycles are permitted again.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_DoubtfulCyclesAreInARow) {
   const auto run = [this](int cycles) {
@@ -123,13 +124,13 @@ TEST_F(VelocityAlgorithmTest, FR224_NothingIsDoubtfulBeforeAVoltage) {
   EXPECT_EQ(calculate(1500, 1400), Tension(7854 + 465 + 209));
 }
 
-/// @brief The tolerance is 0.4 V and a third of the greater voltage. A motor that induces no voltage
-/// does not turn forwards.
+/// @brief The tolerance is the sum of 0.4 V and a third of the greater voltage. A motor that
+/// induces no voltage does not turn forwards.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_ToleranceOfTheModel) {
   struct Case {
     int applied;   // [mV]
-    int velocity;  // [0.1 rpm]; 305 induce 1596 mV
+    int velocity;  // [0.1 rpm]; a velocity of 305 induces 1596 mV
     bool doubtful;
   };
   for (const auto& [applied, velocity, doubtful] :
@@ -143,16 +144,17 @@ TEST_F(VelocityAlgorithmTest, FR224_ToleranceOfTheModel) {
   }
 }
 
-/// @brief A wheel that a load slows down draws more current, and its velocity is used at once.
+/// @brief A wheel that a load slows down draws more current. Its velocity is used immediately.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_LoadIsNoDoubt) {
   algorithm.applied(calculate(1000, 1000, 0));
-  const Tension loaded = calculate(1000, 500, 1700);  // 5.2 V less 1.7 A at 1.5 ohm
+  const Tension loaded =
+      calculate(1000, 500, 1700);  // the winding has 1.7 A at 1.5 ohm of the 5.2 V
   EXPECT_GT(loaded, Tension(5236 + 2000));
 }
 
-/// @brief The error of the cycle that ends is computed with the set-point of this cycle, not with
-/// the new set-point.
+/// @brief The error of the cycle that ends is computed with the set-point of this cycle. It is not
+/// computed with the new set-point.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_ErrorBelongsToTheCycleThatEnds) {
   algorithm.applied(calculate(1500, 1500));

@@ -33,8 +33,8 @@ TEST_F(ReverseTest, FR87_DemandInTheOrientationPasses) {
   EXPECT_EQ(log, (CommandLog{{"tension", 5000}, {"tension", 0}}));
 }
 
-/// @brief A small demand against the orientation, which noise can cause, counts as 0 and has no
-/// effect.
+/// @brief Noise can cause a small demand against the orientation. Such a demand counts as 0 and has
+/// no effect.
 /// @verifies FR-80
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
@@ -50,8 +50,8 @@ TEST_F(ReverseTest, FR87_SlightDemandTurnsNothing) {
   EXPECT_EQ(apply(100, 0), Tension(100));
 }
 
-/// @brief A demand against the orientation stops the wheel; after two slow cycles without voltage the
-/// orientation changes, and the demand is applied.
+/// @brief A demand against the orientation stops the wheel. After two slow cycles without voltage,
+/// the orientation changes, and the demand is applied.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_StopsThenTurns) {
   apply(4000, 900);
@@ -69,8 +69,7 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief A cycle in which the wheel is neither slow nor turns in the direction of the demand
-/// restarts the count.
+/// @brief If the wheel is not slow and turns against the demand in a cycle, the count restarts.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {
@@ -81,9 +80,8 @@ TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
 }
 
-/// @brief The orientation of a wheel that turns in the direction of the demand changes after two
-/// such cycles, at any speed. The orientation of a wheel that turns against the demand does not
-/// change.
+/// @brief If a wheel turns in the direction of the demand, its orientation changes after two such
+/// cycles, at any speed. If it turns against the demand, its orientation does not change.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(-5000, -2000), Tension(0));
@@ -121,7 +119,7 @@ TEST_F(ReverseTest, FR87_BackToForwards) {
   EXPECT_EQ(log.back(), (CommandLog::value_type{"tension", 3000}));
 }
 
-/// @brief A demand in the present orientation ends the stop; a later reversal counts its slow
+/// @brief A demand in the present orientation ends the stop. A later reversal counts its slow
 /// cycles from 0.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
@@ -132,8 +130,8 @@ TEST_F(ReverseTest, FR87_AgreementEndsTheStop) {
   EXPECT_EQ(apply(-5000, 0), Tension(-5000));
 }
 
-/// @brief After a change of orientation the next change needs two slow cycles again, also when a
-/// trip has removed the voltage at once.
+/// @brief After a change of orientation, the next change again needs two slow cycles. This is true
+/// even when a trip has removed the voltage immediately.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_NextTurnCountsFromZero) {
   apply(-5000, 0);
@@ -143,7 +141,7 @@ TEST_F(ReverseTest, FR87_NextTurnCountsFromZero) {
   EXPECT_EQ(apply(5000, 0), Tension(5000));
 }
 
-/// @brief The rise begins again after the change of orientation, and after an interrupted stop.
+/// @brief The rise restarts after the change of orientation and after an interrupted stop.
 /// @verifies FR-81
 TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   apply(12000, 0);
@@ -156,8 +154,8 @@ TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   EXPECT_EQ(apply(24000, 1000), Tension(16800));
 }
 
-/// @brief A wheel that a slope keeps turning may change its orientation below 80 rpm, after ten
-/// cycles without voltage; at 80 rpm it may not.
+/// @brief A slope keeps a wheel turning. Below 80 rpm, its orientation may change after ten cycles
+/// without voltage. At 80 rpm, its orientation does not change.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_ACreepingWheelIsTurned) {
   apply(1000, 790);
@@ -187,7 +185,7 @@ TEST_F(ReverseTest, FR87_AgreementEndsTheCreep) {
   EXPECT_EQ(apply(-5000, 790), Tension(-5000));
 }
 
-/// @brief A wheel that a slope keeps turning at 80 rpm never changes its orientation.
+/// @brief If a slope keeps a wheel turning at 80 rpm, its orientation never changes.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AFastWheelIsNotTurned) {
   apply(-5000, 0);
@@ -197,7 +195,7 @@ TEST_F(ReverseTest, FR87_AFastWheelIsNotTurned) {
   }
 }
 
-/// @brief For any demand and measurement the output follows three rules. The orientation changes
+/// @brief For any demand and measurement, the output follows three rules. The orientation changes
 /// only without voltage, and only when the wheel is slow or turns in the direction of the demand.
 /// The voltage rises by at most 12 V. It falls by at most 2.4 V while the demand is against the
 /// orientation.

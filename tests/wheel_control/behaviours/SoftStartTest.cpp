@@ -16,7 +16,7 @@ class SoftStartTest : public testing::Test, protected SpiedCommands {
   SoftStart softStart{advance};
 };
 
-/// @brief The voltage rises by at most 12 V per cycle, and reaches the demand.
+/// @brief The voltage rises by at most 12 V per cycle until it reaches the demand.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_RisesStepByStep) {
   EXPECT_EQ(apply(24000), Tension(12000));
@@ -25,14 +25,14 @@ TEST_F(SoftStartTest, FR81_RisesStepByStep) {
   EXPECT_EQ(log, (CommandLog{{"tension", 12000}, {"tension", 24000}, {"tension", 24000}}));
 }
 
-/// @brief Backwards the magnitude rises by at most 12 V per cycle.
+/// @brief Backwards, the magnitude of the voltage rises by at most 12 V per cycle.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_MagnitudeRisesStepByStep) {
   EXPECT_EQ(apply(-20000), Tension(-12000));
   EXPECT_EQ(apply(-20000), Tension(-20000));
 }
 
-/// @brief A lower voltage is applied at once, and the next rise begins at it.
+/// @brief A lower voltage is applied immediately. The next rise begins at this voltage.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_FallPassesAtOnce) {
   apply(12000);
@@ -41,7 +41,7 @@ TEST_F(SoftStartTest, FR81_FallPassesAtOnce) {
   EXPECT_EQ(apply(24000), Tension(13000));
 }
 
-/// @brief A demand of the other sign starts again from 0.
+/// @brief At a demand of the other sign, the voltage starts again from 0.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_FlipStartsAgain) {
   apply(12000);
@@ -50,7 +50,7 @@ TEST_F(SoftStartTest, FR81_FlipStartsAgain) {
   EXPECT_EQ(apply(24000), Tension(12000));
 }
 
-/// @brief After another behaviour the rise begins at its voltage.
+/// @brief After another behaviour, the rise begins at the voltage of this behaviour.
 /// @verifies FR-81
 TEST_F(SoftStartTest, FR81_RisesFromWhatAnotherBehaviourApplied) {
   softStart.resume(Tension(5000));
@@ -65,7 +65,7 @@ TEST_F(SoftStartTest, FR81_EachDecoratorBeginsAtTheVoltage) {
   EXPECT_EQ(outer.apply(Tension(24000), Velocity()), Tension(17000));
 }
 
-/// @brief Without decorators the behaviour Advance applies the demand at once.
+/// @brief Without decorators, the behaviour Advance applies the demand immediately.
 /// @verifies FR-80
 TEST_F(SoftStartTest, FR80_AdvanceAppliesAtOnce) {
   advance.resume(Tension(1000));

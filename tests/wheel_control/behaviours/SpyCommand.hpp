@@ -8,7 +8,7 @@
 
 namespace wr::test {
 
-/// Orders of several commands, in sequence: name of the command and voltage.
+/// Orders of several commands, in sequence. An entry has the name of the command and the voltage.
 using CommandLog = std::vector<std::pair<std::string, int>>;
 
 /// A command that records its orders.
@@ -23,7 +23,7 @@ class SpyCommand final : public WheelCommand {
   CommandLog& log_;
 };
 
-/// The behaviours of a wheel on commands that record their orders.
+/// The behaviours of a wheel, with commands that record their orders.
 class SpiedCommands {
  public:
   CommandLog log;

@@ -12,7 +12,7 @@ class StopTest : public testing::Test, protected SpiedCommands {
   Stop stop{setTension, stopWheel};
 };
 
-/// @brief The voltage falls by 2.4 V a cycle; at 0 the wheel is stopped.
+/// @brief The voltage falls by 2.4 V per cycle. At 0, the wheel is stopped.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_TensionFallsStepByStep) {
   Tension applied(6000);
@@ -22,7 +22,7 @@ TEST_F(StopTest, FR88_TensionFallsStepByStep) {
   EXPECT_EQ(log, (CommandLog{{"tension", 3600}, {"tension", 1200}, {"stop", 0}, {"stop", 0}}));
 }
 
-/// @brief Backwards the magnitude falls as well.
+/// @brief Backwards, the magnitude of the voltage falls in the same way.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_MagnitudeFallsBackwards) {
   EXPECT_EQ(stop.apply(Tension(-3000), Velocity(-1000)), Tension(-600));
@@ -30,8 +30,8 @@ TEST_F(StopTest, FR88_MagnitudeFallsBackwards) {
   EXPECT_EQ(log, (CommandLog{{"tension", -600}, {"stop", 0}}));
 }
 
-/// @brief The voltage that another behaviour applied earlier has no effect: each call gets the
-/// present voltage.
+/// @brief The voltage that another behaviour has applied earlier has no effect, because each call
+/// gets the present voltage.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_StartsFromWhatItIsTold) {
   stop.resume(Tension(20000));

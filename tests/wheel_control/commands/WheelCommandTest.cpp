@@ -7,7 +7,7 @@ namespace {
 
 class WheelCommandTest : public testing::Test, protected ControlledWheel {};
 
-/// @brief The voltage of a wheel has no sign: both signs give the same duty cycle.
+/// @brief The voltage at the output has no sign. Both signs of a voltage set the same duty cycle.
 /// @verifies FR-80
 TEST_F(WheelCommandTest, FR80_SetTensionTakesTheMagnitude) {
   for (const Tension tension : {Tension(6000), Tension(-6000)}) {
@@ -18,7 +18,7 @@ TEST_F(WheelCommandTest, FR80_SetTensionTakesTheMagnitude) {
   }
 }
 
-/// @brief The sign of a voltage is the orientation; its magnitude is ignored.
+/// @brief The sign of a voltage sets the orientation. Its magnitude is ignored.
 /// @verifies FR-87
 TEST_F(WheelCommandTest, FR87_SetOrientationTakesTheSign) {
   setOrientation.execute(Tension(-1));
@@ -28,7 +28,7 @@ TEST_F(WheelCommandTest, FR87_SetOrientationTakesTheSign) {
   EXPECT_EQ(pwm.dutyCycle(), DutyCycle(0));
 }
 
-/// @brief StopWheel sets the voltage to 0, and ignores its argument.
+/// @brief StopWheel sets the voltage to 0 and ignores its argument.
 /// @verifies FR-88
 TEST_F(WheelCommandTest, FR88_StopWheelTakesAllTension) {
   setTension.execute(Tension(6000));

@@ -16,7 +16,8 @@ class WheelOrderTest : public testing::Test, protected SensedWheel {
   WheelWork work;
 };
 
-/// @brief The position is the count of Hall edges; the edges that were rejected are reported with it.
+/// @brief The position is the count of Hall edges. The number of rejected edges is reported with
+/// the position.
 /// @verifies FR-93
 TEST_F(WheelOrderTest, FR93_RegistersThePosition) {
   pass(true, kMiddle);
@@ -27,7 +28,7 @@ TEST_F(WheelOrderTest, FR93_RegistersThePosition) {
   EXPECT_EQ(work.measured.rejectedEdges, 1);
 }
 
-/// @brief The velocity that was just measured is registered: 10 edges in 100 ms are 100 rpm.
+/// @brief The velocity of the present measurement is registered. 10 edges in 100 ms are 100 rpm.
 /// @verifies FR-93
 TEST_F(WheelOrderTest, FR93_ReadsTheVelocity) {
   for (int cycle = 0; cycle < 2; ++cycle) {
@@ -37,7 +38,7 @@ TEST_F(WheelOrderTest, FR93_ReadsTheVelocity) {
   EXPECT_EQ(work.measured.velocity, Velocity(1000));
 }
 
-/// @brief The current that was just measured is registered: the mean of the cycle.
+/// @brief The current of the present measurement is registered. It is the mean of the cycle.
 /// @verifies FR-93
 TEST_F(WheelOrderTest, FR93_ReadsTheCurrent) {
   pass(false, kTwoAmperes);
@@ -57,7 +58,7 @@ TEST_F(WheelOrderTest, FR93_OldCurrentIsMissing) {
   EXPECT_EQ(work.measured.current, std::nullopt);
 }
 
-/// @brief ApplyControl passes the set-point to the wheel, and reports the applied value.
+/// @brief ApplyControl passes the set-point to the wheel and reports the applied value.
 /// @verifies FR-80
 /// @verifies FR-94
 TEST_F(WheelOrderTest, FR80_FR94_AppliesAndTells) {
@@ -71,7 +72,7 @@ TEST_F(WheelOrderTest, FR80_FR94_AppliesAndTells) {
   EXPECT_FALSE(work.measured.blind);
 }
 
-/// @brief Without a position the wheel counts as a wheel that does not turn.
+/// @brief Without a position, the wheel counts as a wheel that does not turn.
 /// @verifies FR-91
 /// @verifies FR-94
 TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
@@ -85,8 +86,8 @@ TEST_F(WheelOrderTest, FR91_MissingPositionIsNoMotion) {
   EXPECT_TRUE(work.measured.blind);
 }
 
-/// @brief Too much current switches the driver off in the interrupt. The driver is on again,
-/// without voltage, from the second control cycle on: the wheel brakes.
+/// @brief A current that is too high switches the driver off in the interrupt. From the second
+/// control cycle on, the driver is on again without voltage, so the wheel brakes.
 /// @verifies FR-89
 /// @verifies FR-94
 /// @verifies FR-221
@@ -146,7 +147,8 @@ TEST_F(WheelOrderTest, FR221_ACycleThatControlsAndHaltsCountsOnce) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief A sensor at the end of its range trips again at once while the wheel brakes: the driver is off.
+/// @brief A sensor at the end of its range causes another trip immediately when the wheel brakes.
+/// The driver is then off.
 /// @verifies FR-221
 TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
   pass(true, kTooMuch);
@@ -161,8 +163,8 @@ TEST_F(WheelOrderTest, FR221_CurrentThatStaysTooHighKeepsTheDriverOff) {
   EXPECT_FALSE(enable.isOn());
 }
 
-/// @brief A halt does not release the trip, even when the wheel is at rest for a long time; the
-/// order to release does.
+/// @brief A halt does not release the trip, even when the wheel is at rest for a long time. The
+/// order to release ends the trip.
 /// @verifies FR-89
 TEST_F(WheelOrderTest, FR89_OnlyAnAcknowledgementReleases) {
   pass(true, kTooMuch);
@@ -182,8 +184,8 @@ TEST_F(WheelOrderTest, FR89_OnlyAnAcknowledgementReleases) {
   EXPECT_EQ(work.applied, Tension(3000));
 }
 
-/// @brief An acknowledgement does not release a trip while the velocity is missing, or is 40 rpm or
-/// more.
+/// @brief An acknowledgement does not release a trip while the velocity is missing or is at least
+/// 40 rpm.
 /// @verifies FR-89
 TEST_F(WheelOrderTest, FR89_AcknowledgementNeedsASlowWheel) {
   wheel.cutOff().execute();
@@ -200,8 +202,8 @@ TEST_F(WheelOrderTest, FR89_AcknowledgementNeedsASlowWheel) {
   EXPECT_FALSE(work.measured.cutOff);
 }
 
-/// @brief The faults of missing motion and of a late reversal last during a halt, and end with the
-/// order to release.
+/// @brief The faults of missing motion and of a late reversal continue during a halt. The order to
+/// release ends these faults.
 /// @verifies FR-91
 /// @verifies FR-222
 TEST_F(WheelOrderTest, FR91_FR222_OnlyAnAcknowledgementReleasesTheFaults) {
@@ -224,7 +226,7 @@ TEST_F(WheelOrderTest, FR91_FR222_OnlyAnAcknowledgementReleasesTheFaults) {
   EXPECT_FALSE(work.measured.reversalLate);
 }
 
-/// @brief Control and a halt both report a late reversal.
+/// @brief A late reversal is reported during control and during a halt.
 /// @verifies FR-222
 TEST_F(WheelOrderTest, FR222_LateReversalIsReported) {
   for (int cycle = 0; cycle < 25; ++cycle) {

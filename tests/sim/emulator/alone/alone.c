@@ -1,9 +1,9 @@
-/* A program for a K64 board that shares nothing with the firmware: neither sources nor headers,
- * neither pins nor layout of memory. It runs from the clock after reset, 20.97 MHz.
+/* A program for a K64 board. It shares neither sources, headers, pins nor memory layout with the
+ * firmware. Its clock is the clock after a reset, 20.97 MHz.
  *
- * It prints a banner at UART0 on PTA14 and PTA15, blinks an LED at PTE6 from the interrupt of PIT
- * channel 2 each 50 ms, and prints the voltage at ADC0_SE8, PTB0, ten times a second. A received
- * 'd' makes it use the DAC. */
+ * It prints a banner at UART0 on PTA14 and PTA15. It blinks an LED at PTE6 from the interrupt of
+ * PIT channel 2, which changes the pin each 50 ms. It prints the voltage at ADC0_SE8, PTB0, ten
+ * times a second. When it receives a 'd', it uses the DAC. */
 
 #include <stdint.h>
 
@@ -64,7 +64,7 @@ static void printNumber(uint32_t number) {
   send((char)('0' + number % 10));
 }
 
-/* A calibration first: the manual demands one before the first conversion. */
+/* The manual demands a calibration before the first conversion. */
 static void calibrate(void) {
   ADC0_CFG1 = 0x64; /* 12 bits, bus clock / 8 = 2.6 MHz */
   ADC0_SC3 = 0x87;

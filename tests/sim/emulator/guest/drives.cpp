@@ -184,7 +184,8 @@ PROGRAM notesEdge() {
   wordAt(0x4004C0A0) = wordAt(0x4004C0A0);
 }
 
-// PTD0 both edges, PTD1 rising, PTD2 falling; PTD3 both edges, but without digital function.
+// PTD0 interrupts at both edges, PTD1 at rising edges, and PTD2 at falling edges. PTD3 is set to
+// both edges, but has no digital function.
 PROGRAM watchesEdges() {
   stopWatchdog();
   openPorts();
@@ -206,8 +207,9 @@ PROGRAM watchesLevel() {
   sleepForever();
 }
 
-// A timer of 1 kHz starts five conversions. Each conversion interrupts and starts the next
-// conversion of its converter. In each millisecond two edges of each wheel interrupt.
+// A timer of 1 kHz starts five conversions. Each conversion causes an interrupt, which starts the
+// next conversion of the same converter. In each millisecond, two edges of each wheel cause
+// interrupts.
 static void workFor(std::uint32_t turns) {
   for (std::uint32_t i = 0; i < turns; ++i) {
     told(11) = i;

@@ -104,7 +104,7 @@ PROGRAM keepsFpuRegisters() {
 }
 
 PROGRAM tellsFrame() {
-  // The return address, the stack pointer and the state of exception.
+  // Stores the return address, the stack pointers and the state of an exception.
   std::uint32_t link = 0;
   std::uint32_t stack = 0;
   std::uint32_t process = 0;
@@ -176,15 +176,15 @@ PROGRAM countsTicks() {
   told(0) = told(0) + 1;
 }
 
-// The time until the interrupt varies, so that it comes at every instruction of a loop.
+// The time until the interrupt varies, so that the interrupt occurs at every instruction of a loop.
 PROGRAM countsTicksBetweenConditions() {
   told(2) = told(2) + 1;
   wordAt(0xE000E014) = 80 + told(2) % 29;
   asm volatile("cmp %0, %0" ::"r"(0) : "cc");
 }
 
-// An IT block across a border of 1 KB, at which the engine ends a block of code. The interrupts
-// come at different instructions of the block.
+// An IT block across a border of 1 KB, at which the emulator ends a block of code. The interrupts
+// occur at different instructions of the IT block.
 PROGRAM runsConditionalBlocks() {
   stopWatchdog();
   told(2) = 0;

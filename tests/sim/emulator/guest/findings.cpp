@@ -100,7 +100,7 @@ PROGRAM unlocksWithoutConfiguration() {
   sleepForever();
 }
 
-// Low-power oscillator, 300 ms, no update.
+// Configures the watchdog with the low-power oscillator, a time-out of 300 ms and no update.
 static void watchFor300Milliseconds(std::uint16_t control) {
   unlockWatchdog();
   halfAt(0x40052004) = 0;

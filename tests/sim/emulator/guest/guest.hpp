@@ -1,5 +1,5 @@
-// The common part of the programs. They name registers by their addresses, so that they share no
-// mistake with the drivers or with the models of the registers.
+// The common part of the programs. The programs use the addresses of registers. They therefore
+// share no mistake with the drivers or with the models of the registers.
 
 #pragma once
 
@@ -23,7 +23,7 @@ inline volatile std::uint32_t& told(std::uint32_t number) {
   return wordAt(0x20000000 + 4 * number);
 }
 
-/// Appends a number to the results; the first word is their count.
+/// Appends a number to the recorded numbers. The first word is their count.
 inline void note(std::uint32_t number) {
   const std::uint32_t count = wordAt(0x20000100);
   wordAt(0x20000104 + 4 * count) = number;
@@ -73,7 +73,7 @@ inline void openPorts() {
   wordAt(0x40048038) |= 0x3E00;
 }
 
-/// Opens the gate of the PIT and lets its timers run.
+/// Opens the clock gate of the PIT and starts its timers.
 inline void openPit() {
   wordAt(0x4004803C) |= 1U << 23;
   [[maybe_unused]] const std::uint32_t control = wordAt(0x40037000);
@@ -98,7 +98,8 @@ inline void openTimer() {
   wordAt(0x4004B004) = 0x400;
 }
 
-/// Lets channel 0 of FTM0 be high for a part of 1000 bus clocks.
+/// Starts pulses at channel 0 of FTM0. The channel is high for a part of each period of 1000 bus
+/// clocks.
 inline void startPulses(std::uint32_t width) {
   openTimer();
   wordAt(0x40038008) = 999;
@@ -115,7 +116,7 @@ inline void openConverter() {
 }
 
 /// Calibrates ADC0 and sets its gains from the results.
-/// @return whether it succeeded
+/// @return true if the calibration succeeded
 inline bool calibrateConverter() {
   wordAt(0x4003B024) = 0x87;
   while ((wordAt(0x4003B024) & 0x80) != 0) {

@@ -28,7 +28,7 @@ constexpr std::uint32_t kFpModes = 0x07C00000;
 constexpr std::uint32_t kQ = 0x08000000;
 constexpr std::uint32_t kRounding = 0x00C00000;
 
-/// @brief Random instructions with random operands.
+/// @brief A source of random instructions with random operands.
 class Source {
  public:
   explicit Source(std::uint32_t seed) : engine_(seed) {}
@@ -37,7 +37,7 @@ class Source {
     return static_cast<std::uint32_t>(engine_() % count);
   }
 
-  /// Returns a random number, often one of the limits.
+  /// Returns a random number. The number is often a limit of its range.
   [[nodiscard]] std::uint32_t word() {
     constexpr std::array<std::uint32_t, 10> kLimits{
         0, 1, 0xFFFFFFFF, 0x7FFFFFFF, 0x80000000, 0x8000, 0x7FFF, 0x80008000, 0x7FFF7FFF, 0x80};
@@ -61,7 +61,7 @@ class Source {
     switch (below(4)) {
       case 0:
         return kLimits.at(below(kLimits.size())) ^ (any & 0x80000000U);
-      case 1:  // near 1 in magnitude, so that sums cancel
+      case 1:  // near 1 in magnitude, so that sums become small
         return (any & 0x83FFFFFFU) + 0x3E000000U;
       case 2:
         return (any & 0x807FFFFFU) | (0x60U + below(0x40)) << 23;
@@ -214,7 +214,8 @@ std::string text(const State& state) {
 
 class DifferentialTest : public testing::TestWithParam<Encoding> {};
 
-/// @brief Each instruction changes registers, flags and memory in the same way as another emulator.
+/// @brief Each instruction changes registers, flags and memory in the same way as in another
+/// emulator.
 TEST_P(DifferentialTest, InstructionDoesTheSameAsInUnicorn) {
   const Encoding& encoding = GetParam();
   const bool wide =

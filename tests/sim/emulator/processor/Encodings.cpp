@@ -6,7 +6,7 @@ namespace wr::emulator::reference {
 
 namespace {
 
-// ARMv7-M ARM, A7.7. Blanks have no meaning.
+// The encodings of ARMv7-M ARM, A7.7. Blanks have no meaning.
 constexpr auto kEncodings = std::to_array<Encoding>({
     // A5.2.1 and A5.2.2
     {"LSL T1", "00000 xxxxx mmm ddd"},
@@ -222,7 +222,7 @@ constexpr auto kEncodings = std::to_array<Encoding>({
     {"VMSR", "111011101110 0001 dddd 1010 00010000"},
 });
 
-// Both halves of the instruction name the register m.
+// Both halves of the instruction contain the register m.
 
 }  // namespace
 

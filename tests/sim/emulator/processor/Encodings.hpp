@@ -5,21 +5,23 @@
 
 namespace wr::emulator::reference {
 
-/// @brief The encodings of an instruction, as the manual shows them.
+/// @brief An encoding of an instruction, in the notation of the manual.
 ///
-/// Each letter is a field with random bits: `d` `e` `n` `m` `a` core registers except the stack
-/// pointer and the program counter, `b` a register that points to memory, `i` a register with a
-/// small number; `x` any bits; `v` bits of a list of registers, two at least.
+/// Each letter is a field with random bits. `d`, `e`, `n`, `m` and `a` are core registers, except
+/// the stack pointer and the program counter. `b` is a register that points to memory. `i` is a
+/// register with a small number. `x` are any bits. `v` are the bits of a list of at least
+/// two registers.
 struct Encoding {
   std::string_view name;
   std::string_view bits;
   std::string_view differ = "";  ///< pairs of fields that must not be equal
-  bool toNearest = false;        ///< the engine rounds the result by FPSCR, which is wrong
+  bool toNearest = false;        ///< true: the Unicorn engine wrongly rounds the result by FPSCR
   bool qTooOften =
-      false;  ///< the engine sets Q when a part of the sum is too large, which is wrong
+      false;  ///< true: the Unicorn engine wrongly sets Q when only a part of the sum is too large
 };
 
-/// @brief Returns all instructions of ARMv7E-M with FPv4-SP that continue with the next instruction.
+/// @brief Returns all instructions of ARMv7E-M with FPv4-SP that continue with the next
+/// instruction.
 std::span<const Encoding> encodings();
 
 }  // namespace wr::emulator::reference

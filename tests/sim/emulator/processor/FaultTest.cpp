@@ -56,7 +56,7 @@ class FaultTest : public testing::TestWithParam<Case> {
   Core core_{Timing::NoWaitStates};
 };
 
-/// @brief An instruction that faults reports the reason, and leaves all registers as they were.
+/// @brief An instruction with a fault reports the reason. It changes no register.
 TEST_P(FaultTest, InstructionFaultsAndDoesNothing) {
   for (std::uint32_t i = 0; i < 13; ++i) {
     core_.registers.r.at(i) = i == 1 ? GetParam().base : 0;
@@ -67,7 +67,8 @@ TEST_P(FaultTest, InstructionFaultsAndDoesNothing) {
   EXPECT_EQ(core_.at(), kCode);
 }
 
-// A3.2.1: alignment; A5.1: undefined; A7.7.127: division; B3.1: memory map.
+// See A3.2.1 for alignment, A5.1 for undefined instructions, A7.7.127 for division, and B3.1 for
+// the memory map.
 const std::vector<Case> kCases{
     {"LDM_unaligned", {0xE8B1, 0x000C}, kUpper + 2, Trap::Unaligned},
     {"STM_unaligned", {0xC10C}, kUpper + 1, Trap::Unaligned},
@@ -96,7 +97,7 @@ const std::vector<Case> kCases{
 INSTANTIATE_TEST_SUITE_P(Cases, FaultTest, testing::ValuesIn(kCases),
                          [](const auto& each) { return each.param.name; });
 
-/// @brief A branch to an address without code is a fault at the target.
+/// @brief A branch to an address without code causes a fault at the target.
 TEST_F(FaultTest, CodeIsExecutedWhereItIsAllowedOnly) {
   core_.registers.r[1] = kUpper + 1;
   EXPECT_EQ(execute({0x4708}), Trap::None);  // bx r1
@@ -117,13 +118,14 @@ TEST_F(FaultTest, BranchToEvenAddressIsAnInvalidState) {
   EXPECT_EQ(core_.next, 0x200U);
 }
 
-/// @brief A floating-point instruction while the unit is off is a fault.
+/// @brief A floating-point instruction causes a fault while the floating-point unit is off.
 TEST_F(FaultTest, FloatingPointUnitMustBeOn) {
   core_.fpu.on = false;
   EXPECT_EQ(execute({0xEE30, 0x0A00}), Trap::FpuOff);
 }
 
-/// @brief The first use of the floating-point unit copies the modes of FPDSCR, and records its use.
+/// @brief The first use of the floating-point unit copies the modes of FPDSCR. The use is recorded
+/// in CONTROL.
 TEST_F(FaultTest, FirstUseOfTheFloatingPointUnitTakesItsDefaults) {
   core_.fpu = {.on = true, .activates = true, .defaults = 0x01000000};
   EXPECT_EQ(execute({0xEE30, 0x0A00}), Trap::None);
@@ -131,20 +133,20 @@ TEST_F(FaultTest, FirstUseOfTheFloatingPointUnitTakesItsDefaults) {
   EXPECT_EQ(core_.registers.control, Registers::kFpActive);
 }
 
-/// @brief A conversion from a fixed-point number rounds to the nearest number, independent of
-/// FPSCR: A7.7.230. Unicorn rounds it by FPSCR.
+/// @brief A conversion from a fixed-point number rounds to the nearest number, independent of FPSCR
+/// (A7.7.230). Unicorn wrongly rounds by FPSCR.
 TEST_F(FaultTest, ConversionFromFixedPointRoundsToNearest) {
   constexpr std::uint32_t kUp = 1U << 22;
   core_.registers.fpscr = kUp;
   core_.registers.s[0] = 0x01000001;                 // needs one bit more than the format has
   EXPECT_EQ(execute({0xEEBB, 0x0AC8}), Trap::None);  // vcvt.f32.u32 s0, s0, #16
-  EXPECT_EQ(core_.registers.s[0], 0x43800000U);      // 256, not the next number
+  EXPECT_EQ(core_.registers.s[0], 0x43800000U);      // the nearest number is 256
 }
 
-/// @brief SMLAD sets Q when the whole sum is too large, but not when only the sum of the products
-/// is too large: A7.7.144. Unicorn sets it in both cases.
+/// @brief SMLAD sets Q when the whole sum is too large. It does not set Q when only the sum of the
+/// products is too large (A7.7.144). Unicorn sets Q in both cases.
 TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
-  core_.registers.r[1] = 0x80008000;  // the products make 2^31
+  core_.registers.r[1] = 0x80008000;  // the sum of the products is 2^31
   core_.registers.r[2] = 0xFFFFFFFF;
   EXPECT_EQ(execute({0xFB21, 0x2001}), Trap::None);  // smlad r0, r1, r1, r2
   EXPECT_EQ(core_.registers.r[0], 0x7FFFFFFFU);
@@ -154,11 +156,12 @@ TEST_F(FaultTest, DualProductSetsQForTheWholeSum) {
   EXPECT_TRUE(core_.registers.q);
 }
 
-/// @brief When the condition of an IT block is false, its instructions have no effect. A fault
-/// saves the state of the block, so that the block continues after the return from the handler.
+/// @brief If the condition of an IT block is false, the instructions of the block have no effect.
+/// At a fault, the state of the block is saved. The block continues after the return from the
+/// handler.
 TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   core_.registers.r[1] = 0x30000000;
-  core_.registers.it = 0x08;  // EQ, the last of its block
+  core_.registers.it = 0x08;  // EQ, for the last instruction of the block
   core_.registers.z = 1;
   EXPECT_EQ(execute({0x6808}), Trap::None);
   EXPECT_EQ(core_.registers.it, 0);
@@ -168,7 +171,8 @@ TEST_F(FaultTest, FaultInBlockKeepsTheBlock) {
   EXPECT_EQ(core_.registers.it, 0x08);
 }
 
-/// @brief A store-exclusive stores only after a load-exclusive, and returns whether it stored.
+/// @brief A store-exclusive instruction stores only after a load-exclusive instruction. Its result
+/// shows whether it has stored.
 TEST_F(FaultTest, StoreExclusiveNeedsLoadExclusive) {
   core_.registers.r[1] = kUpper;
   core_.registers.r[2] = 7;

@@ -59,7 +59,7 @@ void interrupted(uc_engine* engine, std::uint32_t /*number*/, void* faulted) {
 }  // namespace
 
 UnicornCore::UnicornCore() {
-  // The mode for microcontrollers would select a Cortex-M33.
+  // The mode of the engine for microcontrollers would select a Cortex-M33.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &engine_));
   check(uc_ctl_set_cpu_model(engine_, UC_CPU_ARM_CORTEX_M4));
   check(uc_mem_map(engine_, kCode, kCodeSize, UC_PROT_ALL));
@@ -81,7 +81,7 @@ bool UnicornCore::execute(std::span<const std::uint8_t> code, State& state) {
   registers.write(engine_);
   std::uint32_t flags = state.flags | 1U << 24;
   check(uc_reg_write(engine_, UC_ARM_REG_XPSR_NZCVQG, &flags));
-  std::uint32_t control = 4;  // the floating-point unit is in use: FPSCR is kept
+  std::uint32_t control = 4;  // the floating-point unit is in use, so FPSCR keeps its value
   check(uc_reg_write(engine_, UC_ARM_REG_CONTROL, &control));
   faulted_ = false;
   const uc_err error = uc_emu_start(engine_, state.pc | 1U, state.pc + code.size(), 0,

@@ -25,8 +25,8 @@ inline constexpr std::uint32_t kCodeSize = 0x1000;
 inline constexpr std::uint32_t kRam = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x2000;
 
-/// @brief The Cortex-M4 of the Unicorn engine, an independent emulator with which instructions are
-/// compared. Its licence is the GPL, and it is linked only to these tests.
+/// @brief The Cortex-M4 of the Unicorn engine. The engine is an independent emulator, with which
+/// instructions are compared. Its licence is the GPL. It is linked only to these tests.
 class UnicornCore {
  public:
   UnicornCore();
@@ -36,7 +36,7 @@ class UnicornCore {
 
   /// @brief Executes the given code, from its start to its end.
   /// @param code one instruction, or IT and one instruction
-  /// @param state state before the instruction; receives the state after it
+  /// @param state state before the instruction; receives the state after the instruction
   /// @return false when the instruction is undefined or causes a fault
   bool execute(std::span<const std::uint8_t> code, State& state);
 

@@ -52,7 +52,7 @@ class Program {
   Core core_;
 };
 
-/// @brief A row of the tables of the manual.
+/// @brief A row of the manual's tables.
 struct Row {
   std::string name;
   std::vector<std::uint16_t> halves;
@@ -65,15 +65,15 @@ struct Row {
 
 class TimingTest : public testing::TestWithParam<Row> {};
 
-/// @brief An instruction takes the cycles that the manual of the processor states; of a range it
-/// takes the greatest number.
+/// @brief An instruction takes the number of cycles in the manual of the processor. If the manual
+/// has a range, the instruction takes the greatest number.
 TEST_P(TimingTest, InstructionTakesTheCyclesOfTheManual) {
   Program program(Timing::NoWaitStates, 0x100, GetParam().halves);
   EXPECT_EQ(program.cyclesOf(1), GetParam().cycles);
   EXPECT_EQ(program.core().instructions(), 1U);
 }
 
-// ARM DDI 0439, table 3-1: P is 3. Table 7-1 from VABS on.
+// From ARM DDI 0439, table 3-1, with P = 3. The rows from VABS on are from table 7-1.
 const Row kRows[] = {{"MOV", {0x4608}, 1},
                      {"MOVW", {0xF240, 0x0000}, 1},
                      {"MOV_to_PC", {0x46F7}, 4},
@@ -143,8 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, TimingTest, testing::ValuesIn(rows()),
 
 constexpr std::uint16_t kNop = 0xBF00;
 
-/// @brief Entering a phrase of 8 bytes of code costs 5 cycles; the next instructions in the phrase
-/// cost nothing more.
+/// @brief The first instruction in a phrase of 8 bytes of code costs 5 additional cycles. The next
+/// instructions in the phrase cost no additional cycles.
 TEST(SlowFlashTest, EachPhraseCostsOnce) {
   Program program(Timing::SlowFlash, 0x100, std::vector<std::uint16_t>(8, kNop));
   EXPECT_EQ(program.cyclesOf(1), 6U);
@@ -153,7 +153,7 @@ TEST(SlowFlashTest, EachPhraseCostsOnce) {
   EXPECT_EQ(program.cyclesOf(3), 3U);
 }
 
-/// @brief An instruction of 4 bytes whose halves are in two phrases waits for both.
+/// @brief An instruction of 4 bytes whose halves are in two phrases waits for both phrases.
 TEST(SlowFlashTest, InstructionAcrossTwoPhrasesWaitsForBoth) {
   Program program(Timing::SlowFlash, 0x106, {0xF240, 0x0000, kNop});
   EXPECT_EQ(program.cyclesOf(1), 1U + 5 + 5);
@@ -166,12 +166,13 @@ TEST(SlowFlashTest, OnlyTheLastPhraseIsKept) {
   Program same(Timing::SlowFlash, 0x100, {0xE7FE});
   EXPECT_EQ(same.cyclesOf(1), 4U + 5);
   EXPECT_EQ(same.cyclesOf(1), 4U);
-  // b to 0x108, and there b back to 0x100
+  // b to 0x108; from there, b back to 0x100
   Program other(Timing::SlowFlash, 0x100, {0xE002, kNop, kNop, kNop, 0xE7FA});
   EXPECT_EQ(other.cyclesOf(3), 3U * (4 + 5));
 }
 
-/// @brief Each word of data that is read from flash costs 5 cycles; data in memory costs none.
+/// @brief Each word of data that is read from flash costs 5 additional cycles. Data in RAM costs no
+/// additional cycles.
 TEST(SlowFlashTest, DataOfFlashCostsEachTime) {
   const std::vector<std::uint16_t> loads{0x6808, 0x6808, 0x6810, 0x6811};  // r0 = [r1], r0 = [r2]
   Program program(Timing::SlowFlash, 0x100, loads);
@@ -189,7 +190,7 @@ TEST(SlowFlashTest, EachWordOfDataCosts) {
   EXPECT_EQ(program.cyclesOf(1), 3U + 2 * 5);
 }
 
-/// @brief Without wait states the place of code and data makes no difference.
+/// @brief Without wait states, the number of cycles does not depend on the memory of code and data.
 TEST(SlowFlashTest, NoWaitStatesCostNothing) {
   Program program(Timing::NoWaitStates, 0x106, {0xF240, 0x0000, 0x6808});
   program.core().registers.r[1] = 0x200;

@@ -1,5 +1,5 @@
-// A third reading mode: a Bluetooth device sends orders over a second serial port, in the frames of
-// the PC protocol, without a handshake. The modes follow each other as RC, PC, Bluetooth.
+// A third reading mode. A Bluetooth device sends orders over a second serial port, in frames of the
+// PC protocol and without a handshake. The modes follow each other in the order RC, PC, Bluetooth.
 
 #include "sim/host/HostSerialPort.hpp"
 #include "usual_design/host/OneWheelRobot.hpp"
@@ -29,7 +29,7 @@ class BluetoothMode : public testing::Test {
 };
 TYPED_TEST_SUITE(BluetoothMode, Designs, DesignName);
 
-/// @brief Without orders the three modes follow each other.
+/// @brief Without orders, the three modes follow each other.
 TYPED_TEST(BluetoothMode, FollowsPcAndIsFollowedByRc) {
   this->robot.commandByPc();
   this->waitForMode(kBluetooth);
@@ -39,7 +39,8 @@ TYPED_TEST(BluetoothMode, FollowsPcAndIsFollowedByRc) {
   }
 }
 
-/// @brief In the mode of the device its orders are read, and the mode does not change.
+/// @brief In the mode of the device, the robot reads the orders of the device, and the mode does
+/// not change.
 TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
   this->robot.commandByPc();
   this->waitForMode(kBluetooth);
@@ -54,8 +55,8 @@ TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
   }
 }
 
-/// @brief While the PC orders, the device does not command, but its stop acts until the device
-/// releases it.
+/// @brief While the PC sends orders, the robot does not follow the device. A stop of the device
+/// still acts until the device releases the stop.
 TYPED_TEST(BluetoothMode, StopOfTheDeviceActsInEachMode) {
   this->robot.commandByPc();
   this->deviceOrders({.id = 900});

@@ -1,6 +1,6 @@
-// A state that warns: after K - 1 = N - 2 failed reads the next failed read sets WaitingK, which
-// switches a lamp on. The robot continues to drive in this state, and changes to Reconnecting after
-// N failed reads as before.
+// A state that warns. After K - 1 = N - 2 failed reads, the next failed read sets the state
+// WaitingK. This state switches a lamp on. The robot continues to drive in this state. As before,
+// it changes to Reconnecting after N failed reads.
 
 #include "sim/host/HostDigitalOutput.hpp"
 #include "usual_design/host/OneWheelRobot.hpp"
@@ -19,8 +19,8 @@ class WarningState : public testing::Test {
 };
 TYPED_TEST_SUITE(WarningState, Designs, DesignName);
 
-/// @brief The lamp is on only in the cycle before the last waiting state; the robot follows its
-/// set-points in this cycle.
+/// @brief The lamp is on only in the cycle before the last waiting state. In this cycle, the robot
+/// follows its set-points.
 TYPED_TEST(WarningState, WarnsBeforeTheLastWaitingState) {
   this->robot.commandByPc();
   EXPECT_FALSE(this->lamp.isOn());

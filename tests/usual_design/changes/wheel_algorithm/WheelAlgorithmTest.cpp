@@ -1,5 +1,5 @@
-// A new algorithm for the velocity of a wheel: the set-point is approached by at most 20 rpm in a
-// cycle, from the velocity at which control begins.
+// A new algorithm for the velocity of a wheel. In each cycle, the velocity approaches the set-point
+// by at most 20 rpm, from the velocity at which control begins.
 
 #include "usual_design/host/OneWheelRobot.hpp"
 
@@ -10,7 +10,7 @@ template <class Design>
 class RampedVelocity : public OfBothDesigns<Design> {};
 TYPED_TEST_SUITE(RampedVelocity, Designs, DesignName);
 
-// Voltage that turns an unloaded motor at a velocity: 5236 mV at 100 rpm.
+// Returns the voltage that turns an unloaded motor at a velocity. For 100 rpm, it is 5236 mV.
 constexpr int unloaded(int tenthRpm) {
   return 5236 * tenthRpm / 1000;
 }
@@ -36,7 +36,7 @@ TYPED_TEST(RampedVelocity, ReachesTheSetPoint) {
   EXPECT_NEAR(this->robot.meanVelocity(order, 20), 1000, 50);
 }
 
-/// @brief A set-point of another quantity is applied at once.
+/// @brief A set-point of another quantity is applied immediately.
 TYPED_TEST(RampedVelocity, LeavesOtherQuantitiesAsTheyAre) {
   const scenario::PcOrder order{.id = 3, .wheels = {{{1, 9000}}}};
   this->robot.commandByPc();
