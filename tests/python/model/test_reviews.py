@@ -276,7 +276,7 @@ def test_a_record_that_is_no_review_is_found(tree: Path) -> None:
     assert review(tree, options("FR-15", **OTHER)) == 0
     change(tree, str(REVIEWS), "Ada Reader", "Ida Author")
     change(tree, str(REVIEWS), 'tests = "yes"', 'tests = "later"')
-    found = sorted(text.split("is no review: ")[1] for _, text in findings(tree, "req-review"))
+    found = sorted(text.split("is not a valid review: ")[1] for _, text in findings(tree, "req-review"))
     assert len(found) == 2
     assert found[0].startswith("Ida Author wrote lines of")
     assert found[1].startswith("the question tests needs an answer")
