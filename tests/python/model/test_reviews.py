@@ -262,7 +262,7 @@ def test_no_question_can_be_skipped(
     [
         ({"name": "Ida Author", "email": "other@example.org"}, "Ida Author wrote lines of"),
         ({"name": "Someone Else", "email": "ida@example.org"}, "Someone Else wrote lines of"),
-        ({"name": "maintainers", "email": "ada@example.org"}, "first and the last name"),
+        ({"name": "maintainers", "email": "ada@example.org"}, "first and last name"),
     ],
 )
 def test_an_author_does_not_review(tree: Path, person: dict[str, str], says: str) -> None:
@@ -276,7 +276,9 @@ def test_a_record_that_is_no_review_is_found(tree: Path) -> None:
     assert review(tree, options("FR-15", **OTHER)) == 0
     change(tree, str(REVIEWS), "Ada Reader", "Ida Author")
     change(tree, str(REVIEWS), 'tests = "yes"', 'tests = "later"')
-    found = sorted(text.split("is not a valid review: ")[1] for _, text in findings(tree, "req-review"))
+    found = sorted(
+        text.split("is not a valid review: ")[1] for _, text in findings(tree, "req-review")
+    )
     assert len(found) == 2
     assert found[0].startswith("Ida Author wrote lines of")
     assert found[1].startswith("the question tests needs an answer")
