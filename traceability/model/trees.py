@@ -230,7 +230,7 @@ class Run:
     binding: str
     traces: Traces
     facts: Facts
-    shown: set[int]  # positions at which the methods of design modules begin
+    shown: set[int]  # addresses of the methods of design modules
     edges: Edges
     read: dict[str, list[Row]] = field(default_factory=dict)
 

@@ -48,7 +48,7 @@ def test_a_sound_file_has_no_problem(tmp_path: Path) -> None:
         ('pins = ["PTA2"]\n', "", 8, "the entry has no pins, which is a list"),
         ('pins = ["PTA2"]', 'pins = "PTA2"', 8, "the entry has no pins, which is a list"),
         ("why =", "because =", 11, "the entry has the key because, which no reader uses"),
-        ('"green"', '"red"', 8, "name red has an entry in line 4 already"),
+        ('"green"', '"red"', 8, "line 4 already has an entry with the name red"),
         ("total =", "sum =", 1, "no reader uses the values under sum"),
         ("[[lamp]]\nname = ", "[[lamps]]\nname = ", 4, "no reader uses the values under lamps"),
         ("[[lamp]]\n", "[[ lamp ]]  # first\n", 0, ""),
