@@ -60,7 +60,9 @@ class Entries:
         said = error[: match.start()] if match else error
         place = Place(str(path.relative_to(self.root)), line)
         self.unreadable.append(place.file)
-        self.problems.append(Problem(place, f"{place.file} is no TOML: {said}", "correct the line"))
+        self.problems.append(
+            Problem(place, f"{place.file} is not valid TOML: {said}", "correct the line")
+        )
 
     def value(self, path: Path, name: str, missing: Any) -> Any:
         """Returns the value that a name has in a file."""

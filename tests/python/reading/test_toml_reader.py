@@ -44,7 +44,7 @@ def test_a_sound_file_has_no_problem(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "line", "text"),
     [
-        ('"green"', '"green', 9, "lamps.toml is no TOML: "),
+        ('"green"', '"green', 9, "lamps.toml is not valid TOML: "),
         ('pins = ["PTA2"]\n', "", 8, "the entry has no pins, which is a list"),
         ('pins = ["PTA2"]', 'pins = "PTA2"', 8, "the entry has no pins, which is a list"),
         ("why =", "because =", 11, "the entry has the key because, which no reader uses"),

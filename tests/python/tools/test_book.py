@@ -63,7 +63,7 @@ def test_without_a_browser_the_message_names_the_package(
     project: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(book, "find_browser", lambda: None)
-    with pytest.raises(MissingError, match="package chromium"):
+    with pytest.raises(MissingError, match="package is chromium"):
         print_book(project, project / "book.pdf")
 
 

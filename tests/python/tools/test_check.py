@@ -94,7 +94,7 @@ def test_findings_of_earlier_documents_are_not_shown_when_the_process_ends_early
     monkeypatch.setattr(check, "pages_graph", lambda root: Graph(root, [made]))
     assert check.check(tmp_path) == 1
     printed = capsys.readouterr().out
-    assert "its process ended early" in printed
+    assert "the process of the documents ended early" in printed
     assert printed.splitlines()[-1] == "findings unknown"
 
 

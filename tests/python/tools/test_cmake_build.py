@@ -104,7 +104,7 @@ def test_failures_of_googletest_are_told_with_their_seed(tmp_path: Path) -> None
     results, log = tmp_path / "results.json", io.StringIO()
     results.write_text(gtest_json(PASSED, {**FAILED, "seed": "42"}))
     cmake_build.write_failures(results, log)
-    command = "to debug it: ./wr debug Wheel.Falls"
+    command = "to debug this test: ./wr debug Wheel.Falls"
     assert log.getvalue() == f"\nFAILED Wheel.Falls, WR_SEED=42\n{command}\nx\n"
 
 

@@ -235,7 +235,7 @@ def test_two_drives_need_a_choice(desk: Desk) -> None:
     first = desk.add_drive("DAPLINK")
     desk.add_drive("DAPLINK1")
     assert desk.run() == 3
-    assert "choose with --drive" in desk.said()
+    assert "choose one with --drive" in desk.said()
     with board(first):
         assert desk.run("--drive", str(first)) == 0
 
@@ -302,9 +302,9 @@ def test_a_dry_run_writes_nothing(desk: Desk) -> None:
 @pytest.mark.parametrize(
     ("address", "value", "why"),
     [
-        (0x40C, 0xFF, "only a mass erase opens it again"),
+        (0x40C, 0xFF, "only a mass erase could open it again"),
         (0x40C, 0xEF, "locked for ever"),
-        (0x40C, 0xEE, "mass erase would be off"),
+        (0x40C, 0xEE, "mass erase would be disabled"),
         (0x40C, 0x7E, "keys"),
         (0x408, 0xFE, "protected"),
         (0x40D, 0xFB, "other options"),

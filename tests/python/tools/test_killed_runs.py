@@ -160,7 +160,7 @@ def test_of_commands_that_start_at_once_one_runs_and_the_others_say_so(tmp_path:
     for program in programs:
         if program is not owner:
             assert program.wait() == BUSY
-            text = f"process {owner.pid}.* at work in this folder. Wait until that"
+            text = f"process {owner.pid}.* is running in this folder. Wait until that"
             assert program.stderr is not None
             assert re.search(text, program.stderr.read())
     owner.send_signal(signal.SIGINT)

@@ -117,7 +117,7 @@ def test_without_spin_nothing_is_recorded(design: Path, monkeypatch: pytest.Monk
     monkeypatch.setattr(proof_runs, "SPIN", "no-such-spin")
     with (design / "log").open("w") as log:
         outcome = prove_all(design, log)
-    assert outcome.note == "not run in this build: no-such-spin is not installed"
+    assert outcome.note == "not run in this build, because no-such-spin is not installed"
     assert not (design / PROOFS).exists()
 
 

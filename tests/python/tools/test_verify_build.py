@@ -69,7 +69,7 @@ def test_only_the_build_of_the_commit_is_repeated(built: Path) -> None:
         check_origin(built, images=False)
     git(built, "add", ".")
     git(built, "commit", "-qm", "y")
-    with pytest.raises(FailureError, match="of another commit"):
+    with pytest.raises(FailureError, match="belong to another commit"):
         check_origin(built, images=False)
     (built / image_of(next(iter(PRODUCTS)), ".bin")).unlink()
     with pytest.raises(FailureError, match=r"run \./wr portal first"):
