@@ -108,7 +108,7 @@ def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     assert done.returncode == MISSING
     assert done.stderr == (
         f"cannot write {tmp_path}/build: Read-only file system; "
-        "make it writable, or copy the project to a folder that is\n"
+        "make it writable, or copy the project to a folder that is writable\n"
     )
 
 

@@ -256,7 +256,7 @@ def test_a_probe_that_waits_for_its_own_software_gets_no_image(
 ) -> None:
     drive = desk.add_drive(name, mode)
     assert desk.run("--with", "drive") == 3
-    assert "without its reset button" in desk.said()
+    assert "without pressing its reset button" in desk.said()
     assert not (drive / "image.bin").exists()
 
 

@@ -146,7 +146,7 @@ def test_different_releases_are_found(tmp_path: Path) -> None:
     (second / "file").write_text("other")
     (second / "more").touch()
     assert release.differences(first, second) == [
-        "more: only in one of the two",
+        "more is only in one of the two releases",
         "file: the bytes differ",
     ]
 

@@ -57,7 +57,7 @@ def test_each_verdict_and_each_result_counts() -> None:
     other = {"id": "FR-1", "state": "failed", "tests": {"A.B": {"host": "failed"}}}
     found = list(compare_verdicts({"requirements": [ROW]}, {"requirements": [other]}))
     assert found == [
-        "FR-1: verified here, failed in the new folder",
+        "FR-1 is verified here, but failed in the new folder",
         "FR-1: A.B: {'host': 'passed'} here, {'host': 'failed'} there",
     ]
     assert list(compare_verdicts({"requirements": [ROW]}, {})) != []
