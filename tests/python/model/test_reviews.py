@@ -1,4 +1,5 @@
-"""The baseline of a requirement, the changes that make it suspect, and the review by a person."""
+"""The baseline of a requirement, the changes that make the requirement suspect, and the review by a
+person."""
 
 from __future__ import annotations
 
@@ -77,7 +78,7 @@ def tree(sound: Path, tmp_path: Path) -> Path:
 
 @pytest.fixture
 def answers(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Types the answers of the person: yes to each question, and a remark."""
+    """Types the answers of the person. They are yes to each question, and a remark."""
     typed = [*("yes" for _ in QUESTIONS), REMARK]
     rest: Iterator[str] = iter(typed)
 

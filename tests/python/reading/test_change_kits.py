@@ -1,4 +1,5 @@
-"""The kits of likely changes: lines, classes and tests, and the conditions of a proven change."""
+"""The folders of likely changes: their lines, classes and tests, and the conditions of a proven
+change."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The entries of the design. The reader reports the line of an unreadable entry."""
+"""The entries of the design. If an entry cannot be read, the reader reports its line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""The book: all pages in their order, with links that stay inside, and the same bytes each time."""
+"""The book. It contains all pages in their order, its links stay inside, and its bytes are the same
+each time."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ needs_browser = pytest.mark.skipif(not works(find_browser()), reason="there is n
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    """A project whose portal has all pages of the book, each with a title."""
+    """Returns a project whose portal has all pages of the book. Each page has a title."""
     site = tmp_path / "build/site"
     for page in [*PAGES, "index"]:
         path = site / f"{page}.html"

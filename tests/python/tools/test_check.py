@@ -28,7 +28,7 @@ FINDING = {
 
 @pytest.fixture
 def tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A project whose documents have one finding."""
+    """Returns a project whose documents have one finding."""
     for name in ("src/a.hpp", "src/b.hpp"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text("first")

@@ -1,4 +1,4 @@
-"""./wr flash: the ways to a board, and images that are not written."""
+"""./wr flash: the ways to write to a board, and images that are not written."""
 
 import contextlib
 import threading
@@ -19,12 +19,12 @@ CODE = bytes(0x400) + WANTED + bytes(100)
 
 
 class Desk:
-    """A machine without tools, probes or drives, until a test adds some."""
+    """A machine without tools, probes and drives. A test can add some of them."""
 
     def __init__(self, root: Path, capsys: pytest.CaptureFixture[str]) -> None:
         self.root = root
         self.capsys = capsys
-        self.tools = root / "tools"  # the whole PATH
+        self.tools = root / "tools"  # the whole PATH of the machine
         self.image = root / "image.bin"
         self.tools.mkdir()
         (root / "usb").mkdir()
@@ -36,11 +36,12 @@ class Desk:
         (self.tools / name).chmod(0o755)
 
     def add_tool(self, name: str, end: str = "exit 0") -> None:
-        """Adds a stub of a tool: it records its arguments, one per line."""
+        """Adds a stub of a tool. The stub records its arguments, one on each line."""
         self.add_program(name, f'printf "%s\\n" {name} "$@" >"{self.root}/called"\n{end}')
 
     def add_pyocd(self, read_back: str = "flashed") -> None:
-        """Adds a stub of pyOCD: it records the arguments of ``flash`` and reads back a file."""
+        """Adds a stub of pyOCD. The stub records the arguments of ``flash``, and reads back a
+        file."""
         self.add_program(
             "pyocd",
             'for word; do case "$word" in "savemem "*)'
@@ -94,7 +95,7 @@ def desk(
 
 @contextlib.contextmanager
 def board(drive: Path, failure: str = "", comes: bool = True) -> Iterator[None]:
-    """Acts as a debug probe: after a copy, its drive disappears, and returns with the outcome."""
+    """Acts as a debug probe. After a copy, its drive disappears, and returns with the outcome."""
     end = threading.Event()
 
     def take() -> None:

@@ -33,7 +33,7 @@ MUTANTS = [
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A project in which building and testing are replaced: the first mutant is found."""
+    """Returns a project in which building and testing are replaced. The first mutant is found."""
     (tmp_path / "build/results").mkdir(parents=True)
     replace_tests(monkeypatch, tmp_path, lambda _log: None)
     monkeypatch.setattr(traces, "read_traces", lambda _root, _cache: {HOST: None})

@@ -1,4 +1,4 @@
-"""The proofs: a defect in the design is found, and its counterexample can be read and played."""
+"""The proofs. A defect in the design is found, and its counterexample can be read and played."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_a_stop_that_one_state_loses_is_found(design: Path) -> None:
 
 @needs_spin
 def test_a_false_property_has_a_scenario_that_plays_its_counterexample(design: Path) -> None:
-    """The robot of the model can drive, so the property that it never drives is false."""
+    """The robot of the model can drive. The property that it never drives is therefore false."""
     declared = read_declared(design)
     (result,) = prove(design, declared, [TRIED], print).values()
     assert result.verdict == "false"
