@@ -90,5 +90,5 @@ def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
     names = list(failed)
     if names:
         print(f"failed: {', '.join(names)}")
-    print("findings unknown" if findings is None else counted(findings))
+    print("the findings are not known" if findings is None else counted(findings))
     return 0 if findings == [] and not names else 1

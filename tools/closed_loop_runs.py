@@ -73,5 +73,5 @@ def _outcome(runs: dict[str, dict[str, dict[str, object]]]) -> Outcome:
         if not run["passed"]
     ]
     if failed:
-        return Outcome(f"not as expected: {', '.join(failed)}", failed=True)
+        return Outcome(f"these scenarios failed: {', '.join(failed)}", failed=True)
     return Outcome(f"{len(runs)} scenarios")

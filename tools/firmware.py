@@ -90,4 +90,4 @@ def identity(elf: Path, image: Path) -> tuple[str, str]:
             start = place_in_binary(elf, int(address, 16))
             text = image.read_bytes()[start : start + 11]
             return ".".join(map(str, text[:3])), text[3:].decode("ascii", errors="replace")
-    raise FailureError(f"{elf.name} has no identity")
+    raise FailureError(f"{elf.name} contains no version and no build id")

@@ -27,7 +27,7 @@ def read_key(file: Path) -> bytes:
     except (OSError, UnicodeDecodeError) as error:
         raise KeyFileError(f"cannot read the key {file}: {error}. {ADVICE}") from error
     if not re.fullmatch(f"[0-9a-fA-F]{{{2 * KEY_BYTES}}}", text):
-        raise KeyFileError(f"{file} is no key. {ADVICE}")
+        raise KeyFileError(f"{file} is not a key file. {ADVICE}")
     key = bytes.fromhex(text)
     if key == ERASED:
         raise KeyFileError(f"{file}: a key of 16 bytes FF means that there is no key. {ADVICE}")

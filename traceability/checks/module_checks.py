@@ -323,12 +323,12 @@ def _folders(model: Model, facts: Facts) -> Iterator[Finding]:
             texts = {"@brief": logic.brief, "@function": logic.function, "@secret": logic.secret}
             missing = [name for name, text in texts.items() if not text]
             if not missing and not says(logic.secret):
-                missing = ["@secret with a separate text"]
+                missing = ["@secret with a text of its own"]
             secret = words_of(logic.secret)
             if not missing and secret in (words_of(logic.function), words_of(logic.brief)):
                 missing = ["@secret that differs from its public description"]
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
-                missing = [f"separate @secret: {secrets[secret]} has the same"]
+                missing = [f"@secret of its own, because {secrets[secret]} has the same"]
         for name in missing:
             yield Finding(
                 logic.place, "module-folder", f"the logic module {logic.id} has no {name}"

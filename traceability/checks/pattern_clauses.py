@@ -484,7 +484,7 @@ def command_client(shape: Shape) -> Broken:
     clients = shape.playing("Client")
     for command in shape.playing("Concrete Command"):
         if clients and not any(makes(shape, client, command) for client in clients):
-            yield shape.place(clients[0]), f"{' and '.join(clients)} make no {command}"
+            yield shape.place(clients[0]), f"{' and '.join(clients)} construct no {command}"
 
 
 def makers(shape: Shape, product: str) -> Iterator[tuple[Place, str]]:
@@ -598,7 +598,7 @@ def singleton_one(shape: Shape) -> Broken:
             made = [call.place for call in body.calls if call.target == f"{module}::{module}"]
             if body.id not in {method.id for method in gives[:1]}:
                 for place in made:
-                    yield place, f"{body.id} makes a second {module}"
+                    yield place, f"{body.id} constructs a second {module}"
 
 
 def singleton_constructor(shape: Shape) -> Broken:

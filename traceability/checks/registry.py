@@ -863,7 +863,7 @@ _FIXED = [
         "Every file of sim/scenario/safety names a safety goal that lists it. A test plays the "
         "scenario, and passed on each target for which the test is built. Every scenario that a "
         "goal lists exists. A result that is older than the sources is not counted as passed.",
-        "faults without a scenario.",
+        "The check does not find faults without a scenario.",
         "complete the links, play the scenario in a test, or correct the failure.",
     ),
     Check(
@@ -878,7 +878,7 @@ _FIXED = [
         "Safety has priority",
         "The priority of a requirement is at least the priority that design/safety_case.toml "
         "derives from the level of its safety goals.",
-        "requirements without a goal.",
+        "The check does not read requirements without a goal.",
         "raise the priority.",
     ),
     Check(

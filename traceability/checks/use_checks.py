@@ -146,7 +146,7 @@ def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
             members = {m for m in loop if use.source in _reached(graph, m)}
             if not any(members <= cycle for cycle in declared):
                 names = ", ".join(sorted(members))
-                yield _finding(use, f"undeclared cycle of {names}")
+                yield _finding(use, f"no entry declares the cycle of {names}")
 
 
 def _apart(facts: Facts) -> Iterator[Finding]:
