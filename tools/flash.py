@@ -190,7 +190,7 @@ def compared(image: Path, copy: Path) -> str:
         raise FailureError("the flash could not be read back; write the image again") from error
     for address, (byte, other) in enumerate(zip(expected, read_back, strict=False)):
         if byte != other:
-            differs = f"flash at 0x{address:X} contains 0x{other:02X}, but the image has 0x{byte:02X}"
+            differs = f"flash at 0x{address:X} is 0x{other:02X}, but the image has 0x{byte:02X}"
             raise FailureError(f"{differs}; write the image again")
     if len(read_back) < len(expected):
         raise FailureError(

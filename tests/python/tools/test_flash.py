@@ -160,7 +160,7 @@ def test_the_way_can_be_chosen(desk: Desk, way: str) -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (CODE[:0x420] + b"\1" + CODE[0x421:], "flash at 0x420 contains 0x01, but the image has 0x00"),
+        (CODE[:0x420] + b"\1" + CODE[0x421:], "flash at 0x420 is 0x01, but the image has 0x00"),
         (CODE[:-4], f"only {len(CODE) - 4} of {len(CODE)} bytes"),
         (None, "could not be read back"),
     ],
