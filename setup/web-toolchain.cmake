@@ -1,5 +1,5 @@
-# Toolchain of WebAssembly for the pages, without files, processes and exceptions. Debian has this toolchain as
-# packages; the version is fixed because libc++ before 16 lacks algorithms that the simulator uses.
+# Toolchain of WebAssembly for the pages. Programs have no files, processes or exceptions. Debian packages contain
+# this toolchain. Its version is fixed, because libc++ before 16 lacks algorithms that the simulator uses.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR wasm32)
 set(CMAKE_CXX_COMPILER clang++-19)

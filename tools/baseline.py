@@ -33,14 +33,14 @@ from traceability.sources import SRC, files_below
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
-MAIN = "main"  # name of the composition, whose objects belong to the design
+MAIN = "main"  # name of the composition; its objects belong to the design
 STACK = "stack"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 SYMBOL = re.compile(r"^([0-9a-f]+) [tTwW] (.+)$", re.MULTILINE)
 
 
 def compare(root: Path, log: TextIO) -> None:
-    """Writes build/results/usual_design.json."""
+    """Compares the two designs, and writes build/results/usual_design.json."""
     run(log, [root / "build/host/tests/usual_design" / TESTS])
     runs = {design: measure_run(root, log, design) for design in DESIGNS}
     sizes = {design: sizes_of(root, design) for design in DESIGNS}
@@ -110,8 +110,8 @@ def run_figures(measured: dict[str, Any]) -> dict[str, float]:
 
 
 def instructions_by_function(measured: dict[str, Any], symbols: str) -> dict[str, float]:
-    """Returns for each function its average number of instructions in a cycle, the largest
-    first.
+    """Returns for each function its average number of instructions in a cycle. The largest number
+    is first.
     """
     starts = sorted({int(at, 16) & ~1: name for at, name in SYMBOL.findall(symbols)}.items())
     addresses = [at for at, _ in starts]
@@ -131,7 +131,7 @@ def sizes_of(root: Path, design: str) -> dict[str, Size]:
 
 
 def own_parts(sizes: dict[str, dict[str, Size]], design: str) -> set[str]:
-    """Returns the parts that only this design has, and its composition."""
+    """Returns the parts that only this design has. Its composition is one of them."""
     others = set().union(*(sizes[other] for other in sizes if other != design))
     return {part for part in sizes[design] if part not in others or part == MAIN}
 
@@ -151,7 +151,7 @@ def size_figures(sizes: dict[str, Size], own: Iterable[str]) -> dict[str, int]:
 
 
 def own_sources(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> list[Path]:
-    """Returns the sources of a design, with the headers that the other design does not include."""
+    """Returns the sources of a design, and the headers that the other design does not include."""
     closures = {name: closure(root, sources_in(root, sizes, name)) for name in sizes}
     others = set().union(*(closures[name] for name in sizes if name != design))
     return sorted(closures[design] - others)
@@ -165,7 +165,7 @@ def sources_in(root: Path, sizes: dict[str, dict[str, Size]], design: str) -> li
 
 
 def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
-    """Returns sources, and all files of the project that they include."""
+    """Returns the sources and all files of the project that they include."""
     files: set[Path] = set()
     waiting = list(sources)
     while waiting:
@@ -181,7 +181,7 @@ def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
 
 
 def source_figures(paths: list[Path]) -> dict[str, float]:
-    """Returns the complexity and the number of lines, as lizard counts them."""
+    """Returns the complexity and the number of lines. lizard counts both."""
     files = [lizard.analyze_file(str(path)) for path in paths]
     complexity = [
         function.cyclomatic_complexity for file in files for function in file.function_list
@@ -200,7 +200,8 @@ def source_figures(paths: list[Path]) -> dict[str, float]:
 
 
 def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
-    """Applies the patches of a change to a copy, and runs its test there with both designs."""
+    """Applies the patches of a change to a copy. Runs the test of the change there with both
+    designs."""
     tree = root / WORK / "tree"
     copy_sources(root, tree)
     counts = {}
@@ -225,7 +226,7 @@ def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
 
 
 def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
-    """Returns the number of tests of each design. The suites are named Suite/Usual and
+    """Returns the number of tests of each design. The test suites are named Suite/Usual and
     Suite/Patterns.
     """
     counts: dict[str, int] = defaultdict(int)
@@ -235,8 +236,7 @@ def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
 
 
 def apply(log: TextIO, tree: Path, patch: Path) -> None:
-    # The copy is not a git repository, and must not be treated as part of the surrounding
-    # repository.
+    # The copy is not a git repository. Git must not treat it as a part of the repository around it.
     environment = {**os.environ, "GIT_CEILING_DIRECTORIES": str(tree.parent)}
     words = ["git", "-C", str(tree), "apply", "--whitespace=nowarn", str(patch)]
     log.write(f"$ {' '.join(words)}\n")

@@ -1,4 +1,4 @@
-"""./wr bench: the paper's four scenarios, measured on the image that is flashed."""
+"""./wr bench: measures the paper's four scenarios on the image that is flashed."""
 
 from __future__ import annotations
 
@@ -33,27 +33,28 @@ from weeding_robot_client.orders import Orders as Sender
 from weeding_robot_client.orders import arm, connect, not_connected
 from weeding_robot_client.script import Wish
 
-# ./wr bench also measures the baseline design and the cost of the records of the tests.
+# ./wr bench also measures the baseline design, and the time that the tests need for their records.
 BESIDES = (task_record.BASELINE, task_record.TESTS_TRACE, task_record.TESTS_PLAIN)
 CORE_PER_MS = 120_000
-BOARD = "board"  # record of the run of a connected board
+BOARD = "board"  # record of the run on a connected board
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "bench",
-        description="Builds the image for the K64. Plays the four scenarios of the paper with it "
-        "on the virtual K64 in the simulated robot, 1000 control cycles each. Measures "
-        "instructions, the time from the clock pulse to the report, load, latencies, and the "
-        "speed of the simulator. Compares the patterns with the baseline design, and measures "
-        "the cost of the records of the calls. With --port, sends the same orders to a connected "
-        "board and reads the cycle counts in its reports. Lift the robot: its wheels will turn "
-        "with up to 300 rpm. A PC sends the orders: the remote control is not needed and may be "
-        "off.",
+        description="Builds the image for the K64. Plays the four scenarios of the paper with this "
+        "image on the virtual K64 in the simulated robot. Each scenario has 1000 "
+        "control cycles. Measures instructions, the time from the clock pulse to the "
+        "report, load, latencies, and the speed of the simulator. Compares the "
+        "patterns with the baseline design, and measures the cost of the records of "
+        "the calls. With --port, sends the same orders to a connected board and reads "
+        "the cycle counts in its reports. Lift the robot first, because its wheels "
+        "will turn with up to 300 rpm. The PC sends all orders, so the remote control "
+        "may be off.",
     )
     parser.add_argument("--port", type=Path, help="serial port of a board that has the image")
     parser.add_argument(
-        "--seconds", type=positive, help="with --port: end each scenario after this time"
+        "--seconds", type=positive, help="with --port: end each scenario after this time [s]"
     )
     parser.set_defaults(run=lambda root, options: bench(root, options, parser))
 
@@ -75,7 +76,7 @@ def bench(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
 def print_bench(root: Path) -> None:
     """Prints a table with the times of each scenario."""
     record = read_record(root / BENCH, Record) or {}
-    print(f"\n{'from clock pulse to report [ms]':44} {'mean':>8} {'most':>8}  slow flash")
+    print(f"\n{'from clock pulse to report [ms]':44} {'mean':>8} {'max':>8}  slow flash")
     for paper in SCENARIOS:
         runs = record[paper.name].runs
         normal, slow = runs[MANUAL].report_ms, runs[SLOW].report_ms
@@ -110,7 +111,8 @@ def orders_of(text: str) -> list[Orders]:
 
 
 def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
-    """Yields an order for each cycle of 100 ms, until the end or for a number of seconds."""
+    """Yields an order for each cycle of 100 ms, until the end of the scenario or for a number of
+    seconds."""
     end = orders[-1].last if seconds is None else min(orders[-1].last, orders[0].first + seconds)
     for period in orders:
         cycles = round((min(period.last, end) - period.first) * 1000 / PERIOD_MS) + 1
@@ -166,15 +168,16 @@ def drive(port: Path, plan: Iterator[Wish]) -> list[Report]:
 
 
 def costs(reports: list[Report]) -> BenchRun:
-    """Returns the numbers that a board reports about itself. The first cycles are skipped: they
-    execute earlier orders.
+    """Returns the numbers that a board reports about itself. The first cycles are skipped, because
+    they execute earlier orders.
     """
     measured = [report for report in reports if report.order_read][2:]
     if not measured:
-        raise FailureError("no report of a cycle that read an order")
+        raise FailureError("the board sent no report of a cycle that read an order")
     if not any(report.awake_cycles for report in measured):
         raise FailureError(
-            "the firmware at this port counts no processor cycles: choose the port of the board"
+            "the firmware at this port does not count processor cycles; choose the port of the "
+            "board"
         )
     starts = [report.start_cycles for report in measured]
     return BenchRun(

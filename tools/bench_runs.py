@@ -30,7 +30,8 @@ SECONDS = 600  # time limit of a run
 
 
 def measure_all(root: Path, log: TextIO) -> str:
-    """Plays the scenarios of the paper with the image, and with the paper's design alone."""
+    """Plays the scenarios of the paper with the flashed image, and with an image that has only the
+    paper's design."""
     record: Record = {}
     notes = [f"{paper.title}: {measure(root, paper, record, log)}" for paper in SCENARIOS]
     keep(root, BENCH, record)
@@ -40,8 +41,8 @@ def measure_all(root: Path, log: TextIO) -> str:
 
 
 def measure_paper(root: Path, log: TextIO) -> str:
-    """Plays the scenarios with the product without safety functions, to measure the cost of these
-    functions.
+    """Plays the scenarios with the product without safety functions. Its times show the cost of
+    these functions.
     """
     record: Record = {}
     for paper in SCENARIOS:
@@ -59,7 +60,8 @@ def keep(root: Path, path: Path, record: Record) -> None:
 
 
 def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
-    """Plays a scenario with each model of time, and a further time to count each instruction."""
+    """Plays a scenario with each model of time. Then plays it once more to count each
+    instruction."""
     runs: dict[str, BenchRun] = {}
     for timing in TIMINGS:
         raw, user = play(root, log, paper.name, timing)
@@ -70,7 +72,10 @@ def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
     record[paper.name] = BenchScenario(runs, profile(counted, root))
     normal, slow, speed = runs[MANUAL].report_ms, runs[SLOW].report_ms, runs[MANUAL].speed
     if speed is None or speed < SPEED_LEAST:
-        raise FailureError(f"the simulator has {speed} times real time, not {SPEED_LEAST}")
+        raise FailureError(
+            f"the simulator runs at {speed} times real time; at least {SPEED_LEAST} "
+            "times is required"
+        )
     return (
         f"{normal.average:.3f} ms, at most {normal.maximum:.3f}; "
         f"slow flash {slow.average:.3f} and {slow.maximum:.3f}; "
@@ -81,7 +86,8 @@ def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
 def play(
     root: Path, log: TextIO, name: str, timing: str, *more: str, product: str = DEFAULT
 ) -> tuple[dict[str, Any], float]:
-    """Returns measurements of the board program, and the time that it needed on one core [s]."""
+    """Returns the measurements of the board program, and the time that the program needed on one
+    processor core [s]."""
     output = root / "build" / "bench" / f"{product}-{name}-{timing}.json"
     output.parent.mkdir(parents=True, exist_ok=True)
     output.unlink(missing_ok=True)

@@ -1,4 +1,4 @@
-"""./wr book: a PDF with the pages that explain the system, for reading without a screen."""
+"""./wr book: prints the pages that explain the system as one PDF, for reading without a screen."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ SCREEN_ONLY = re.compile(
     r"<script\b.*?</script>|<a class=\"headerlink\".*?</a>|<button\b.*?</button>", re.DOTALL
 )
 PLACE = re.compile(r'\b(id|href|src|aria-labelledby|aria-describedby)="([^"]*)"')
-DATE = re.compile(rb"\(D:\d{14}[^)]*\)")  # date of a PDF: YYYYMMDDhhmmss and the time zone
+DATE = re.compile(rb"\(D:\d{14}[^)]*\)")  # date in a PDF: YYYYMMDDhhmmss and the time zone
 NODE = re.compile(rb"\(node(\d{8})\)")
 STYLE = """
 @page {
@@ -74,9 +74,8 @@ svg, img { max-width: 100%; height: auto }
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "book",
-        description="Prints the pages that explain the system into one PDF: "
-        f"{PDF}. It uses the last pages of ./wr portal or ./wr test, and needs "
-        "Chromium.",
+        description=f"Prints the pages that explain the system into one PDF: {PDF}. The command "
+        "uses the last pages of ./wr portal or ./wr test, and needs Chromium.",
     )
     parser.set_defaults(run=lambda root, _options: book(root))
 
@@ -91,7 +90,9 @@ def print_book(root: Path, pdf: Path) -> Path:
     need_pages(root / SITE)
     browser = find_browser()
     if browser is None or not works(browser):
-        raise MissingError("the book needs Chromium: install it, on Debian the package chromium")
+        raise MissingError(
+            "the book needs Chromium; install it (on Debian, the package is chromium)"
+        )
     page = root / PAGE
     page.parent.mkdir(parents=True, exist_ok=True)
     commit, when = commit_of(root)
@@ -112,7 +113,8 @@ def print_book(root: Path, pdf: Path) -> Path:
 
 
 def commit_of(root: Path) -> tuple[str, int]:
-    """Returns the commit and its time [s since 1970]; without git, the time of the pages."""
+    """Returns the commit and its time [s since 1970]. Without git, returns the time of the
+    pages."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if commit:
         return commit, int(git(root, "log", "-1", "--format=%ct"))
@@ -126,7 +128,7 @@ def with_date(pdf: bytes, when: int) -> bytes:
 
 
 def with_own_numbers(pdf: bytes) -> bytes:
-    """Numbers the parts of the pages from 0, because the first number of the browser
+    """Numbers the parts of the pages from 0, because the first number that the browser gives
     varies.
     """
     number = {name: at for at, name in enumerate(sorted(set(NODE.findall(pdf))))}
@@ -136,7 +138,9 @@ def with_own_numbers(pdf: bytes) -> bytes:
 def need_pages(site: Path) -> None:
     missing = [page for page in PAGES if not (site / f"{page}.html").exists()]
     if missing:
-        raise MissingError(f"the page {missing[0]} is missing: make the portal first, ./wr portal")
+        raise MissingError(
+            f"the page {missing[0]} is missing; make the portal first with ./wr portal"
+        )
 
 
 def book_text(site: Path, commit: str, when: int) -> str:
@@ -193,8 +197,8 @@ def name_of(page: str) -> str:
 
 
 def chapter(page: str, text: str) -> str:
-    """Returns the content of a page for printing: all parts are open, and links lead to places in
-    the book.
+    """Returns the content of a page for printing. All its parts are open, and its links lead to
+    places in the book.
     """
     text = SCREEN_ONLY.sub("", text).replace("<details", "<details open")
 
@@ -214,13 +218,13 @@ def chapter(page: str, text: str) -> str:
 
 
 def beside(page: str, address: str) -> str:
-    """Returns an address in a page, relative to the folder of the book."""
+    """Returns an address in a page. The address is relative to the folder of the book."""
     return f"../site/{posixpath.normpath(posixpath.join(posixpath.dirname(page), address))}"
 
 
 def inside(page: str, address: str) -> str:
-    """Returns the target of a page's link in the book; empty when the book does not contain the
-    target.
+    """Returns the target of a page's link in the book. The target is empty if the book does not
+    contain it.
     """
     if address.startswith(("http:", "https:")):
         return address

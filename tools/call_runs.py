@@ -57,7 +57,7 @@ def record_all(root: Path, log: TextIO) -> str:
 
 
 def play(root: Path, window: Window, output: Path, log: TextIO) -> Path:
-    """Plays the scenario of a window. Returns the file with its lines."""
+    """Plays the scenario of a window, and returns the file with the lines that it prints."""
     output.unlink(missing_ok=True)
     words = [
         *(str(root / "build" / "host" / "sim" / BOARD_PROGRAM), "--image", str(root / IMAGE)),

@@ -1,4 +1,4 @@
-"""Tests the kits of the likely changes and the ports, and measures the images of the kits."""
+"""Tests the likely changes and the ports, and measures the images of the changes."""
 
 from __future__ import annotations
 
@@ -17,12 +17,13 @@ from traceability.reading.ports import read_ports
 from traceability.reading.products import PAPER, recorded_image_of
 from traceability.reading.toml_reader import Entries
 
-TESTS, IMAGES = "changes_tests", "change_images"  # targets of CMake
-COST = "instructions"  # property of a test: instructions of a cycle, on average
+TESTS, IMAGES = "changes_tests", "change_images"  # CMake targets
+COST = "instructions"  # property of a test: average number of instructions in a cycle
 
 
 def test_changes(root: Path, log: TextIO) -> Outcome:
-    """Writes build/results/changes.json: the results of the tests, and the costs of the images."""
+    """Writes build/results/changes.json with the results of the tests and the costs of the
+    images."""
     path = root / RESULT
     path.parent.mkdir(parents=True, exist_ok=True)
     program = root / "build" / BOARD_PRESET / "changes" / TESTS
@@ -34,14 +35,15 @@ def test_changes(root: Path, log: TextIO) -> Outcome:
 
 def test_ports(root: Path, log: TextIO) -> Outcome:
     """Writes build/results/ports.json. It contains the results of the tests of each port that can
-    run here, and the sizes of its image. It also contains the sizes of the same design on the K64.
+    run here, and the sizes of the port's image. It also contains the sizes of the same design on
+    the K64.
     """
     path = root / PORTS_RESULT
     path.parent.mkdir(parents=True, exist_ok=True)
     reports = {}
     for name, port in read_ports(root, Entries(root)).items():
         if port.needs and not shutil.which(port.needs):
-            log.write(f"{name} is not tested: {port.needs} is not installed\n")
+            log.write(f"{name} is not tested, because {port.needs} is not installed\n")
             continue
         program = root / "build" / BOARD_PRESET / PORTS / name / port.program
         suites, _, _ = run_shards(path.with_suffix(f".{name}.json"), program, log, {})
@@ -55,19 +57,20 @@ def test_ports(root: Path, log: TextIO) -> Outcome:
 
 
 def missing_emulators(root: Path) -> str:
-    """Returns the missing programs that tests of ports need."""
+    """Returns the programs that tests of ports need and that are missing."""
     ports = read_ports(root, Entries(root)).values()
     return ", ".join(port.needs for port in ports if port.needs and not shutil.which(port.needs))
 
 
 def size_of(elf: Path) -> dict[str, float]:
-    """Returns flash and RAM of an image [bytes]."""
+    """Returns the flash and RAM of an image [bytes]."""
     whole = whole_of(elf)
     return {"flash": whole.flash, "ram": whole.ram}
 
 
 def costs(root: Path, suites: list[dict[str, Any]]) -> dict[str, dict[str, float]]:
-    """Returns flash and RAM of each image [bytes], and the instructions of a cycle if counted."""
+    """Returns the flash and RAM of each image [bytes]. If the instructions of a cycle were counted,
+    returns them too."""
     tests = [test for suite in suites for test in suite["testsuite"]]
     counted = {test["image"]: float(test[COST]) for test in tests if COST in test}
     images: dict[str, dict[str, float]] = {}

@@ -1,4 +1,4 @@
-"""./wr check: the documents, checked against the code."""
+"""./wr check: checks the documents against the code."""
 
 from __future__ import annotations
 
@@ -26,13 +26,14 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--drift",
         nargs="*",
         metavar="CHECK",
-        help="first seed each fault of tests/drift in a copy, and test whether the checks find it; "
-        "with names of checks: seed only the faults of these checks, and do nothing else",
+        help="first insert each fault of tests/drift in a copy, and test whether the checks find "
+        "it; with names of checks: insert only the faults of these checks, and do nothing "
+        "else",
     )
     parser.add_argument(
         "--publish",
         action="store_true",
-        help="with --drift: write the result to tests/records, to be committed",
+        help="with --drift: write the result to tests/records; commit this file",
     )
     parser.set_defaults(run=run)
 
@@ -49,7 +50,7 @@ def run(root: Path, options: argparse.Namespace) -> int:
 
 
 def seed_some(root: Path, checks: list[str]) -> int:
-    """Seeds the faults of some checks, and prints the result of each."""
+    """Inserts the faults of some checks, and prints the result of each fault."""
     from tools.seed_faults import seed
 
     with only_one(root, "check"):
@@ -76,15 +77,18 @@ def check(root: Path, *, drift: bool = False) -> int:
 def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
     """Prints the findings and the failed tasks. Returns the exit code.
 
-    Without documents the findings are not known.
+    If the documents do not exist, the findings are not known.
     """
     from traceability.checks import message, sort
 
-    first = ("syntax-error", "design-entry")  # the causes of many other findings
+    first = (
+        "syntax-error",
+        "design-entry",
+    )  # These findings are the causes of many other findings.
     for finding in sorted(sort(findings or []), key=lambda finding: finding.check not in first):
         print(message(finding))
     names = list(failed)
     if names:
         print(f"failed: {', '.join(names)}")
-    print("findings unknown" if findings is None else counted(findings))
+    print("the findings are not known" if findings is None else counted(findings))
     return 0 if findings == [] and not names else 1

@@ -1,4 +1,4 @@
-"""Command line of ./wr."""
+"""The command line of ./wr."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ ROOT = Path(__file__).resolve().parents[1]
 
 def parser() -> argparse.ArgumentParser:
     """Returns the parser of the command line. The parsed options contain the parser of the command,
-    which reports errors.
+    because this parser reports errors.
     """
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
@@ -70,7 +70,8 @@ def parser() -> argparse.ArgumentParser:
     setup = commands.add_parser(
         "setup",
         description="Installs the packages of setup/debian.txt with apt-get and the packages of "
-        "setup/python.lock into .venv. If no package is missing, it does nothing.",
+        "setup/python.lock into .venv. If no package is missing, the command does "
+        "nothing.",
     )
     setup.set_defaults(run=lambda _root, _options: 0)
     for command in commands.choices.values():
@@ -107,5 +108,5 @@ def main(arguments: list[str]) -> int:
 
 
 def is_of_project(error: OSError) -> bool:
-    """Returns whether the error concerns a file of the project, or names no file."""
+    """Returns whether the error concerns a file of the project, or concerns no file."""
     return error.filename is None or ROOT in Path(str(error.filename)).absolute().parents

@@ -47,7 +47,11 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
     try:
         run = subprocess.run(words, capture_output=True, text=True, timeout=SECONDS, check=False)
     except subprocess.TimeoutExpired:
-        return {"passed": False, "said": f"it did not end within {SECONDS} s", "stack": None}
+        return {
+            "passed": False,
+            "said": f"the scenario did not end within {SECONDS} s",
+            "stack": None,
+        }
     output = run.stdout + run.stderr
     log.write(output)
     lines = [line for line in run.stderr.splitlines() or run.stdout.splitlines() if line.strip()]
@@ -61,7 +65,7 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
 
 
 def _outcome(runs: dict[str, dict[str, dict[str, object]]]) -> Outcome:
-    """Returns the outcome: bad when a scenario failed."""
+    """Returns the outcome. The outcome is bad if a scenario failed."""
     failed = [
         f"{name} ({binding})"
         for name, bindings in runs.items()
@@ -69,5 +73,5 @@ def _outcome(runs: dict[str, dict[str, dict[str, object]]]) -> Outcome:
         if not run["passed"]
     ]
     if failed:
-        return Outcome(f"not as expected: {', '.join(failed)}", failed=True)
+        return Outcome(f"these scenarios failed: {', '.join(failed)}", failed=True)
     return Outcome(f"{len(runs)} scenarios")

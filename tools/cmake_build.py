@@ -1,4 +1,5 @@
-"""Builds and runs the firmware and its tests with CMake. Each stage rebuilds only changed parts."""
+"""Builds and runs the firmware and its tests with CMake. Each stage rebuilds only the parts that
+changed."""
 
 from __future__ import annotations
 
@@ -24,20 +25,22 @@ from traceability.reading.results import cost_of
 from traceability.sources import FRAMES, TESTED, files_below, source_hash
 
 _building: dict[str, threading.Lock] = defaultdict(threading.Lock)
-# CMake caches the values of these files, so a change needs a fresh configuration.
+# CMake stores the values of these files in its cache. A change of these files needs a new
+# configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
-# The parts of a copy that is built and tested.
+# The parts of the project in a copy that is built and tested.
 COPIED = (*TESTED, "docs", "design", "setup", *FRAMES)
 IMAGE = str(image_of(PAPER, ".bin"))
 TESTS = "firmware_tests"
-# The tests on the virtual K64 are a separate run, built with the preset of this machine.
+# The tests on the virtual K64 are a separate run. Their program is built with the preset of this
+# machine.
 BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
 BOARD_PROGRAM = "weeding_robot_board"
 
 
 @dataclass(frozen=True)
 class Counts:
-    """Results of a run of tests."""
+    """The results of a run of tests, as counts."""
 
     passed: int = 0
     failed: int = 0
@@ -58,8 +61,8 @@ def jobs() -> str:
 
 
 def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
-    """Configures if necessary, then builds into build/<preset>. Only one build at a time runs in
-    each folder.
+    """Configures the build if necessary. Then builds into build/<preset>. Only one build at a time
+    runs in each folder.
     """
     directory = root / "build" / preset
     made = directory / "build.ninja"
@@ -67,7 +70,7 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     with _building[preset]:
         newest = max((root / name).stat().st_mtime for name in SETTINGS)
         if made.exists() and made.stat().st_mtime < newest:
-            shutil.rmtree(directory)  # coverage notes of objects that no longer exist
+            shutil.rmtree(directory)  # The object of these coverage notes no longer exists.
         if not made.exists():
             run(log, ["cmake", "--fresh", "-S", root, "--preset", preset])
         run(log, ["cmake", "--build", directory, "--parallel", jobs(), *arguments])
@@ -98,12 +101,12 @@ def write_failures(results: Path, log: TextIO) -> None:
             seed = f", WR_SEED={test['seed']}" if "seed" in test else ""
             image = f" with the image {test['image']}" if "image" in test else ""
             log.write(f"\nFAILED {suite['name']}.{test['name']}{image}{seed}\n")
-            log.write(f"to debug it: ./wr debug {suite['name']}.{test['name']}\n")
+            log.write(f"to debug this test: ./wr debug {suite['name']}.{test['name']}\n")
             log.writelines(f"{failure['failure']}\n" for failure in test["failures"])
 
 
 def junit_counts(results: Path) -> Counts:
-    """Counts of a result file of pytest."""
+    """Returns the counts in a result file of pytest."""
     passed = failed = skipped = 0
     for case in ET.parse(results).iter("testcase"):
         if case.find("failure") is not None or case.find("error") is not None:
@@ -121,7 +124,7 @@ def results_of(root: Path, run_name: str) -> Path:
 
 
 def program_of(root: Path, run_name: str) -> Path:
-    """Returns the program with the tests; their results are in its folder."""
+    """Returns the program with the tests. The results are in the folder of the program."""
     if run_name == BOARD:
         return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
     return root / "build" / run_name / "tests" / TESTS
@@ -136,7 +139,9 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     results.parent.mkdir(parents=True, exist_ok=True)
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
-    for counters in binaries.rglob("*.gcda"):  # gcc would add new counts to them
+    for counters in binaries.rglob(
+        "*.gcda"
+    ):  # Without this, gcc would add new counts to the old counts.
         counters.unlink()
     program = program_of(root, run_name)
     seed = {"WR_SEED": os.environ.get("WR_SEED") or str(secrets.randbits(31))}
@@ -160,8 +165,8 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
 def run_shards(
     results: Path, program: Path, log: TextIO, variables: Mapping[str, str]
 ) -> tuple[list[dict[str, Any]], float, str]:
-    """Returns the suites with their results, the processor time [s], and the failure of a process,
-    if any.
+    """Returns the suites with their results, the processor time [s], and the failure of a process
+    if there is one.
     """
     shards = [Shard(results, number, int(jobs()), variables) for number in range(int(jobs()))]
     with ThreadPoolExecutor(len(shards)) as pool:
@@ -177,8 +182,8 @@ def run_shards(
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
-    """Returns the tests of the image under test, except tests that need the design of the paper
-    alone.
+    """Returns the tests of the image under test. Tests that need only the design of the paper are
+    left out.
     """
     return [
         f"{suite['name']}.{test['name']}"
@@ -190,7 +195,7 @@ def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
 
 @dataclass(frozen=True)
 class Shard:
-    """A part of the tests of a program, in a separate process."""
+    """A part of the tests of a program. It runs in a separate process."""
 
     whole: Path
     number: int
@@ -206,7 +211,7 @@ class Shard:
         return self.whole.with_suffix(f".{self.number}.log")
 
     def run(self, program: Path) -> tuple[str, float]:
-        """Returns the failure of the process, if any, and the processor time [s]."""
+        """Returns the failure of the process, if there is one, and the processor time [s]."""
         self.results.unlink(missing_ok=True)
         numbers = {"GTEST_TOTAL_SHARDS": str(self.total), "GTEST_SHARD_INDEX": str(self.number)}
         with self.log.open("w") as log:
@@ -218,7 +223,7 @@ class Shard:
 
 
 def outcome_of(counts: Counts) -> Outcome:
-    """Returns the outcome of tests: bad when a test failed or no test ran."""
+    """Returns the outcome of tests. The outcome is bad if a test failed or no test ran."""
     values = {
         "passed": counts.passed,
         "failed_tests": counts.failed,
@@ -228,7 +233,7 @@ def outcome_of(counts: Counts) -> Outcome:
 
 
 def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
-    """Returns the inputs that Ninja lists, by their paths in the project."""
+    """Returns the inputs that Ninja lists. Their paths are relative to the project."""
     folder = root / "build" / preset
 
     def ask(*words: str) -> list[str]:
@@ -255,8 +260,8 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
 
 
 def copy_sources(root: Path, target: Path, texts: Mapping[str, str] | None = None) -> None:
-    """Makes the target equal to the sources, except for the given texts. Equal files keep their
-    times."""
+    """Makes the target equal to the sources, except for the given texts. A file that is already
+    equal keeps its time."""
     python = root / "tests/python"
     paths = [path for path in files_below(root, COPIED) if python not in path.parents]
     contents = {str(path.relative_to(root)): path.read_bytes() for path in paths}

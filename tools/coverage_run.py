@@ -1,6 +1,6 @@
-"""Coverage of all tests together, counted by gcovr from the counters of gcc.
+"""The coverage of all tests together. gcovr computes it from the counters of gcc.
 
-A line in several functions, such as a line of a template, counts once.
+A line that is in several functions, such as a line of a template, counts once.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ GCOVR = Path(sys.executable).with_name("gcovr")
 
 
 def count_coverage(root: Path, log: TextIO) -> str:
-    """Writes the totals, and the lines of each file."""
+    """Writes the totals and the lines of each file."""
     words: list[str | Path] = [GCOVR, "--root", root, "-j", jobs(), "--merge-lines"]
     words += ["--exclude-directory", OTHER_PROGRAMS]
     for name in DESIGN:
@@ -42,11 +42,13 @@ def count_coverage(root: Path, log: TextIO) -> str:
 
 
 def remove_stale_notes(root: Path, build: Path, log: TextIO) -> None:
-    """Removes the notes and counters of objects that the build no longer makes."""
+    """Removes the coverage notes and counters of objects that the build no longer makes."""
     if (build / "build.ninja").exists():
         run(log, ["ninja", "-C", build, "-t", "cleandead"])
     for kind in ("gcno", "gcda"):
         for file in sorted(build.rglob(f"CMakeFiles/**/*.{kind}")):
             if not file.with_suffix(".o").exists():
-                log.write(f"{file.relative_to(root)} has no object any more: removed\n")
+                log.write(
+                    f"{file.relative_to(root)} is removed, because its object no longer exists\n"
+                )
                 file.unlink()

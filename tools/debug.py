@@ -1,4 +1,4 @@
-"""./wr debug: GDB at a test, at a scenario, or at the firmware on the virtual board."""
+"""./wr debug: opens GDB at a test, at a scenario, or at the firmware on the virtual board."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ from traceability.reading.results import BOARD_ONLY, HOST_ONLY
 from traceability.sources import files_below
 
 GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
-ON_HOST = "debug"  # the preset of programs that are debugged on this machine
-# Folders of tests whose tested program runs on this machine.
+ON_HOST = "debug"  # preset with which programs for debugging on this machine are built
+# Folders of tests that test a program of this machine.
 OF_EMULATOR = ("tests/sim/", "tests/torture/")
 SCENARIO = ".scenario"
 SCENARIO_ADVICE = "name the file of a scenario, such as a file of sim/scenario/examples"
-TEST_ADVICE = "the page Tests has the names of the tests"
-WAIT = 20  # s, until a board waits at its port
+TEST_ADVICE = "the page Tests of the portal lists the names of the tests"
+WAIT = 20  # longest time until a board waits at its port [s]
 
 
 @dataclass(frozen=True)
@@ -47,22 +47,23 @@ class Target:
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "debug",
-        description="Builds a test with full debug information, and opens it in GDB. A test that "
-        "runs only on the virtual board is debugged there. With a scenario, or without a name, "
-        "GDB debugs the image on the virtual board, forwards and backwards.",
+        description="Builds a test with full debug information, and opens it in GDB. If the test "
+        "runs only on the virtual board, it is debugged there. With a scenario, or "
+        "without a name, GDB debugs the image on the virtual board, forwards and "
+        "backwards.",
     )
     parser.add_argument(
         "name",
         nargs="?",
         metavar="TEST",
         help="a test, e.g. RcBufferTest.FR53_MiddleSetsZero, a test of the tools, e.g. "
-        "tests/python/x.py::test_y, or the file of a scenario (default: the robot in real time, "
-        "with its PC link)",
+        "tests/python/x.py::test_y, or the file of a scenario (default: the robot in real "
+        "time, with its PC link)",
     )
     parser.add_argument(
         "--board",
         action="store_true",
-        help="debug a test that runs on both targets on the virtual board",
+        help="if a test runs on both targets, debug it on the virtual board",
     )
     add_product(parser, "the product whose image runs on the virtual board")
     parser.add_argument(
@@ -87,15 +88,16 @@ def debug(root: Path, options: argparse.Namespace) -> int:
 
 
 def file_of(root: Path, name: str) -> str:
-    """Returns the file of a test: Suite.Name, as on the page Tests."""
+    """Returns the file of a test. The name has the form Suite.Name, as on the page Tests."""
     for file, found in tests_below(root):
         if found == name:
             return file
-    raise UsageError(f"there is no test {name}: the page Tests has the names")
+    raise UsageError(f"there is no test {name}; the page Tests of the portal lists the names")
 
 
 def filter_of(name: str) -> str:
-    """Returns the filter for a test, and for its instances if it has parameters or types."""
+    """Returns the filter for a test. The filter includes its instances if the test has parameters
+    or types."""
     suite, _, case = name.partition(".")
     return f"--gtest_filter={name}:*/{suite}.{case}/*:{suite}/*.{case}"
 
@@ -123,11 +125,11 @@ def gdb_for_arm() -> str:
     for name in GDB_FOR_ARM:
         if shutil.which(name):
             return name
-    raise MissingError("there is no GDB for Arm: install the package gdb-multiarch")
+    raise MissingError("GDB for Arm is missing; install the package gdb-multiarch")
 
 
 def gdb_of_board(elf: Path, port: int) -> list[str]:
-    """Returns GDB with the symbols of an image, at a board that waits."""
+    """Returns the command of GDB with the symbols of an image, for a board that waits."""
     commands = (f"directory {elf.parent}", f"target remote :{port}")
     words = [gdb_for_arm(), "-q", str(elf)]
     return [*words, *(word for command in commands for word in ("-ex", command))]
@@ -189,7 +191,8 @@ def python_target(root: Path, name: str) -> Target:
 
 
 def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:
-    """Reads the list of listening ports, because the board would treat a connection as GDB."""
+    """Waits until the system lists the port as open. A connection would be a test of the port, but
+    the board would treat it as GDB."""
     wanted = f":{port:04X} 00000000:0000 0A"
     end = time.monotonic() + WAIT
     while time.monotonic() < end and server.poll() is None:
@@ -203,7 +206,7 @@ def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:
 
 
 def start(root: Path, target: Target, shows: bool) -> int:
-    """Starts the server, then GDB in this terminal."""
+    """Starts the server, and then starts GDB in this terminal."""
     for words in (target.server, target.gdb):
         if words:
             variables = [f"{key}={value}" for key, value in target.variables.items()]
@@ -216,7 +219,7 @@ def start(root: Path, target: Target, shows: bool) -> int:
     if not target.server:
         return subprocess.run(target.gdb, check=False, cwd=root).returncode
     environment = {**os.environ, **target.variables}
-    # Ctrl-C is for GDB: the server is in a separate session.
+    # GDB must get Ctrl-C. The server is therefore in a separate session.
     with subprocess.Popen(
         target.server, env=environment, cwd=root, start_new_session=True
     ) as server:

@@ -1,4 +1,4 @@
-"""./wr diff: two revisions by their requirements, trees, verdicts, sizes and reviews."""
+"""./wr diff: compares two revisions by their requirements, trees, verdicts, sizes and reviews."""
 
 from __future__ import annotations
 
@@ -34,14 +34,13 @@ UNFOLLOWED = (".py", ".scenario", ".json")
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "diff",
-        description="Compares two commits: requirements, trees, tests, methods, reviews and "
-        "modules, from the sources of both commits. Verdicts, sizes, findings and metrics are "
-        "compared "
-        "where ./wr portal or ./wr check recorded both commits in build/revisions. Lists all files "
-        "that differ. The content of files with 'not followed', such as Python sources and pages, "
-        "is not compared. The next portal shows the differences on a page. Reading a "
-        "commit for the first time takes up to half a minute. Exit code 0, with and without "
-        "differences.",
+        description="Compares two commits. Requirements, trees, tests, methods, reviews and "
+        "modules are read from the sources of both commits. Verdicts, sizes, findings "
+        "and metrics are compared if ./wr portal or ./wr check recorded both commits "
+        "in build/revisions. Lists all files that differ. The content of files marked "
+        "'not followed', such as Python sources and pages, is not compared. The next "
+        "portal shows the differences on a page. Reading a commit for the first time "
+        "takes up to half a minute. The exit code is 0 with and without differences.",
     )
     parser.add_argument("first", metavar="REV1", help="a commit, a branch or a tag")
     parser.add_argument(
@@ -66,10 +65,10 @@ def diff(root: Path, options: argparse.Namespace) -> int:
     print("\n".join(lines_of(found)))
     for commit in dict.fromkeys(unmeasured):
         print(
-            f"\n{commit[:10]} has no recorded results, so verdicts, findings, sizes and metrics "
-            "are missing."
+            f"\n{commit[:10]} has no recorded results. Its verdicts, findings, sizes and metrics "
+            "are therefore not compared."
         )
-    print(f"\nThe page {PAGE} of the portal shows them after ./wr portal.")
+    print(f"\nAfter ./wr portal, the page {PAGE} of the portal shows the differences.")
     return 0
 
 
@@ -81,7 +80,7 @@ def commit_of(root: Path, name: str) -> str:
 
 
 def load(root: Path, name: str) -> Revision:
-    """Returns the recorded revision; if there is none, reads the sources and records the
+    """Returns the recorded revision. If there is no record, reads the sources and records the
     revision.
     """
     commit = commit_of(root, name)
@@ -93,7 +92,7 @@ def load(root: Path, name: str) -> Revision:
 
 
 def read_sources(root: Path, commit: str) -> Revision:
-    """Reads the sources of a commit, unpacked into a temporary folder."""
+    """Reads the sources of a commit. They are unpacked into a temporary folder."""
     from traceability.model.build import build
 
     with tempfile.TemporaryDirectory(prefix="weeding-robot-") as folder:
@@ -114,14 +113,14 @@ def unpack(root: Path, commit: str, folder: Path) -> None:
 
 
 def copy_syntax(root: Path, copy: Path) -> None:
-    """Copies the cached syntax of the present sources: only units that differ are parsed."""
+    """Copies the cached syntax of the present sources. Only units that differ are then parsed."""
     (copy / SYNTAX).mkdir(parents=True)
     for facts in (root / SYNTAX).glob("*.facts"):
         shutil.copy(facts, copy / SYNTAX)
 
 
 def changed_files(root: Path, first: str, second: str) -> Iterator[Difference]:
-    """Yields the files that differ. Files whose content is not compared have a mark."""
+    """Yields the files that differ. A file whose content is not compared has a mark."""
     for line in git(root, "diff", "--no-renames", "--numstat", first, second).splitlines():
         added, removed, path = line.split("\t")
         lines = "binary" if added == "-" else f"+{added} -{removed} lines"

@@ -1,4 +1,5 @@
-"""Makes the documents in a separate process: model, checks, site and links."""
+"""Makes the documents in a separate process. The documents are the model, the checks, the site and
+the links."""
 
 from __future__ import annotations
 
@@ -25,16 +26,16 @@ if TYPE_CHECKING:
     from traceability.model.report import Report
 
 FINDINGS = Path("build/model/findings.json")
-TIMES = RESULTS / "times.json"  # duration of commands, for the metrics
+TIMES = RESULTS / "times.json"  # durations of commands, for the metrics
 METRICS = Path("build/metrics.json")
-INCOMPLETE = 3  # exit code of the process; a Python error ends it with 1
+INCOMPLETE = 3  # exit code of the process; a Python error ends the process with 1
 PARTS = ("model", "checks", "site", "links")
 
 
 def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
     """Builds the documents, and writes the lines of the four steps as they appear.
 
-    The process frees its memory at its end, so that a long command does not keep it.
+    The process frees its memory when it ends. A long command therefore does not occupy this memory.
     """
     words = [sys.executable, "-m", "tools.documents", str(root)]
     with (
@@ -50,13 +51,13 @@ def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
     if made.returncode == INCOMPLETE:
         raise FailureError("a step failed")
     if made.returncode != 0:
-        (root / FINDINGS).unlink(missing_ok=True)  # they belong to earlier documents
-        raise FailureError(f"its process ended early, with code {made.returncode}")
+        (root / FINDINGS).unlink(missing_ok=True)  # These files belong to earlier documents.
+        raise FailureError(f"the process of the documents ended early, with code {made.returncode}")
     return counted(read_findings(root) or [])
 
 
 def read_findings(root: Path) -> list[Finding] | None:
-    """Returns the findings of the last documents; nothing if their process ended early."""
+    """Returns the findings of the last documents. Returns nothing if their process ended early."""
     records = read_json(root / FINDINGS)
     if records is None:
         return None
@@ -74,7 +75,7 @@ def write_time(root: Path, name: str, seconds: float) -> None:
 
 
 def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
-    """Adds numbers to the metrics; they were measured after the documents were made."""
+    """Adds numbers to the metrics that were measured after the documents were made."""
     for path in (root / name for name in files or (METRICS,)):
         metrics = read_json(path)
         text = json.dumps((metrics or {}) | value, indent=1, sort_keys=True)
@@ -82,8 +83,8 @@ def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
 
 
 def main(root: Path) -> int:
-    """Runs the process. Returns exit code 0 when all four steps were completed, even with
-    findings; else INCOMPLETE.
+    """Runs the process. Returns the exit code 0 if all four steps were completed, even with
+    findings. Otherwise, returns INCOMPLETE.
     """
     steps = Steps(root, len(PARTS))
     with no_collection():
@@ -95,7 +96,7 @@ def main(root: Path) -> int:
 @contextmanager
 def no_collection() -> Iterator[None]:
     """Disables garbage collection, which would take a fifth of the time. The model exists until the
-    end.
+    end of the process.
     """
     gc.disable()
     try:
@@ -167,14 +168,14 @@ def make(root: Path, steps: Steps) -> tuple[list[Finding], bool]:
 
 
 def record_revision(root: Path, model: Model, report: Report, metrics: Path) -> None:
-    """Keeps the verdicts and sizes for ./wr diff, if no file differs from the commit."""
+    """Records the verdicts and sizes for ./wr diff, if no file differs from the commit."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if commit and not git(root, "status", "--porcelain"):
         write_revision(root, revision_of(model, commit, report, read_json(metrics) or {}))
 
 
 def is_unreadable(built: Built | None) -> bool:
-    """Returns whether a part of the design is missing, so that every page would be incomplete."""
+    """Returns whether a part of the design is missing. Every page would then be incomplete."""
     return bool(built and built.facts.declared.entries.unreadable)
 
 

@@ -1,4 +1,5 @@
-"""./wr firmware: the firmware for this machine, and the images of all products for the K64."""
+"""./wr firmware: builds the firmware for this machine, and the images of all products for the
+K64."""
 
 from __future__ import annotations
 
@@ -25,9 +26,9 @@ SVD = Path("build") / NAME
 BIN = image_of(DEFAULT, ".bin")
 FILES = {
     ".elf": "for a debugger",
-    ".bin": "for the board's drive, ./wr flash writes it",
+    ".bin": "./wr flash writes this file to the board's drive",
     ".hex": "for other programmers",
-    ".map": "addresses chosen by the linker",
+    ".map": "addresses that the linker chose",
 }
 
 
@@ -35,8 +36,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "firmware",
         description="Builds the firmware for this machine (run it with ./wr sim), and the images "
-        "of all products for the K64 (write one with ./wr flash). Prints the flash and RAM of each "
-        "module, and of each product.",
+        "of all products for the K64 (write an image with ./wr flash). Prints the "
+        "flash and RAM of each module and of each product.",
     )
     parser.set_defaults(run=lambda root, _options: firmware(root))
 
@@ -65,7 +66,7 @@ def add_product(parser: argparse.ArgumentParser, does: str) -> None:
 
 
 def print_sizes(sizes: dict[str, Size]) -> None:
-    """Prints a table: the modules, largest first, then the other parts, then the sum."""
+    """Prints a table of the modules, with the largest first. The other parts and the sum follow."""
     modules = sorted(sizes.keys() - set(PARTS), key=lambda name: (-sizes[name].flash, name))
     print(f"\n{'bytes of':32} {'flash':>8} {'RAM':>8}")
     for name in [*modules, *(part for part in PARTS if part in sizes)]:
@@ -75,18 +76,18 @@ def print_sizes(sizes: dict[str, Size]) -> None:
 
 
 def print_products(wholes: dict[str, Size]) -> None:
-    """Prints a table: the size of each product, and its sources of orders."""
+    """Prints a table with the size of each product and its sources of orders."""
     print(f"\n{'product':32} {'flash':>8} {'RAM':>8}  commanded by")
     for product, whole in wholes.items():
         print(f"{product:32} {whole.flash:8} {whole.ram:8}  {PRODUCTS[product]}")
 
 
 def identity(elf: Path, image: Path) -> tuple[str, str]:
-    """Returns version and build id, read from the bytes of the image."""
+    """Returns the version and the build id, which are in the bytes of the image."""
     for line in output("arm-none-eabi-nm", "--demangle", elf).splitlines():
         address, _, symbol = (*line.split(maxsplit=2), "", "")[:3]
         if symbol == "wr::firmwareIdentity":
             start = place_in_binary(elf, int(address, 16))
             text = image.read_bytes()[start : start + 11]
             return ".".join(map(str, text[:3])), text[3:].decode("ascii", errors="replace")
-    raise FailureError(f"{elf.name} has no identity")
+    raise FailureError(f"{elf.name} contains no version and no build id")

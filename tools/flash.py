@@ -21,7 +21,7 @@ from tools.tasks import K64_FIRMWARE, graph
 from traceability.reading.products import image_of
 
 USB = Path("/sys/bus/usb/devices")
-ARM = "0d28"  # vendor of the debug probe that is on the FRDM-K64F
+ARM = "0d28"  # vendor of the debug probe on the FRDM-K64F
 # Messages of pyOCD and OpenOCD when they find no debug probe.
 NO_PROBE = ("No connected debug probes", "unable to find a matching CMSIS-DAP device")
 ADVICE = """\
@@ -32,7 +32,7 @@ each way."""
 
 @dataclass(frozen=True)
 class Way:
-    """A way to write to the board. ``missing`` is empty when the way is available."""
+    """A way to write to the board. ``missing`` is empty if the way is available."""
 
     missing: str
     does: str
@@ -43,8 +43,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "flash",
         description="Builds the image for the K64, checks that it would not lock the chip, and "
-        "writes it into a FRDM-K64F. It uses pyOCD or OpenOCD, or copies the image to the drive "
-        "of the board. Exit code 3: no board was found.",
+        "writes it into a FRDM-K64F. The command uses pyOCD or OpenOCD, or copies the "
+        "image to the drive of the board. The exit code 3 means that no board was "
+        "found.",
     )
     parser.add_argument(
         "--with",
@@ -69,7 +70,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="write this key (32 hexadecimal digits) into the image of weeding_robot_pc_bluetooth",
     )
     parser.add_argument(
-        "--dry-run", action="store_true", help="check the image, and only print the steps"
+        "--dry-run", action="store_true", help="check the image, and then only print the steps"
     )
     parser.set_defaults(run=lambda root, options: flash(root, options, parser))
 
@@ -84,7 +85,7 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
                 file,
                 f"name an existing file. {KEY_ADVICE}"
                 if file == options.bluetooth_key
-                else "make the image with ./wr firmware, or name another file",
+                else "build the image with ./wr firmware, or name another file",
             )
     image: Path = options.image or root / image_of(options.product, ".bin")
     steps = Steps(root, 2 + bool(options.bluetooth_key))
@@ -112,19 +113,22 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
 
 
 def checked(image: Path) -> str:
-    """Prints the size of an image that does not lock the chip. Fails for an image that locks it."""
+    """Prints the size of an image that does not lock the chip. Fails for an image that locks the
+    chip."""
     try:
         content = image.read_bytes()
     except OSError as error:
         raise FailureError(f"cannot read {image}: {error.strerror}") from error
     if problems := lock_problems(content):
-        raise FailureError("not written, it could lock the chip: " + "; ".join(problems))
-    return f"{len(content)} bytes, does not lock the chip"
+        raise FailureError(
+            "not written, because the image could lock the chip: " + "; ".join(problems)
+        )
+    return f"{len(content)} bytes; the image does not lock the chip"
 
 
 def add_key(image: Path, key_file: Path, keyed: Path) -> str:
-    """Writes a copy of the image with the key. Fails without a key or without a place for the
-    key.
+    """Writes a copy of the image with the key. Fails if there is no key, or if the image has no
+    place for it.
     """
     try:
         keyed.parent.mkdir(parents=True, exist_ok=True)
@@ -138,8 +142,9 @@ def ways(image: Path, folder: Path | None) -> dict[str, Way]:
     """Returns all ways to write an image, in the order in which they are tried."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
-    # OpenOCD reads a script: braces keep the path one word. Without fcf_source OpenOCD writes a
-    # different flash configuration field, and the comparison fails. The field was checked before.
+    # OpenOCD reads a script, in which braces keep a path with blanks in one word. Without
+    # fcf_source, OpenOCD writes a different flash configuration field, and the comparison fails.
+    # The field was checked before.
     script = f"init; kinetis fcf_source write; program {{{file}}} verify reset exit 0x0"
     return {
         "pyocd": pyocd(file, flags),
@@ -159,7 +164,8 @@ def tool(name: str, *arguments: str) -> Way:
 
 
 def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
-    """Writes with pyOCD, then reads the flash back and compares, because pyOCD does not compare."""
+    """Writes the image with pyOCD. Then reads the flash and compares it with the image, because
+    pyOCD does not compare."""
     missing = "" if shutil.which("pyocd") else "not installed"
     words = ["pyocd", "flash", *flags, str(image)]
 
@@ -181,11 +187,11 @@ def compared(image: Path, copy: Path) -> str:
     try:
         read_back = copy.read_bytes()
     except OSError as error:
-        raise FailureError("the flash could not be read back: write the image again") from error
+        raise FailureError("the flash could not be read back; write the image again") from error
     for address, (byte, other) in enumerate(zip(expected, read_back, strict=False)):
         if byte != other:
-            differs = f"flash at 0x{address:X} holds 0x{other:02X}, not 0x{byte:02X}"
-            raise FailureError(f"{differs}: write the image again")
+            differs = f"flash at 0x{address:X} is 0x{other:02X}, but the image has 0x{byte:02X}"
+            raise FailureError(f"{differs}; write the image again")
     if len(read_back) < len(expected):
         raise FailureError(
             f"only {len(read_back)} of {len(expected)} bytes were read back: try again"
@@ -196,7 +202,7 @@ def compared(image: Path, copy: Path) -> str:
 def copy(image: Path, folder: Path | None) -> Way:
     drives = [folder] if folder else usb_drive.mounted()
     if len(drives) != 1:
-        many = f"several drives are mounted: {', '.join(map(str, drives))}; choose with --drive"
+        many = f"several drives are mounted: {', '.join(map(str, drives))}; choose one with --drive"
         return Way(many if drives else "no drive of a board is mounted", "", lambda _log: None)
     drive = drives[0]
     missing = usb_drive.problem(drive)
@@ -204,7 +210,7 @@ def copy(image: Path, folder: Path | None) -> Way:
 
 
 def choose(available: dict[str, Way], name: str | None) -> tuple[str, Way]:
-    """Returns the chosen way, or the first way that finds a board."""
+    """Returns the chosen way. If no way is chosen, returns the first way that finds a board."""
     probe = name is not None or has_probe()
     for other, way in available.items():
         if name in (None, other) and not way.missing and (probe or other == "drive"):
@@ -214,7 +220,7 @@ def choose(available: dict[str, Way], name: str | None) -> tuple[str, Way]:
         raise MissingError(f"{name}: {available[name].missing}\n{ADVICE}")
     said.append(f"debug probe on USB: {'connected' if probe else 'not connected'}")
     looked = "\n  ".join(said)
-    raise MissingError(f"no board was found. Looked for\n  {looked}\n{ADVICE}")
+    raise MissingError(f"no board was found. The command searched here:\n  {looked}\n{ADVICE}")
 
 
 def has_probe() -> bool:

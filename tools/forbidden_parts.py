@@ -1,5 +1,5 @@
-"""Finds parts of the language and library without bounds in time or memory, which no image may
-contain.
+"""Finds parts of the language and of the library that have no bound in time or memory. No image may
+contain them.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ SECTION = re.compile(r"^ *\[ *\d+\] (\S+) +\S+ +[0-9a-f]{8} [0-9a-f]+ ([0-9a-f]+
 
 
 def forbidden(program: Path) -> set[str]:
-    """Returns the kinds of FORBIDDEN in a program, found by its symbols and sections."""
+    """Returns the kinds of FORBIDDEN that a program contains. Its symbols and sections show
+    them."""
     listed = _output("arm-none-eabi-nm", "--format=posix", program).splitlines()
     names = [line.split(maxsplit=1)[0] for line in listed]
     kinds = {

@@ -1,4 +1,4 @@
-"""The image of the K64: its flash configuration field, which can lock the chip."""
+"""The flash configuration field of the K64 image. A wrong field can lock the chip."""
 
 from __future__ import annotations
 
@@ -6,24 +6,25 @@ FIELD = 0x400
 SIZE = 16
 FLASH = 0x100000
 SECURITY = 0x40C
-# The field is as after an erase, except for two bytes. Security: not secured, mass erase allowed.
-# Options: no
-# mode for programming over a serial line (EzPort) when PTA4 is low during a reset.
+# The field is as after an erase of the flash, except for two bytes. The security byte means: not
+# secured, mass erase allowed. The options byte means: if PTA4 is low during a reset, the chip does
+# not start in the mode for programming over a serial line (EzPort).
 WANTED = bytes([0xFF] * 12 + [0xFE, 0xFD] + [0xFF] * 2)
 PURPOSES = (
     (0x400, 0x407, "a backdoor key would be set"),
-    (0x408, 0x40B, "parts of the flash would be protected from being written again"),
+    (0x408, 0x40B, "parts of the flash would be protected against writing"),
     (0x40D, 0x40D, "the chip would boot with other options"),
-    (0x40E, 0x40F, "this part has no such memory to protect"),
+    (0x40E, 0x40F, "this chip has no such memory to protect"),
 )
 
 
 def lock_problems(image: bytes) -> list[str]:
-    """Returns the fault in the flash configuration field of an image; empty when it has none."""
+    """Returns the fault in the flash configuration field of an image. The result is empty if there
+    is no fault."""
     if len(image) < FIELD + SIZE:
-        return [f"the image has {len(image)} bytes: it ends before the field at 0x400 to 0x40F"]
+        return [f"the image has {len(image)} bytes, and ends before the field at 0x400 to 0x40F"]
     if len(image) > FLASH:
-        return [f"the image has {len(image)} bytes, the flash of the chip {FLASH}"]
+        return [f"the image has {len(image)} bytes, but the flash of the chip has {FLASH}"]
     field = image[FIELD : FIELD + SIZE]
     return [
         f"byte 0x{address:X} is 0x{value:02X}, not 0x{expected:02X}: {_why(address, value)}"
@@ -37,10 +38,13 @@ def _why(address: int, value: int) -> str:
         secured = value & 0b11 != 0b10
         no_erase = value & 0b110000 == 0b100000
         if secured and no_erase:
-            return "the chip would be locked for ever: secured, and without mass erase"
+            return (
+                "the chip would be locked for ever, because it would be secured and could not "
+                "be erased"
+            )
         if secured:
-            return "the chip would be secured: only a mass erase opens it again"
+            return "the chip would be secured; only a mass erase could open it again"
         if no_erase:
-            return "mass erase would be off"
+            return "mass erase would be disabled"
         return "the keys or the access of the manufacturer would differ"
     return next(why for first, last, why in PURPOSES if first <= address <= last)

@@ -1,4 +1,4 @@
-"""./wr lint: style, types and warnings."""
+"""./wr lint: checks style, types and warnings."""
 
 from __future__ import annotations
 
@@ -35,11 +35,12 @@ HEADER_OBJECT = re.compile(
 MAP = "build/host/logic_modules.modulemap"
 CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")
-# A name that a source defines outside of a class.
+# A name that a source defines outside of classes.
 DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
-JOINED = 16  # clang-tidy checks at most this number of sources together
+JOINED = 16  # number of sources that clang-tidy checks together, at most
 LINT_RECORD = Path("build/lint.json")
-WEB = "sim/web/module"  # needs the library of WebAssembly, which clang-tidy does not find
+# This source needs the library of WebAssembly, which clang-tidy does not find.
+WEB = "sim/web/module"
 WARNINGS = [
     "-Wall",
     "-Wextra",
@@ -58,10 +59,10 @@ WARNINGS = [
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "lint",
-        description="Checks the format of all sources. Compiles everything with clang, without "
-        "warnings and forbidden includes, and compiles each header alone. Runs clang-tidy on the "
-        "design and sim. Checks the Python sources with ruff and mypy, and the directions of "
-        "their imports.",
+        description="Checks the format of all sources. Compiles all sources with clang, which must "
+        "report no warnings and no forbidden includes. Compiles each header alone. "
+        "Runs clang-tidy on the design and on sim. Checks the Python sources with ruff "
+        "and mypy, and checks the directions of their imports.",
     )
     parser.set_defaults(run=lambda root, _options: lint(root))
 
@@ -73,7 +74,7 @@ def lint(root: Path) -> int:
 
 
 def lint_tasks(root: Path) -> list[Task]:
-    """Returns the tasks of this command. Each task runs in every call."""
+    """Returns the tasks of this command. Each task runs in every call of the command."""
     tools = root / ".venv" / "bin"
     python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
 
@@ -123,8 +124,8 @@ def on_board(root: Path, path: Path) -> bool:
 
 
 def check_imports(root: Path, log: TextIO) -> None:
-    """Checks the contracts of pyproject.toml: the allowed imports of each package, without
-    cycles."""
+    """Checks the contracts of pyproject.toml. They state the imports that each package may have,
+    and forbid cycles."""
     env = os.environ | {"PYTHONPATH": os.pathsep.join([str(root), str(root / "site")])}
     linter = Path(sys.executable).with_name("lint-imports")
     run(log, [linter, "--config", "pyproject.toml", "--no-logo"], env, folder=root)
@@ -148,7 +149,8 @@ def check_format(root: Path, log: TextIO) -> str:
 
 
 def build_with_clang(root: Path, log: TextIO) -> None:
-    """Compiles everything with clang. The tests of the firmware are not part of the preset host."""
+    """Compiles all sources with clang. The tests of the firmware are not part of the preset
+    host."""
     build(root, "host", log)
     build(root, "sanitize", log, TESTS)
     words = [*clang_arguments(board=True), *WARNINGS, *include_options(root)]
@@ -159,8 +161,8 @@ def build_with_clang(root: Path, log: TextIO) -> None:
 
 
 def check_headers(root: Path, log: TextIO) -> str:
-    """Compiles each header alone: with clang for this machine, or for the K64 if it belongs to a
-    driver.
+    """Compiles each header alone. A header of a driver is compiled for the K64, and each other
+    header for this machine.
 
     A header that a source of the design includes first was compiled alone with this source.
     """
@@ -173,7 +175,7 @@ def check_headers(root: Path, log: TextIO) -> str:
 
 
 def header_objects(root: Path, preset: str, log: TextIO) -> list[str]:
-    """Returns the objects of a build that each contain one header."""
+    """Returns the objects of a build that contain one header each."""
     build(root, preset, log, "build.ninja")
     words = ["ninja", "-C", str(root / "build" / preset), "-t", "targets", "all"]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
@@ -189,7 +191,7 @@ def is_first(root: Path, target: str) -> bool:
 
 
 def check_tidy(root: Path, log: TextIO) -> str:
-    """Runs clang-tidy on the design and sim.
+    """Runs clang-tidy on the design and on sim.
 
     Most of the time is spent on headers that the sources share. Several sources are therefore
     checked as one file.
@@ -209,7 +211,7 @@ def check_tidy(root: Path, log: TextIO) -> str:
 
 
 def tidy_options(root: Path, source: Path) -> list[str]:
-    """Returns the options of the compiler for a source, as CMake recorded them."""
+    """Returns the options of the compiler for a source. CMake recorded them."""
     if on_board(root, source):
         return [*clang_arguments(board=True), *include_options(root)]
     if source.is_relative_to(root / "ports"):
@@ -244,7 +246,7 @@ def units_of(root: Path, paths: list[Path]) -> list[tuple[Path, ...]]:
 def joined(root: Path, unit: tuple[Path, ...]) -> Path:
     """Writes the sources of a unit into one file, and copies the settings of their folder.
 
-    Several checks examine only this file, not the files that it includes.
+    Several checks examine only this file. They do not examine the files that it includes.
     """
     folder = root / "build" / "lint" / "units"
     file = folder / unit[0].relative_to(root)
@@ -263,11 +265,11 @@ def check_changed(
     command: Callable[[tuple[Path, ...]], list[str]],
     log: TextIO,
 ) -> str:
-    """Runs the command on each unit whose present content has not passed yet. If a unit fails, runs
-    the command on each of its files.
+    """Runs the command on each unit whose present content has not passed before. If a unit fails,
+    runs the command on each of its files.
 
-    The content of a unit includes the files of the project that it includes, the settings of
-    clang-tidy, and the command.
+    The content of a unit consists of its files, the files of the project that they include, the
+    settings of clang-tidy, and the command.
     """
     store = root / "build" / "lint" / f"{name}.json"
     passed = json.loads(store.read_text()) if store.exists() else {}
@@ -301,7 +303,7 @@ def name_of(root: Path, unit: tuple[Path, ...]) -> str:
 
 
 def key_of(root: Path, unit: tuple[Path, ...], command: list[str]) -> str:
-    """Returns the hash of all that determines the result of a command on a unit."""
+    """Returns the hash of all inputs that determine the result of a command on a unit."""
     total = hashlib.sha256(" ".join(command).encode())
     read = {file for path in unit for file in included(root, path)}
     for part in (*unit, *settings(root, unit[0]), *sorted(read)):
@@ -316,7 +318,7 @@ def settings(root: Path, path: Path) -> list[Path]:
 
 
 def included(root: Path, path: Path) -> set[Path]:
-    """Returns the file and all files of the project that it includes, directly or not."""
+    """Returns the file and all files of the project that it includes, directly or indirectly."""
     files: set[Path] = set()
     waiting = [path]
     while waiting:

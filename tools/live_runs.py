@@ -1,6 +1,7 @@
-"""Plays the examples as WebAssembly, in Node and in a browser, and compares them with native runs.
+"""Plays the examples as WebAssembly, in Node and in a browser, and compares the runs with native
+runs.
 
-Two runs are the same when their reports and a hash of all events of the board are the same.
+Two runs are equal if their reports are equal and a hash of all events of the board is equal.
 """
 
 from __future__ import annotations
@@ -64,7 +65,8 @@ const bytes = async (path) => new Uint8Array(await (await fetch(path)).arrayBuff
 
 @dataclass(frozen=True)
 class Run:
-    """The result of a scenario: its reports with the true values, and a hash of all events."""
+    """The result of a scenario. It contains the reports with the true values, and a hash of all
+    events."""
 
     reports: str
     events: int
@@ -72,9 +74,9 @@ class Run:
 
 
 def build_module(root: Path, log: TextIO) -> Outcome:
-    """Builds the module, where its compiler is installed."""
+    """Builds the module, if the compiler of the module is installed."""
     if shutil.which(COMPILER) is None:
-        return Outcome(f"not built: {COMPILER} is not installed")
+        return Outcome(f"not built, because {COMPILER} is not installed")
     build(root, PRESET, log, TARGET)
     return Outcome(f"{(root / MODULE).stat().st_size} bytes")
 
@@ -84,7 +86,7 @@ def examples(root: Path) -> list[Path]:
 
 
 def play_native(root: Path, scenario: Path) -> Run:
-    """Plays a scenario with the program of this machine."""
+    """Plays a scenario with the native program of this machine."""
     with tempfile.TemporaryDirectory() as folder:
         reports = Path(folder) / "reports.csv"
         words: list[str | Path] = [root / "build/host/sim" / BOARD_PROGRAM]
@@ -108,7 +110,7 @@ def play_in_node(root: Path, scenarios: Iterable[Path]) -> list[dict[str, Any]]:
 
 
 def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str, Any]:
-    """Plays scenarios in a headless browser. ``ready`` is the time to the first cycle [s]."""
+    """Plays scenarios in a headless browser. ``ready`` is the time until the first cycle [s]."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for source, target in (
@@ -129,7 +131,7 @@ def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str
 
 
 def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
-    """Opens a page of a folder, and returns the result that it posts."""
+    """Opens a page of a folder. Returns the result that the page posts."""
     came = threading.Event()
     posted: dict[str, Any] = {}
 
@@ -141,7 +143,7 @@ def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
             came.set()
 
         def log_message(self, *_arguments: Any) -> None:
-            """Prints nothing, so that the log does not contain the requests."""
+            """Prints nothing. The log does not contain the requests."""
 
     handler = functools.partial(Handler, directory=str(folder))
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as http:
@@ -167,7 +169,8 @@ def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
 
 
 def differences(native: Run, run: dict[str, Any]) -> list[str]:
-    """Returns the differences between a run as WebAssembly and the native run, and its failures."""
+    """Returns the differences between a run as WebAssembly and the native run, and the failures of
+    the run."""
     problems = [run["end"]] if run["end"] != "ended" else []
     problems += run["failures"]
     if run["reports"] != native.reports:
@@ -178,12 +181,12 @@ def differences(native: Run, run: dict[str, Any]) -> list[str]:
 
 
 def measure_live(root: Path, log: TextIO) -> Outcome:
-    """Compares all example scenarios, and measures the speed in the browser."""
+    """Compares all example scenarios. Measures the speed in the browser."""
     (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
     browser = find_browser()
     if not (root / MODULE).exists():
         (root / RECORD).write_text("{}\n", encoding="utf-8")
-        return Outcome("not run: there is no module")
+        return Outcome("not run, because there is no module")
     scenarios = examples(root)
     engines: dict[str, list[dict[str, Any]]] = {}
     values: dict[str, Any] = {"scenarios": len(scenarios), "bytes": _bytes(root)}
@@ -207,10 +210,10 @@ def measure_live(root: Path, log: TextIO) -> Outcome:
         values["scenarios_equal"] = len(scenarios) - len(different)
     (root / RECORD).write_text(json.dumps(values, indent=1) + "\n", encoding="utf-8")
     if wrong:
-        return Outcome(f"different from the native run: {wrong[0]}", failed=True)
+        return Outcome(f"a run differs from the native run: {wrong[0]}", failed=True)
     speed = values.get("real_time_factor")
     summary = (
-        f"{len(scenarios)} scenarios, the same bytes in {' and '.join(engines) or 'no engine'}"
+        f"{len(scenarios)} scenarios gave the same bytes in {' and '.join(engines) or 'no engine'}"
     )
     return Outcome(f"{summary}, {speed} times real time" if speed else summary)
 
@@ -231,8 +234,8 @@ def _wrong(
 
 
 def _bytes(root: Path) -> int:
-    """Returns the number of bytes that the page loads before the robot starts: the module, an
-    image, and the data of the page if it exists.
+    """Returns the number of bytes that the page loads before the robot starts. The bytes are the
+    module, an image, and the data of the page if they exist.
     """
     loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
     return sum(path.stat().st_size for path in loaded if path.exists())

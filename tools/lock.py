@@ -1,8 +1,8 @@
-"""Only one command at a time may build, test or write pages: a second command would change the
+"""Only one command at a time may build, test or write pages. A second command would change the
 files of the first.
 
-A command that was ended by force leaves programs behind, such as a build. The next command ends
-them before it begins.
+A command that was ended by force can leave programs behind, such as a build. The next command ends
+these programs before it begins.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 LOCK = Path("build/lock")
-HOLDER = "WR_LOCK"  # set for programs that the owner of the lock starts
-GRACE = 2.0  # time in which a program may end itself [s]
-MOST_WAIT = 10.0  # longest wait for the end of the program [s]
+HOLDER = "WR_LOCK"  # environment variable of the programs that the owner of the lock starts
+GRACE = 2.0  # time that a program has to end itself [s]
+MOST_WAIT = 10.0  # longest time to wait until the program has ended [s]
 
 
 class BusyError(Exception):
@@ -27,9 +27,9 @@ class BusyError(Exception):
 
 @contextmanager
 def only_one(root: Path, command: str) -> Iterator[None]:
-    """Locks the project; raises BusyError when another process holds it.
+    """Locks the project. Raises BusyError if another process has the lock.
 
-    The system frees the lock of each process that ends, also after a crash.
+    When a process ends, the system frees its lock. This is true even after a crash.
     """
     if os.environ.get(HOLDER) == str(root):
         yield
@@ -42,8 +42,8 @@ def only_one(root: Path, command: str) -> Iterator[None]:
         except BlockingIOError as error:
             file.seek(0)
             raise BusyError(
-                f"{file.read().strip() or 'another command'} is at work in this folder. "
-                "Wait until that command has ended, or end it with Ctrl-C"
+                f"{file.read().strip() or 'another command'} is running in this folder. Wait until "
+                "that command has ended, or end it with Ctrl-C"
             ) from error
         file.truncate(0)
         file.write(f"./wr {command} (process {os.getpid()}, since {time.strftime('%H:%M')})\n")
@@ -63,7 +63,8 @@ def only_one(root: Path, command: str) -> Iterator[None]:
 
 @contextmanager
 def outliving() -> Iterator[None]:
-    """Lets programs that start in this context, such as a browser, continue after the command."""
+    """Lets programs that start in this context continue after the command. The browser is such a
+    program."""
     owner = os.environ.pop(HOLDER, None)
     try:
         yield
@@ -84,7 +85,7 @@ def end_programs_of(root: Path) -> None:
 
 
 def programs_of(root: Path) -> list[int]:
-    """Returns the processes that were started with the mark of the owner of the lock."""
+    """Returns the processes that were started with the mark of the lock's owner."""
     mark = f"{HOLDER}={root}".encode()
     processes = []
     for path in Path("/proc").glob("[0-9]*/environ"):

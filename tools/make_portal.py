@@ -1,4 +1,4 @@
-"""./wr portal: from the sources to the portal."""
+"""./wr portal: builds the portal from the sources."""
 
 from __future__ import annotations
 
@@ -25,19 +25,24 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "portal",
         description="Builds the portal from the sources, serves it on this machine and opens it. "
-        "Then builds the firmware for this machine and for the K64, and runs its tests: with "
-        "traces and coverage, and with the image on the virtual K64. Then measures the image, and "
-        "rebuilds the pages with the results. An open page shows the running tasks, and updates "
-        "itself. Tasks whose inputs did not change are not run again. Findings and failed "
-        "tests do not stop the portal from being built.",
+        "Then builds the firmware for this machine and for the K64. Runs the tests of "
+        "the firmware with traces and coverage, and with the image on the virtual K64. "
+        "Then measures the image, and rebuilds the pages with the results. An open "
+        "page shows the running tasks, and updates itself. A task runs again only if "
+        "its inputs changed. The portal is built even if there are findings or failed "
+        "tests.",
     )
     add_port(parser)
-    parser.add_argument("--no-serve", action="store_true", help="end when the portal is built")
-    parser.add_argument("--no-open", action="store_true", help="serve, but open no browser")
+    parser.add_argument(
+        "--no-serve", action="store_true", help="end as soon as the portal is built"
+    )
+    parser.add_argument(
+        "--no-open", action="store_true", help="serve the portal, but open no browser"
+    )
     parser.add_argument(
         "--docs-only",
         action="store_true",
-        help="rebuild the documents; build and run no test",
+        help="rebuild the documents, but build and run no test",
     )
     parser.set_defaults(run=portal)
 
@@ -69,7 +74,7 @@ def portal(root: Path, options: argparse.Namespace) -> int:
 
 
 def finish(root: Path, failed: list[str], start: float, cold: bool) -> int:
-    """Returns the pages with all results, and the findings."""
+    """Returns the findings, after the pages were built with all results."""
     made = pages_graph(root).run([DOCUMENTS])
     if cold:
         write_time(root, "build.cold_s", time.monotonic() - start)
@@ -77,7 +82,7 @@ def finish(root: Path, failed: list[str], start: float, cold: bool) -> int:
 
 
 class Pages(AbstractContextManager["Pages"]):
-    """Rebuilds the pages when a task ended, and writes the running tasks for the open page."""
+    """Rebuilds the pages when a task has ended. Writes the running tasks for the open page."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -96,7 +101,7 @@ class Pages(AbstractContextManager["Pages"]):
         self.write(over=True)
 
     def end(self) -> None:
-        """Waits until all rebuilds have ended. The run has not ended yet."""
+        """Waits until all rebuilds have ended. The run itself continues."""
         self.over = True
         self.wanted.set()
         self.thread.join()
@@ -109,7 +114,7 @@ class Pages(AbstractContextManager["Pages"]):
         self.write()
 
     def write(self, *, over: bool = False) -> None:
-        """Writes the state of the run next to the pages; a page polls it."""
+        """Writes the state of the run next to the pages. An open page reads it periodically."""
         made = self.root / FINDINGS
         content = {
             "over": over,

@@ -1,5 +1,5 @@
-"""./wr mutate: seeds faults in the firmware and its extensions, and counts those that the tests
-find."""
+"""./wr mutate: inserts faults in the firmware and its extensions, and counts the faults that the
+tests find."""
 
 from __future__ import annotations
 
@@ -33,30 +33,29 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "mutate",
         description="Builds a copy of the firmware that contains small faults in the functions of "
-        "the firmware and its extensions. Each fault has a number. For each fault it runs the "
-        "tests of the requirements that the function serves, then the other tests that execute "
-        "the function. "
-        "The score is shown in the portal; it is not a pass criterion. "
-        "design/mutants.toml justifies faults that no test can find; the other faults that no test "
-        "finds are listed as file:line, with the change.",
+        "the firmware and its extensions. Each fault has a number. For each fault, the "
+        "command runs the tests of the requirements that the function serves. Then it "
+        "runs the other tests that execute the function. The portal shows the score, "
+        "which is not a pass criterion. design/mutants.toml justifies faults that no "
+        "test can find. The other faults that no test finds are listed as file:line, "
+        "with the change.",
     )
     parser.add_argument(
         "--minutes",
         type=minutes,
         default=USUAL,
-        help=f"greatest time of the run, up to {LONGEST:g}; default {USUAL:g}",
+        help=f"longest time of the run [min], up to {LONGEST:g} (default: {USUAL:g})",
     )
     parser.add_argument(
-        "--seed", type=int, help="seed of the order of the faults; default: a new seed"
+        "--seed", type=int, help="seed of the order of the faults (default: a new seed)"
     )
     parser.add_argument(
         "--resume",
         action="store_true",
-        help="keep the faults that the last run found in files that have not changed; "
-        "try the other faults",
+        help="do not repeat the faults that the last run found, if their files have not changed",
     )
     parser.add_argument(
-        "--publish", action="store_true", help="write the score to tests/records, to be committed"
+        "--publish", action="store_true", help="write the score to tests/records; commit this file"
     )
     parser.set_defaults(run=mutate)
 
@@ -90,7 +89,7 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
         if ready:
             ready = steps.run(title, action)
         else:
-            steps.skip(title, "its inputs are missing")
+            steps.skip(title, "the inputs of the mutation test are missing")
     if not ready:
         return 1
     assert run.model is not None
@@ -101,14 +100,14 @@ def _mutate(root: Path, options: argparse.Namespace) -> int:
     for mutant in run.survivors():
         print(f"{mutant.file}:{mutant.line}: no test finds this change: {mutant.change}")
     print(
-        f"{run.killed()} of {len(run.tried)} mutants were found, {run.justified()} others are "
+        f"{run.killed()} of {len(run.tried)} mutants were found, and {run.justified()} others are "
         f"justified; seed {seed}; {RESULT}"
     )
     return 0
 
 
 class _Run:
-    """The steps; each step passes its results to the next."""
+    """The steps of a mutation test. Each step passes its results to the next step."""
 
     def __init__(self, root: Path, seed: int, longest: float, resume: bool, out: TextIO) -> None:
         self.root = root
@@ -193,7 +192,8 @@ class _Run:
         return f"{self.killed()} of {len(self.tried)} found, of {len(self.mutants)} in all"
 
     def write(self) -> None:
-        """Writes the record of the mutants tried until now: a run that is ended loses nothing."""
+        """Writes the record of the mutants that were tried until now. If a run is ended, these
+        results are not lost."""
         from tools.mutation.score import RESULT, record
 
         assert self.model is not None

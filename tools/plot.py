@@ -1,4 +1,4 @@
-"""./wr plot: a recording of reports as curves."""
+"""./wr plot: draws a recording of reports as curves."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "plot",
         description="Draws a recording: velocity, voltage and current of each wheel with their "
-        "set-points, the steering, and the changes of the states. The result is one HTML file, "
-        "which needs no other file. Recordings are the CSV and MCAP files of ./wr drive and "
-        "./wr monitor, and the tables of ./wr sim --reports.",
+        "set-points, the steering, and the changes of the states. The result is one "
+        "HTML file that needs no other file. A recording is a CSV or MCAP file of ./wr "
+        "drive and ./wr monitor, or a table of ./wr sim --reports.",
     )
     parser.add_argument("recording", type=Path, metavar="RECORDING", help="a CSV or MCAP file")
     parser.add_argument(
-        "--out", type=Path, metavar="FILE", help="the page (default: next to the recording)"
+        "--out", type=Path, metavar="FILE", help="file of the page (default: next to the recording)"
     )
     parser.set_defaults(run=lambda _root, options: plot(options.recording, options.out))
 

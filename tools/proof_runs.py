@@ -25,11 +25,13 @@ from traceability.reading.proof_record import scenario as scenario_of
 from traceability.reading.published import publish, read_published
 from traceability.schema import ProofProperty, ProofResult
 
-RECORD = "proofs"  # records of complete runs: each contains the model of each proof
+RECORD = (
+    "proofs"  # name of the records of complete runs; each record contains the model of each proof
+)
 SPIN, COMPILER = "spin", "cc"
-SECONDS = 300  # time limit of each step of a proof
+SECONDS = 300  # time limit of each step of a proof [s]
 DEPTH = 5_000_000  # steps
-# Depths of the search for a shorter counterexample, which is easier to read.
+# Depths at which a shorter counterexample is searched, because it is easier to read.
 SHORT = (100, 200, 300, 400, 600, 800, 1200, 2000, 4000)
 MEMORY_MB = 6000
 WORKERS = 2
@@ -42,14 +44,14 @@ EVENT = re.compile(
 
 
 def missing_program() -> str:
-    """Returns the first missing program that a proof needs."""
+    """Returns the first program that a proof needs and that is missing."""
     return next((name for name in (SPIN, COMPILER) if shutil.which(name) is None), "")
 
 
 def prove_all(root: Path, log: TextIO) -> Outcome:
     """Proves all properties, and records the results."""
     if missing := missing_program():
-        return Outcome(f"not run in this build: {missing} is not installed")
+        return Outcome(f"not run in this build, because {missing} is not installed")
     declared = read_declared(root)
     if declared.entries.unreadable:
         raise FailureError(f"{declared.entries.unreadable[0]} cannot be read")
@@ -69,15 +71,15 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
     states = sum(result.states for result in results.values())
     summary = f"{proven} of {len(results)} properties proven, {states} states"
     if recorded:
-        summary += f"; {len(recorded)} by the record of the same models"
+        summary += f"; {len(recorded)} of them in the record of the same models"
     return Outcome(summary, failed=proven < len(results))
 
 
 def prove(
     root: Path, declared: Declared, properties: Iterable[ProofProperty], say: Callable[[str], None]
 ) -> dict[str, ProofResult]:
-    """Proves properties, several of them in parallel. Prints a line for each property when its
-    proof ends.
+    """Proves properties, several of them in parallel. Prints a line for each property as soon as
+    its proof ends.
     """
     listed = list(properties)
     results: dict[str, ProofResult] = {}
@@ -149,7 +151,7 @@ def search(root: Path, declared: Declared, proof: ProofProperty) -> str:
 def judged(
     root: Path, declared: Declared, proof: ProofProperty, said: str, seconds: float
 ) -> ProofResult:
-    """Returns the result that the verifier printed."""
+    """Returns the result in the output of the verifier."""
     states, reached = STATES.search(said), REACHED.search(said)
     if not states or not reached:
         raise FailureError(f"{proof.name}: the verifier printed no result: {said[-300:]}")
@@ -170,7 +172,7 @@ def judged(
 
 
 def counterexample(root: Path, proof: ProofProperty) -> list[str]:
-    """Returns the rounds, events and transitions that lead to the violation of a property."""
+    """Returns the cycles, events and transitions that lead to the violation of a property."""
     folder = root / FOLDER / proof.name
     call(folder, proof, [COMPILER, *OPTIONS, "-DREACH", "-o", "pan", "pan.c"])
     for depth in SHORT:

@@ -1,4 +1,5 @@
-"""The linter of prose: words that the glossary replaces, in all texts that a person reads."""
+"""The linter of prose. It finds words that the glossary replaces, in all texts that a person
+reads."""
 
 from __future__ import annotations
 
@@ -15,7 +16,7 @@ from traceability.reading.prose_record import FOLDERS
 from traceability.sources import files_below
 
 GLOSSARY = Path("docs/glossary.rst")
-PROSE = (".rst", ".md", ".dox", ".html")  # text with markup
+PROSE = (".rst", ".md", ".dox", ".html")  # files with prose and markup
 CODE = (".py", ".cpp", ".hpp", ".h", ".toml", ".tree", ".txt", ".cmake", "")
 LITERALS = re.compile(
     r"\{%.*?%\}|\{\{.*?\}\}|\{#|#\}|<[^>]*>|``[^`]*``|`[^`\n]*`|:[\w-]+:(?=`)|\{\w[^}]*\}|[^\s<>]*[_/:]{1,2}\w[^\s<>]*",
@@ -27,13 +28,13 @@ PLAIN = re.compile(r"^\* ((?:``[^`]+``(?:,\s+)?)+): (.*(?:\n  .*)*)", re.MULTILI
 RIGHT = re.compile(r"\.\s+Right\s+in\s(.*)$", re.DOTALL)
 IN_BACKQUOTES = re.compile(r"``([^`]+)``")
 QUESTION = re.compile(r"\b(?:what|who)\b(?=[^.?!;]*\?)", re.IGNORECASE)
-QUOTED = Path("design/paper.toml")  # contains the words of the paper
-LEAST_WORDS = 2  # words of a text in quotes: shorter texts are names
+QUOTED = Path("design/paper.toml")  # This file contains the words of the paper.
+LEAST_WORDS = 2  # A text in quotes with fewer words is a name.
 
 
 @dataclass(frozen=True)
 class Term:
-    """Words that are not used, and their replacement."""
+    """Words that are not used, and the words that replace them."""
 
     words: str
     better: str
@@ -51,7 +52,8 @@ class ProseFinding:
 
 
 def read_terms(text: str) -> Iterator[Term]:
-    """Yields the words behind "Not:" of each entry of the glossary, and the list of plain words."""
+    """Yields the words after "Not:" in each entry of the glossary, and the words of the list of
+    plain words."""
     entry = ""
     for line in text.splitlines():
         if match := NOT.match(line):
@@ -66,14 +68,14 @@ def read_terms(text: str) -> Iterator[Term]:
 
 
 def right_phrases(text: str) -> list[str]:
-    """Returns the phrases in which a word of the list of plain words is right."""
+    """Returns the phrases in which a word of the list of plain words is allowed."""
     plain = (RIGHT.search(match[2]) for match in PLAIN.finditer(text))
     return [phrase for right in plain if right for phrase in IN_BACKQUOTES.findall(right[1])]
 
 
 def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
-    """Returns a pattern that matches whole words. A blank matches any white space, # matches any
-    number, and case is ignored.
+    """Returns a pattern that matches whole words. A blank matches any white space, and # matches
+    any number. The pattern ignores case.
     """
     longest = sorted((" ".join(phrase.split()) for phrase in phrases), key=len, reverse=True)
     words = "|".join(map(re.escape, longest)).replace(r"\ ", r"\s+").replace(r"\#", r"\d+")
@@ -81,8 +83,8 @@ def pattern_of(phrases: Iterable[str]) -> re.Pattern[str]:
 
 
 def prose_of(path: Path) -> str:
-    """Returns the text of a file in which blanks replace everything except prose; lines do not
-    change.
+    """Returns the text of a file in which blanks replace everything except prose. The lines do not
+    move.
     """
     text = path.read_text(encoding="utf-8")
     if path.suffix not in PROSE:
@@ -95,7 +97,8 @@ def _blank(pattern: re.Pattern[str], text: str) -> str:
 
 
 def _remarks(path: Path, text: str) -> str:
-    """Returns the comments of code, and its strings of several words. A phrase ends at code."""
+    """Returns the comments of code, and its strings of several words. A phrase ends where code
+    begins."""
     name = {"": "wr.sh", ".tree": "a.sh", ".txt": "CMakeLists.txt"}.get(path.suffix, path.name)
     try:
         tokens = get_lexer_for_filename(name).get_tokens_unprocessed(text)
@@ -115,7 +118,7 @@ def _is_prose(kind: _TokenType, part: str) -> bool:
 
 
 def lint_prose(root: Path) -> list[ProseFinding]:
-    """Returns all findings, by file and line."""
+    """Returns all findings, sorted by file and line."""
     glossary = (root / GLOSSARY).read_text(encoding="utf-8")
     better = {term.words.lower(): term.better for term in read_terms(glossary)}
     pattern = pattern_of(better)

@@ -17,10 +17,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "prove",
         description="Generates a model of the state machines of design/fsm and of their "
-        "composition in design/proofs/robot.pml, and proves the properties of "
+        "composition in design/proofs/robot.pml. Proves the properties of "
         "design/proofs/properties.toml with the model checker Spin. The results are in "
-        "build/results/proofs.json and on the page Proofs of the portal. Exit code 3: Spin or a C "
-        "compiler is missing.",
+        "build/results/proofs.json and on the page Proofs of the portal. The exit code "
+        "3 means that Spin or a C compiler is missing.",
     )
     parser.add_argument(
         "properties",
@@ -31,8 +31,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--again",
         action="store_true",
-        help="prove all properties, also properties whose model is in tests/records/proofs.json, "
-        "and write that record",
+        help="prove all properties, even if the model of a property is in "
+        "tests/records/proofs.json, and write this record again",
     )
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
 
@@ -44,7 +44,7 @@ def run(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
         names = ", ".join(declared.proofs)
         parser.error(f"there is no property {min(unknown)}; the properties are {names}")
     if missing := missing_program():
-        raise MissingError(f"{missing} is not installed; ./wr setup installs it")
+        raise MissingError(f"{missing} is not installed; install it with ./wr setup")
     with only_one(root, "prove"):
         if options.properties:
             properties = [declared.proofs[name] for name in options.properties]

@@ -15,7 +15,8 @@ from tools.steps import FailureError, run
 from tools.task_graph import Outcome
 from traceability.reading.results import RESULTS
 
-# These tests mostly wait for a robot in real time, so more tests than processors run in parallel.
+# These tests mostly wait for a robot in real time. More tests than processors therefore run in
+# parallel.
 TESTS = Path("tests/python")
 WAITING = "client"
 WAITING_JOBS = "8"
@@ -23,12 +24,12 @@ WAITING_JOBS = "8"
 IMPORT = re.compile(
     r"^\s*(?:from\s+([\w.]+)\s+import\s+(\([^)]*\)|.+)|import\s+([\w.]+))", re.MULTILINE
 )
-IMPORTED_FROM = ("", "site", "client")  # as in pyproject.toml
+IMPORTED_FROM = ("", "site", "client")  # the same folders as in pyproject.toml
 
 
 def imported_files(root: Path, folder: str) -> list[str]:
     """Returns the Python files of the project that the tests of a folder import, directly or
-    not.
+    indirectly.
     """
     tests = root / TESTS
     waiting = [*tests.glob("conftest.py"), *(tests / folder).glob("*.py")]
@@ -36,8 +37,8 @@ def imported_files(root: Path, folder: str) -> list[str]:
 
 
 def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
-    """Returns the test files that are among these Python files or import them. The value is the
-    first of these files.
+    """Returns the test files that are among these Python files or import them. The value of each
+    test file is the first of these Python files.
     """
     found = {}
     for test in sorted((root / TESTS).glob("*/test_*.py")):
@@ -50,7 +51,7 @@ def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
 
 
 def _imported(root: Path, waiting: list[Path]) -> set[Path]:
-    """Returns these files, and the files that they import, directly or not."""
+    """Returns these files and the files that they import, directly or indirectly."""
     found: set[Path] = set()
     while waiting:
         file = waiting.pop()
@@ -72,7 +73,8 @@ def _imports(root: Path, file: Path) -> tuple[Path, ...]:
 
 @functools.cache
 def _files(root: Path, module: str) -> tuple[Path, ...]:
-    """Returns the file of a module, and the ``__init__.py`` of each package around it."""
+    """Returns the file of a module, and the ``__init__.py`` of each package that contains the
+    module."""
     parts = module.split(".")
     ways = [
         Path(place, *parts[:count]) for place in IMPORTED_FROM for count in range(1, len(parts) + 1)
@@ -82,8 +84,8 @@ def _files(root: Path, module: str) -> tuple[Path, ...]:
 
 
 def workers(folder: str) -> list[str | Path]:
-    """Returns options of pytest: the number of parallel tests, and the tests that must run in one
-    process.
+    """Returns options of pytest. They state the number of parallel tests, and the tests that must
+    run in one process.
     """
     if folder == WAITING:
         return ["-n", WAITING_JOBS, "--dist", "load"]
@@ -99,16 +101,17 @@ def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
     words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
     words += [*options, root / "tests/python" / folder]
     counts = counted(log, words, results)
-    # Tests may fail because the computer is busy: failed tests run again, one by one.
+    # Tests may fail because the computer is busy. Failed tests therefore run again, one after the
+    # other.
     if counts.failed and folder == WAITING:
         again = counted(log, [*words, "--lf", "-n", "0"], results)
         counts = replace(again, passed=counts.passed + again.passed, skipped=counts.skipped)
-    log.writelines(f"to debug it: ./wr debug {name}\n" for name in failed_tests(results))
+    log.writelines(f"to debug this test: ./wr debug {name}\n" for name in failed_tests(results))
     return outcome_of(counts)
 
 
 def failed_tests(results: Path) -> list[str]:
-    """Returns the names of the failed tests, in the form of pytest and ./wr debug."""
+    """Returns the names of the failed tests, in the form that pytest and ./wr debug use."""
     return [
         f"{case.get('classname', '').replace('.', '/')}.py::{case.get('name')}"
         for case in ET.parse(results).iter("testcase")

@@ -1,4 +1,5 @@
-"""The key of the Bluetooth device: written into a copy of the image before the image is flashed."""
+"""The key of the Bluetooth device. The key is written into a copy of the image before the image is
+flashed."""
 
 from __future__ import annotations
 
@@ -10,26 +11,26 @@ KEY_AT = 0x410
 KEY_BYTES = 16
 ERASED = b"\xff" * KEY_BYTES
 ADVICE = (
-    "A key file contains 32 hexadecimal digits. Make one with: "
-    "head -c 16 /dev/urandom | xxd -p > robot.key"
+    "A key file contains 32 hexadecimal digits. Make a key file with: head -c 16 /dev/urandom | "
+    "xxd -p > robot.key"
 )
 
 
 class KeyFileError(Exception):
-    """A key that cannot be used, or an image without a place for the key."""
+    """A key cannot be used, or an image has no place for the key."""
 
 
 def read_key(file: Path) -> bytes:
-    """Returns the 16 bytes of a key file; its digits may be separated by blanks."""
+    """Returns the 16 bytes of a key file. Blanks may separate its digits."""
     try:
         text = "".join(file.read_text(encoding="ascii").split())
     except (OSError, UnicodeDecodeError) as error:
         raise KeyFileError(f"cannot read the key {file}: {error}. {ADVICE}") from error
     if not re.fullmatch(f"[0-9a-fA-F]{{{2 * KEY_BYTES}}}", text):
-        raise KeyFileError(f"{file} is no key. {ADVICE}")
+        raise KeyFileError(f"{file} is not a key file. {ADVICE}")
     key = bytes.fromhex(text)
     if key == ERASED:
-        raise KeyFileError(f"{file}: a key of 16 bytes FF counts as no key. {ADVICE}")
+        raise KeyFileError(f"{file}: a key of 16 bytes FF means that there is no key. {ADVICE}")
     return key
 
 
@@ -37,13 +38,13 @@ def with_key(image: bytes, key: bytes) -> bytes:
     """Returns the image with the key in its place."""
     if image[KEY_AT : KEY_AT + KEY_BYTES] != ERASED:
         raise KeyFileError(
-            "this image has no place for a key: use the image of weeding_robot_pc_bluetooth"
+            "this image has no place for a key; use the image of weeding_robot_pc_bluetooth"
         )
     return image[:KEY_AT] + key + image[KEY_AT + KEY_BYTES :]
 
 
 def write_keyed(image: Path, key_file: Path, target: Path) -> None:
-    """Writes a copy of the image with the key, which only its owner can read."""
+    """Writes a copy of the image with the key. Only its owner can read this copy."""
     content = with_key(image.read_bytes(), read_key(key_file))
     target.unlink(missing_ok=True)
     descriptor = os.open(target, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)

@@ -1,4 +1,5 @@
-"""./wr release: the files of a release, from a commit. They have the same bytes in each folder."""
+"""./wr release: makes the files of a release from a commit. The files have the same bytes in each
+folder."""
 
 from __future__ import annotations
 
@@ -45,9 +46,9 @@ VERSION = re.compile(r"project\([^)]*VERSION\s+([\d.]+)")
 ARCHIVE = ".tar.gz"
 TIMES, MODEL = MEASURED.parent, Path("build/model")
 VERIFY = "./wr release --verify"
-SHOWN = 20  # differences inside an archive
+SHOWN = 20  # number of differences inside an archive that are shown
 SUFFIXES = (".elf", ".bin", ".hex")
-# Files of a build that no page needs: they contain paths and times of this machine.
+# Files of a build that no page needs. They contain paths and times of this machine.
 NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", ".bak", "status.json")
 EXPORTS = ("model.json", "model.schema.json", JSON, SCHEMA, JUNIT, *(file.name for file in FILES))
 
@@ -56,7 +57,7 @@ EXPORTS = ("model.json", "model.schema.json", JSON, SCHEMA, JUNIT, *(file.name f
 class Release:
     version: str
     commit: str
-    when: int  # time of the commit, s since 1970
+    when: int  # time of the commit [s since 1970]
 
     @property
     def name(self) -> str:
@@ -66,10 +67,10 @@ class Release:
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "release",
-        description="Makes the files of a release in build/release, from a commit without "
-        "changes: images with their hashes, a list of the parts (CycloneDX), the portal for "
-        "reading without a network, the exports, and the notes. All times in the "
-        "archives are the time of the commit.",
+        description="Makes the files of a release in build/release from a commit. No file may "
+        "differ from the commit. The release contains the images with their hashes, a "
+        "list of the parts (CycloneDX), the portal for reading without a network, the "
+        "exports, and the notes. All times in the archives are the time of the commit.",
     )
     parser.add_argument(
         "--verify",
@@ -119,13 +120,13 @@ def release(root: Path, *, verify: bool, published: bool = False) -> int:
 
 
 def identity(root: Path) -> Release:
-    """Returns the commit and its time; an error when a file differs from it."""
+    """Returns the commit and its time. Raises an error if a file differs from the commit."""
     commit = git(root, "rev-parse", "HEAD").strip()
     if not commit:
-        raise MissingError("this folder is not a git clone: a release needs a commit")
+        raise MissingError("this folder is not a git clone, but a release needs a commit")
     changed = git(root, "status", "--porcelain").splitlines()
     if changed:
-        raise FailureError(f"{len(changed)} files differ from the commit: commit them first")
+        raise FailureError(f"{len(changed)} files differ from the commit; commit them first")
     found = VERSION.search((root / "CMakeLists.txt").read_text(encoding="utf-8"))
     assert found
     return Release(found[1], commit, int(git(root, "log", "-1", "--format=%ct")))
@@ -137,11 +138,11 @@ def build(root: Path) -> None:
     if run.failed or pages.failed:
         raise FailureError("the build failed")
     write_svd(root, root / SVD)
-    print(f"{len(read_findings(root) or [])} findings in the documents")
+    print(f"the documents have {len(read_findings(root) or [])} findings")
 
 
 def write_release(root: Path, made: Release, folder: Path) -> None:
-    """Writes the files, then the list of their hashes."""
+    """Writes the files of the release, and then the list of their hashes."""
     images = {
         f"{product}{suffix}": root / image_of(product, suffix)
         for product in PRODUCTS
@@ -166,8 +167,8 @@ def write_release(root: Path, made: Release, folder: Path) -> None:
 
 
 def write_source(root: Path, made: Release, path: Path) -> None:
-    """Writes the archive of the sources. Each file has the time of the commit and its permission to
-    execute.
+    """Writes the archive of the sources. Each file has the time of the commit and its own
+    permission to execute.
     """
     words = ["archive", "--format=tar.gz", f"--prefix={made.name}/source/", made.commit]
     subprocess.run(["git", *words, "--output", path], cwd=root, check=True)
@@ -182,7 +183,7 @@ def add_book(root: Path, path: Path) -> None:
 
 
 def notes(root: Path, made: Release) -> str:
-    """Returns the section of the version in the list of changes."""
+    """Returns the section of the version in the changelog."""
     text = (root / CHANGELOG).read_text(encoding="utf-8")
     found = re.search(rf"^## {re.escape(made.version)}\b.*?(?=^## |\Z)", text, re.M | re.S)
     if not found:
@@ -194,7 +195,8 @@ def notes(root: Path, made: Release) -> str:
 
 
 def compare_with_second(root: Path, folder: Path) -> list[str]:
-    """Makes the release again from a clone, with the results of tests as an input."""
+    """Makes the release again in a clone. The results of tests are an input of this second
+    release."""
     with tempfile.TemporaryDirectory(prefix="weeding-robot-") as name:
         copy = Path(name) / "project"
         print(f"Makes the release again in {copy}", flush=True)
@@ -203,13 +205,13 @@ def compare_with_second(root: Path, folder: Path) -> list[str]:
         words = [sys.executable, "-m", "tools", "release"]
         done = subprocess.run(words, cwd=copy, env=environment(root, copy), check=False)
         if done.returncode:
-            raise FailureError("the release in the new folder failed: see its messages above")
+            raise FailureError("the release in the new folder failed; see its messages above")
         return differences(folder, copy / FOLDER)
 
 
 def bring_results(root: Path, copy: Path) -> None:
-    """Copies results of tests and measurements, which contain times that differ in a second run.
-    Recordings also contain the addresses of the recorded program.
+    """Copies the results of tests and measurements, because they contain times that differ in a
+    second run. Recordings also contain the addresses of the recorded program.
     """
     recorded = [path for one in SOURCES.values() for path in (one.folder, one.executable)]
     covered = [path.relative_to(root) for path in (root / MODEL).glob("coverage-*.json")]
@@ -223,7 +225,9 @@ def bring_results(root: Path, copy: Path) -> None:
 
 def differences(first: Path, second: Path) -> list[str]:
     here, there = below(first), below(second)
-    found = [f"{name}: only in one of the two" for name in sorted(here.keys() ^ there.keys())]
+    found = [
+        f"{name} is only in one of the two releases" for name in sorted(here.keys() ^ there.keys())
+    ]
     for name in sorted(here.keys() & there.keys()):
         if file_hash(here[name]) != file_hash(there[name]):
             found.append(f"{name}: the bytes differ")

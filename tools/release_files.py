@@ -11,7 +11,7 @@ from pathlib import Path
 
 
 def write_archive(path: Path, files: Mapping[str, bytes | Path], when: int) -> None:
-    """Writes a tar.gz with the files in the order of their names.
+    """Writes a tar.gz with the files, sorted by their names.
 
     ``when`` is the time of each file [s since 1970]. Owners and permissions are always the same.
     """
@@ -30,7 +30,7 @@ def write_archive(path: Path, files: Mapping[str, bytes | Path], when: int) -> N
 
 
 def sums_text(folder: Path, names: Iterable[str]) -> str:
-    """Returns the SHA-256 of each file, as ``sha256sum --check`` reads it."""
+    """Returns the SHA-256 of each file, in the form that ``sha256sum --check`` reads."""
     return "".join(
         f"{hashlib.sha256((folder / name).read_bytes()).hexdigest()}  {name}\n"
         for name in sorted(names)
@@ -38,8 +38,8 @@ def sums_text(folder: Path, names: Iterable[str]) -> str:
 
 
 def below(folder: Path, *without: str) -> dict[str, Path]:
-    """Returns the files of a folder, by their paths in this folder, except files with these
-    endings."""
+    """Returns the files of a folder, by their paths in this folder. Files with these endings are
+    left out."""
     return {
         str(path.relative_to(folder)): path
         for path in sorted(folder.rglob("*"))
@@ -48,7 +48,7 @@ def below(folder: Path, *without: str) -> dict[str, Path]:
 
 
 def different_members(first: Path, second: Path) -> list[str]:
-    """Returns the names in two archives whose content differs, or that only one archive
+    """Returns the names in two archives whose contents differ, and the names that only one archive
     contains.
     """
     here, there = (_members(path) for path in (first, second))

@@ -22,28 +22,32 @@ if TYPE_CHECKING:
 
 # largest number of versions of a file in which the text of the baseline is searched
 MOST_VERSIONS = 200
-MOST_TRIES = 3  # of an answer
+MOST_TRIES = 3  # number of times that the program asks for an answer
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "review",
         description="Shows the texts on which the verdict of one requirement depends: its text, "
-        "tree, safety goals, methods, tests, fixtures and scenarios, with the changes since its "
-        "baseline. Then asks the questions of the checklist, and records your answers in "
-        "requirements/reviews.toml. According to git, a reviewer wrote no line of these "
-        "texts. With --baseline it asks nothing: it records the hashes of the present texts in "
-        "requirements/baseline.toml. A baseline shows later changes; it is not a review.",
+        "tree, safety goals, methods, tests, fixtures and scenarios. Also shows the "
+        "changes of these texts since the baseline. Then asks the questions of the "
+        "checklist, and records your answers in requirements/reviews.toml. According "
+        "to git, a reviewer must have written no line of these texts. With --baseline, "
+        "the command asks nothing, and records the hashes of the present texts in "
+        "requirements/baseline.toml. A baseline shows later changes, but is not a "
+        "review.",
     )
     parser.add_argument("ids", nargs="*", metavar="ID", help="a requirement, such as FR-15")
     parser.add_argument(
         "--baseline",
         action="store_true",
-        help="record the present texts of the requirements, or of all requirements that changed; "
-        "'design' selects the reasons in design/ and the code without a requirement",
+        help="record the present texts of the given requirements, or of all requirements that "
+        "changed; 'design' selects the reasons in design/ and the code without a requirement",
     )
-    parser.add_argument("--name", help="first and last name of the reviewer; default: as in git")
-    parser.add_argument("--email", help="address of the reviewer; default: as in git")
+    parser.add_argument(
+        "--name", help="first and last name of the reviewer (default: the name in git)"
+    )
+    parser.add_argument("--email", help="address of the reviewer (default: the address in git)")
     parser.set_defaults(run=review)
 
 
@@ -97,17 +101,21 @@ def counted(changed: list[str]) -> str:
 def review_one(
     root: Path, requirement: Requirement, texts: list[LinkText], options: argparse.Namespace
 ) -> int:
-    """Shows the texts, asks, and records the answers."""
+    """Shows the texts, asks the questions, and records the answers."""
     from traceability.model.reviews import REVIEWS, add_review, objections, read_baseline, state_of
     from traceability.schema import Place, Review
 
     if not sys.stdin.isatty():
-        raise UsageError("a person answers the questions of a review: run it in a terminal")
+        raise UsageError(
+            "a person answers the questions of a review; run this command in a terminal"
+        )
     reviewer = options.name or git_setting(root, "user.name", "--name")
     email = options.email or git_setting(root, "user.email", "--email")
     files = sorted({text.place.file for text in texts})
     if git(root, "status", "--porcelain", "--", *files):
-        raise FailureError("some of these texts are not committed: commit them, then review")
+        raise FailureError(
+            "some of these texts are not committed; commit them, and then review them"
+        )
     print("\n".join(shown(root, read_baseline(root), requirement, texts)))
     answers, remark = asked()
     today = datetime.date.today().isoformat()
@@ -154,8 +162,8 @@ def answer_to(question: str, advice: str, accepted: Callable[[str], bool]) -> st
 def shown(
     root: Path, baseline: Baseline, requirement: Requirement, texts: list[LinkText]
 ) -> Iterator[str]:
-    """Yields the texts that a reviewer reads, with their changes; of a support file only the
-    path.
+    """Yields the texts that a reviewer reads, with their changes. For a support file, yields only
+    its path.
     """
     for text in texts:
         yield f"== {text.kind} {text.name} ({text.place.file}:{text.place.line})"
@@ -171,7 +179,10 @@ def shown(
 def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
     before = text_recorded(root, now, recorded)
     if before is None:
-        yield "changed since the baseline; the text of the baseline is not in this git repository"
+        yield (
+            "the text changed since the baseline; this git repository does not contain the text "
+            "of the baseline"
+        )
         return
     yield from difflib.unified_diff(
         before.splitlines(), now.text.splitlines(), "baseline", "now", lineterm=""
@@ -179,7 +190,7 @@ def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
 
 
 def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
-    """Returns the text with this hash, out of the versions of the file that git has."""
+    """Returns the text with this hash. The versions of the file in git are searched."""
     from traceability.reading.link_texts import FINDERS, hash_of
 
     if now.kind not in FINDERS:
@@ -192,7 +203,7 @@ def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
 
 
 def versions(root: Path, file: str) -> Iterator[str]:
-    """Yields the content of a file in each commit that changed it, the newest first."""
+    """Yields the content of a file in each commit that changed it. The newest content is first."""
     commits = git(root, "log", f"--max-count={MOST_VERSIONS}", "--format=%H", "--", file)
     for commit in commits.split():
         yield git(root, "show", f"{commit}:{file}")
@@ -201,5 +212,5 @@ def versions(root: Path, file: str) -> Iterator[str]:
 def git_setting(root: Path, name: str, option: str) -> str:
     value = git(root, "config", name).strip()
     if not value:
-        raise MissingError(f"git has no {name}: set it, or give {option}")
+        raise MissingError(f"git has no {name}; set it, or use {option}")
     return value

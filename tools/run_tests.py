@@ -1,4 +1,4 @@
-"""./wr test: every test and every check."""
+"""./wr test: runs every test and every check."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ from traceability.reading.task_record import (
     TESTS_TRACE,
 )
 
-# Word of the command line -> task.
+# Word of the command line -> its task.
 PARTS = {
     "host": TESTS_TRACE,
     "board": TESTS_BOARD,
@@ -49,11 +49,11 @@ PARTS = {
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "test",
-        description="Runs the tests of the firmware (with traces and coverage, with "
-        "sanitizers, and with the image on the virtual K64), the tests of the tools, every check, "
-        "and the tests of the portal's pages in a browser. Tasks whose inputs did not change are "
-        "not run again. The last line counts the tests of the firmware "
-        "(once for this machine, once for the virtual K64), of the tools and of the pages.",
+        description="Runs the tests of the firmware (with traces and coverage, with sanitizers, "
+        "and with the image on the virtual K64). Runs the tests of the tools, every "
+        "check, and the tests of the portal's pages in a browser. A task runs again "
+        "only if its inputs changed. The last line counts the tests of the firmware "
+        "(on this machine and on the virtual K64), of the tools and of the pages.",
     )
     parser.add_argument(
         "parts",
@@ -64,7 +64,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--long",
         action="store_true",
-        help="also seed each fault of tests/drift in a copy, and test whether the checks find it",
+        help="also insert each fault of tests/drift in a copy, and test whether the checks find it",
     )
     parser.add_argument("--lint", action="store_true", help="also run ./wr lint, at the same time")
     parser.set_defaults(run=lambda root, options: run(root, options, parser))
@@ -135,8 +135,8 @@ class LaterPages:
 
 
 def counts_of(run: Reporter, *counted: str | None) -> Counts:
-    """Returns the tests of all tasks; the tests with sanitizers are the same as the tests with
-    traces.
+    """Returns the counts of the tests of all tasks. The tests with sanitizers are the same tests as
+    the tests with traces, and are not counted again.
     """
     counts = Counts()
     for name, values in run.values.items():

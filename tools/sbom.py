@@ -1,4 +1,4 @@
-"""The parts of a release in CycloneDX: images, libraries in the images, tools, files of third
+"""The parts of a release in CycloneDX: images, libraries in the images, tools, and files of third
 parties."""
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def _images(images: Mapping[str, str], version: str) -> Iterable[Component]:
 
 
 def _linked() -> Iterable[Component]:
-    """Returns the libraries of C, of C++ and of the compiler, as installed on this machine."""
+    """Returns the libraries of C, of C++ and of the compiler that are installed on this machine."""
     for name in LINKED:
         version = debian_version(name)
         yield Component(
@@ -84,7 +84,7 @@ def debian_version(name: str) -> str:
 
 
 def _python(root: Path) -> Iterable[Component]:
-    """Returns packages of the tools, which are not part of an image."""
+    """Returns the packages of the tools. They are not part of an image."""
     packages = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
     if not packages:
         raise FailureError(f"{LOCK} names no package")

@@ -1,4 +1,5 @@
-"""Seeds the faults in copies of the project, checks the copies, and records the findings."""
+"""Inserts the seeded faults in copies of the project, checks the copies, and records the
+findings."""
 
 from __future__ import annotations
 
@@ -19,18 +20,25 @@ from traceability.reading.seeded_fault_record import SOURCES, Outcome, write_rec
 from traceability.reading.seeded_faults import COMPILER, Fault, read_faults
 from traceability.schema import Finding
 
-NEAR = 2  # lines between the expected place and the finding: a comment is above its declaration
+# Number of lines between the expected place and the finding. A comment is above its declaration.
+NEAR = 2
 WORKERS = 2
-PROGRESS = 30.0  # [s] between two lines of progress
+PROGRESS = 30.0  # time between two lines of progress [s]
 BUILT = ("build/model", "build/results", "build/tasks.json")
 FORK = get_context("fork")
-tried = FORK.Value("i", 0)  # number of tried faults, which all workers count
-LINKED = ("build/trace", "build/host", "build/k64", "build/k64_calls", "build/calls")  # only read
+tried = FORK.Value("i", 0)  # number of faults that were tried; all workers add to it
+LINKED = (
+    "build/trace",
+    "build/host",
+    "build/k64",
+    "build/k64_calls",
+    "build/calls",
+)  # These folders are only read.
 PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
 
 def seed_all(root: Path) -> list[Outcome]:
-    """Seeds every fault that the state of the project allows, and writes the record."""
+    """Inserts every fault that the state of the project allows, and writes the record."""
     faults = read_faults(root)
     fresh = not build(root).model.results_stale
     stages = {"sources"} | ({"results"} if fresh else set())
@@ -43,16 +51,16 @@ def seed_all(root: Path) -> list[Outcome]:
 
 
 def seed(root: Path, checks: list[str]) -> list[Outcome]:
-    """Seeds the faults of some checks. Writes no record, because a record contains all faults."""
+    """Inserts the faults of some checks. Writes no record, because a record contains all faults."""
     faults = read_faults(root)
     unknown = sorted(set(checks) - {fault.check for fault in faults})
     if unknown:
-        raise UsageError(f"no fault is seeded for the check {', '.join(unknown)}")
+        raise UsageError(f"there is no seeded fault for the check {', '.join(unknown)}")
     return list(_outcomes(root, [fault for fault in faults if fault.check in checks]))
 
 
 def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
-    """Returns the outcomes, ordered by stage. The copies share the groups of a stage."""
+    """Returns the outcomes, ordered by stage. The copies share the groups of faults of a stage."""
     tried.value = 0
     with (
         tempfile.TemporaryDirectory(prefix="drift-") as folder,
@@ -87,10 +95,10 @@ def _show_progress(parts: list[Future[list[Outcome]]], faults: int) -> None:
 
 
 def grouped(faults: list[Fault]) -> list[list[Fault]]:
-    """Returns groups of faults that share no file. The faults of a group are seeded together, and
-    their findings can be distinguished.
+    """Returns groups of faults that have no file in common. The faults of a group are inserted
+    together, because their findings can be distinguished.
 
-    A fault that does not compile hides the other faults, so it is checked alone.
+    A fault that does not compile hides the other faults. It is therefore checked alone.
     """
     alone = [[fault] for fault in faults if not fault.compiles]
     groups: list[tuple[set[str], list[Fault]]] = []
@@ -117,7 +125,7 @@ def _seed_part(root: Path, tree: Path, stage: str, groups: list[list[Fault]]) ->
 
 
 class Copy:
-    """A copy of the project, in which faults are seeded and removed."""
+    """A copy of the project, in which faults are inserted and removed."""
 
     def __init__(self, root: Path, tree: Path, stage: str) -> None:
         self.tree = tree
@@ -145,10 +153,10 @@ class Copy:
         return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
-        """Seeds the faults together. Repeats the faults that were not found, in halves.
+        """Inserts the faults together. Faults that were not found are repeated in halves.
 
-        A fault can hide all others, for example when it makes a file of the design unreadable.
-        Seeding in halves separates this fault from the other faults in few runs.
+        A fault can hide all others, for example if it makes a file of the design unreadable.
+        Halving the group separates this fault from the other faults in a few runs.
         """
         outcomes = {
             fault.name: outcome for fault, outcome in zip(faults, self._seed(faults), strict=True)
@@ -171,14 +179,15 @@ class Copy:
                 changed = [edit.apply(self.tree) for edit in fault.edits]
                 lines[number] = fault.expected_line(self.tree, changed[0])
             new = [finding for finding in self.findings() if _key(finding) not in self.before]
-        except Exception as problem:  # also a fault of the project's own tools is an outcome
+        except Exception as problem:  # A fault of the project's own tools is an outcome too.
             error = [f"{type(problem).__name__}: {problem}"]
         finally:
             self._restore(before)
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
-        """Returns the files to keep. The messages of Doxygen are kept with its XML."""
+        """Returns the files that the copy keeps. The messages of Doxygen are kept together with its
+        XML."""
         files = sorted((self.tree / "build" / "model").rglob("*.*"))
         kinds = (".json", ".facts")
         return [path for path in files if path.suffix in kinds and path.name != "doxygen.json"]
@@ -187,9 +196,7 @@ class Copy:
         return {path: path.stat().st_mtime_ns for path in self._cached()}
 
     def _restore(self, before: dict[str, bytes | None]) -> None:
-        """Restores the files before the faults, with their parsed content, so that no file is read
-        twice.
-        """
+        """Restores the files, together with their parsed content. No file is then parsed twice."""
         for file, content in before.items():
             if content is None:
                 (self.tree / file).unlink(missing_ok=True)
@@ -234,8 +241,8 @@ def _content(path: Path) -> bytes | None:
 
 
 def copy_part(root: Path, tree: Path, name: str) -> None:
-    """Copies the project without the precompiled library: it contains the path of its tree, so each
-    copy builds the library again.
+    """Copies the project without the precompiled library. This library contains the path of its
+    folder, so each copy builds it again.
     """
     source, target = root / name, tree / name
     if source.is_dir():

@@ -15,13 +15,13 @@ from tools.task_graph import WAKE
 ADDRESS = "127.0.0.1"
 PORT = 8000
 SITE = Path("build/site")
-STATUS = SITE / "status.json"  # running tasks, for the open page
+STATUS = SITE / "status.json"  # the running tasks, which the open page shows
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "serve",
-        description="Serves the portal that was built last, on this machine only.",
+        description="Serves the portal that was built last. Only this machine can open it.",
     )
     add_port(parser)
     parser.set_defaults(run=lambda root, options: serve(root, options.port))
@@ -41,8 +41,8 @@ def port_number(text: str) -> int:
 
 
 class Handler(SimpleHTTPRequestHandler):
-    """Sends the files of the site. The browser always loads them again, because the site is
-    rebuilt.
+    """Sends the files of the site. The browser always loads them again, because the site may have
+    been rebuilt.
     """
 
     def end_headers(self) -> None:
@@ -51,12 +51,12 @@ class Handler(SimpleHTTPRequestHandler):
 
     # The base class defines the name of the parameter.
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002 - http.server names it
-        """Prints nothing for each page."""
+        """Prints nothing for a request."""
 
 
 def make_server(site: Path, port: int) -> ThreadingHTTPServer:
     if not (site / "index.html").exists():
-        raise MissingError("there is no portal yet: make it with ./wr portal")
+        raise MissingError("there is no portal yet; build it with ./wr portal")
     try:
         return ThreadingHTTPServer((ADDRESS, port), partial(Handler, directory=str(site)))
     except OSError as error:
@@ -66,8 +66,8 @@ def make_server(site: Path, port: int) -> ThreadingHTTPServer:
 
 
 def serving(root: Path, port: int) -> tuple[str, Thread]:
-    """Serves the portal in a thread. Returns its address, and the thread."""
-    (root / STATUS).unlink(missing_ok=True)  # the state of a run that has ended
+    """Serves the portal in a thread. Returns the address and the thread."""
+    (root / STATUS).unlink(missing_ok=True)  # This file is the state of a run that has ended.
     server = make_server(root / SITE, port)
     thread = Thread(target=server.serve_forever, daemon=True)
     thread.start()

@@ -1,4 +1,4 @@
-"""./wr impact: effects of a change."""
+"""./wr impact: shows the effects of a change."""
 
 from __future__ import annotations
 
@@ -18,22 +18,23 @@ if TYPE_CHECKING:
     from traceability.model.impact import Impact, Reached
 
 WIDTH = 100
-RANGE = ".."  # between two commits
-SHOWN = 12  # greatest number of listed tests without --json
+RANGE = ".."  # separates two commits
+SHOWN = 12  # largest number of tests that are listed without --json
 
 
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "impact",
         description="Builds the model and lists the modules that a change may affect, sorted by "
-        "distance. Also lists the requirements, patterns and tests to review. Follows the imports "
-        "of Python files to their tests. Lists the files whose effects it does not follow, such as "
-        "pages, scenarios and build files. The portal shows the effects on the page of each module "
-        "and requirement.",
+        "distance. Also lists the requirements, patterns and tests to review. The "
+        "imports of Python files show the Python tests that a change affects. Files "
+        "whose effects are not followed, such as pages, scenarios and build files, are "
+        "listed too. The portal shows the effects on the page of each module and "
+        "requirement.",
     )
     parser.add_argument(
         "subject",
-        help="a file of the project, a module, a requirement (FR-15), or the commits REV1..REV2",
+        help="a file of the project, a module, a requirement (FR-15), or two commits as REV1..REV2",
     )
     parser.add_argument("--json", action="store_true", help="print the result as JSON")
     parser.set_defaults(run=impact)
@@ -70,7 +71,7 @@ def impact_of(root: Path, subject: str) -> Impact:
 
 
 def with_python(root: Path, found: Impact) -> Impact:
-    """Follows the imports of the Python files to their tests."""
+    """Adds the Python tests that import the changed Python files, directly or indirectly."""
     from traceability.model.impact import Reached
 
     python = [path for path in found.unfollowed if path.endswith(".py")]

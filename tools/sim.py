@@ -22,9 +22,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "sim",
         description="Builds the firmware for this machine and runs it in real time. Its PC link is "
-        "a pseudo-terminal, to which ./wr drive and ./wr monitor connect. Ctrl-C ends it. With "
-        "--board, builds the image for the K64 and runs that on the virtual K64. Exit code 4: the "
-        "virtual K64 found a fault.",
+        "a pseudo-terminal, to which ./wr drive and ./wr monitor connect. Ctrl-C ends "
+        "the firmware. With --board, builds the image for the K64 and runs this image "
+        "on the virtual K64. The exit code 4 means that the virtual K64 found a fault.",
     )
     parser.add_argument(
         "--board", action="store_true", help="run the image for the K64 on the virtual K64"
@@ -47,7 +47,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--fast",
         action="store_true",
-        help="with --board and --cycles: as fast as possible, without a PC link",
+        help="with --board and --cycles: run as fast as possible, without a PC link",
     )
     parser.add_argument(
         "--scenario", type=Path, metavar="FILE", help="play this scenario instead of a PC link"
@@ -67,7 +67,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--gdb",
         type=port_number,
         metavar="PORT",
-        help="with --board: wait for GDB at this TCP port, 0 for a free one",
+        help="with --board: wait for GDB at this TCP port (0 means a free port)",
     )
     parser.set_defaults(run=lambda root, options: sim(root, options, parser))
 
@@ -109,12 +109,12 @@ def sim(root: Path, options: argparse.Namespace, parser: argparse.ArgumentParser
 
 
 def need_files(options: argparse.Namespace) -> None:
-    """Checks the files of the options before the build."""
+    """Checks that the files of the options exist before the build begins."""
     if options.scenario:
         need_file(options.scenario, "name a scenario, such as a file of sim/scenario/examples")
     for file in (options.reports, options.trace):
         if file and not file.absolute().parent.is_dir():
-            raise MissingError(f"cannot write {file}: make the folder {file.parent} first")
+            raise MissingError(f"cannot write {file}; make the folder {file.parent} first")
 
 
 def command(root: Path, options: argparse.Namespace) -> list[str]:
@@ -131,7 +131,7 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     link, control = options.link, options.control
     if not stepped:
         link = link or root / "build" / "pc-link"
-        if options.gdb is None:  # a repeated run repeats only the bytes of the PC
+        if options.gdb is None:  # Only the bytes of the PC are repeated when the run is repeated.
             control = control or root / "build" / "sim-control"
         (root / "build").mkdir(parents=True, exist_ok=True)
     for name, value in (

@@ -29,14 +29,14 @@ from traceability.reading.products import (
 
 ELF = image_of(DEFAULT, ".elf")
 SIZES = Path("build/results/size_k64.json")
-# Parts of the image that are not modules.
+# The parts of the image that are not modules.
 VECTORS, CONFIGURATION = "vectors", "flash configuration field"
 STACK, PADDING = "stack", "padding and unnamed constants"
 PARTS = (VECTORS, CONFIGURATION, LIBRARY, STACK, PADDING)
 
-SRAM = 0x1FFF0000  # RAM begins here
+SRAM = 0x1FFF0000  # RAM begins at this address.
 HEADER = re.compile(r"^\s*\d+\s+(\S+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s+([0-9a-f]+)\s")
-# An object: address, size, name, and its source file if the compiler records the file.
+# An object: its address, its size, its name, and its source file if the compiler recorded the file.
 OBJECT = re.compile(
     r"^([0-9a-f]+) ([0-9a-f]+) [bdrvBDRV] (\S+)(?:\t.*?(\w+)\.[ch]pp:\d+)?$", re.MULTILINE
 )
@@ -45,7 +45,7 @@ CLASS_TABLE = re.compile(r"^_ZTVN2wr(\d+)(\w+)$")
 
 @dataclass
 class Size:
-    """Bytes of a part."""
+    """The bytes of a part."""
 
     flash: int = 0
     ram: int = 0
@@ -58,7 +58,7 @@ class Section:
     name: str
     size: int
     address: int
-    load: int  # position in the binary
+    load: int  # position in the binary file
     in_flash: bool
     in_ram: bool
     code: bool
@@ -71,9 +71,9 @@ def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
     """Returns the size of each part. The flash is the value that arm-none-eabi-size reports for the
     whole image.
 
-    An instruction belongs to the module of its source line, also where it was inlined. An object
-    belongs to the module that defines it, read from the ``recorded`` image, because link-time
-    optimisation removes this information.
+    An instruction belongs to the module of its source line, even if the instruction was inlined
+    elsewhere. An object belongs to the module that defines it. The ``recorded`` image shows this
+    module, because link-time optimisation removes this information from the other image.
     """
     sizes: dict[str, Size] = defaultdict(Size)
     all_objects = list(objects(elf, homes(recorded or elf)))
@@ -92,21 +92,21 @@ def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
 
 
 def instructions(elf: Path, section: Section) -> Iterator[tuple[str, int]]:
-    """Yields module and size of each half-word of code."""
+    """Yields the module and the size of each half-word of code."""
     halves = range(section.address, section.address + section.size - 1, 2)
     for frames in frames_of(elf, halves).values():
         yield module_of(frames)[0], 2
 
 
 def homes(elf: Path) -> dict[str, str]:
-    """Returns the module of each object, by its name in the image."""
+    """Returns the module of each object, by the name of the object in the image."""
     listed = output("arm-none-eabi-nm", "--print-size", "--line-numbers", elf)
     return {name: module for _, _, name, module in OBJECT.findall(listed) if module}
 
 
 def objects(elf: Path, modules: Mapping[str, str]) -> Iterator[tuple[int, str, int]]:
-    """Yields address, module and size of each object. A virtual method table belongs to its
-    class.
+    """Yields the address, the module and the size of each object. A virtual method table belongs to
+    its class.
     """
     for address, size, name, _ in OBJECT.findall(output("arm-none-eabi-nm", "--print-size", elf)):
         plain = name.partition(".lto_priv")[0]
@@ -121,8 +121,8 @@ def add(part: Size, section: Section, size: int) -> None:
 
 
 def owner(section: Section) -> str:
-    """Returns the part to which a whole section belongs; empty when the section belongs to several
-    parts.
+    """Returns the part to which a whole section belongs. The result is empty if the section belongs
+    to several parts.
     """
     if not section.in_flash:
         return ""
@@ -144,7 +144,7 @@ def sections(elf: Path) -> list[Section]:
 
 
 def place_in_binary(elf: Path, address: int) -> int:
-    """Returns the position in the binary of the byte with a run-time address."""
+    """Returns the position in the binary file of the byte with a run-time address."""
     for section in sections(elf):
         if section.in_flash and section.holds(address):
             return section.load + address - section.address
@@ -167,7 +167,7 @@ def total(sizes: dict[str, Size]) -> Size:
 
 
 def whole_of(elf: Path) -> Size:
-    """Returns flash and RAM of an image."""
+    """Returns the flash and RAM of an image."""
     whole = Size()
     for section in sections(elf):
         add(whole, section, section.size)
@@ -180,7 +180,7 @@ def sizes_of(root: Path, product: str) -> dict[str, Size]:
 
 
 def write_products(root: Path) -> dict[str, Size]:
-    """Measures the images of all products, and writes the parts of each."""
+    """Measures the images of all products, and writes the parts of each image."""
     wholes, records = {}, {}
     modules = module_names(root)
     for product in PRODUCTS:

@@ -1,4 +1,4 @@
-"""Steps of a command: each has a title, a log file, a time, and an outcome."""
+"""The steps of a command. Each step has a title, a log file, a time and an outcome."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from typing import Any, TextIO, TypeVar
 from weeding_robot_client.exit_codes import FAILED, MISSING, USAGE
 
 TAIL_LINES = 30
-REPEAT = 0.001  # [s] delay of an interrupt that Python ignored
+REPEAT = 0.001  # delay after which an interrupt that Python ignored is repeated [s]
 Result = TypeVar("Result")
 
 
 class FailureError(Exception):
-    """A step failed, for the reason in the message."""
+    """A step failed. The message states the reason."""
 
     code = FAILED
 
@@ -36,18 +36,19 @@ class MissingError(FailureError):
 
 
 class UsageError(FailureError):
-    """The words of the command, or the content of its input file, are wrong."""
+    """The words of the command are wrong, or the content of its input file is wrong."""
 
     code = USAGE
 
 
 def need_file(path: Path, action: str) -> None:
-    """Raises MissingError, with the action of the user, when the file does not exist."""
+    """Raises MissingError if the file does not exist. The message contains the action for the
+    user."""
     if not path.is_file():
-        raise MissingError(f"there is no file {path}: {action}")
+        raise MissingError(f"the file {path} does not exist: {action}")
 
 
-# The programs that this process started, and that still run.
+# The programs that this process started and that still run.
 _started: list[subprocess.Popen[Any]] = []
 
 
@@ -57,9 +58,9 @@ def run(
     env: Mapping[str, str] | None = None,
     folder: Path | None = None,
 ) -> float:
-    """Runs a command and writes its output to the log. Raises FailureError when the command fails.
+    """Runs a command and writes its output to the log. Raises FailureError if the command fails.
 
-    Returns the processor time that it used [s].
+    Returns the processor time that the command used [s].
     """
     words = [str(word) for word in command]
     log.write(f"$ {' '.join(words)}\n")
@@ -85,13 +86,13 @@ def run(
 
 
 def heed_interrupts() -> None:
-    """Lets SIGTERM end the command like SIGINT.
+    """Makes SIGTERM end the command in the same way as SIGINT.
 
     A shell ignores SIGINT for a command in the background. A time limit sends SIGTERM. A pool ends
-    its processes with SIGTERM, so a process that was forked ends without an exception.
+    its processes with SIGTERM. A process that was forked therefore ends without an exception.
 
     Python ignores an exception in the callback of a weak reference, for example during an import.
-    An interrupt that is ignored there is repeated by a timer.
+    If an interrupt is ignored there, a timer repeats it.
     """
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGALRM):
         signal.signal(number, signal.default_int_handler)
@@ -109,7 +110,7 @@ def heed_interrupts() -> None:
 
 @contextmanager
 def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
-    """Lets an interrupt during this context also end the program."""
+    """Makes an interrupt during this context end the program too."""
     _started.append(program)
     try:
         yield
@@ -121,7 +122,7 @@ def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
 
 
 def stop_programs() -> None:
-    """Ends, after an interrupt, the programs that still run and the programs that they started."""
+    """Ends the programs that still run after an interrupt, and the programs that they started."""
     for program in list(_started):
         with suppress(ProcessLookupError):
             os.killpg(program.pid, signal.SIGTERM)
@@ -132,11 +133,12 @@ def tail(path: Path, lines: int = TAIL_LINES) -> str:
 
 
 def cannot_write(error: OSError) -> str | None:
-    """Returns the message of an error that the user must correct, or None for any other error."""
+    """Returns the message of an error that the user must correct. Returns None for any other
+    error."""
     if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
         action = "free space on this disk, then run the command again"
     elif error.errno in (errno.EROFS, errno.EACCES, errno.EPERM):
-        action = "make it writable, or copy the project to a folder that is"
+        action = "make it writable, or copy the project to a folder that is writable"
     else:
         return None
     return f"cannot write {error.filename or 'a file'}: {error.strerror}; {action}"
@@ -144,7 +146,7 @@ def cannot_write(error: OSError) -> str | None:
 
 @contextmanager
 def log_file(path: Path) -> Iterator[TextIO]:
-    """Opens the log of a step; a log that cannot be written fails the step."""
+    """Opens the log of a step. If the log cannot be written, the step fails."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("w") as log:
@@ -154,8 +156,8 @@ def log_file(path: Path) -> Iterator[TextIO]:
 
 
 def attempt(action: Callable[[TextIO], Result], log: TextIO) -> Result:
-    """Runs the action. An error in the tools themselves fails the step, and the log contains its
-    place."""
+    """Runs the action. If the tools themselves have an error, the step fails, and the log contains
+    the place of the error."""
     try:
         return action(log)
     except FailureError:
@@ -174,7 +176,7 @@ def log_of(root: Path, title: str) -> Path:
 
 @dataclass
 class Steps:
-    """Runs the steps of one command and records the failed steps."""
+    """The steps of one command. It runs them and records the failed steps."""
 
     root: Path
     total: int
@@ -183,7 +185,7 @@ class Steps:
     failed: list[str] = field(default_factory=list)
 
     def run(self, title: str, action: Callable[[TextIO], str | None]) -> bool:
-        """Runs one step. The action writes to the log and returns a short note, or nothing."""
+        """Runs one step. The action writes to the log. It returns a short note, or nothing."""
         self.number += 1
         path = log_of(self.root, title)
         self._say(f"[{self.number}/{self.total}] {title} ... ", end="")

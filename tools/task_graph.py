@@ -1,7 +1,8 @@
-"""Runs tasks with doit: each only when its inputs changed, independent tasks at the same time.
+"""Runs tasks with doit. A task runs only if its inputs changed. Independent tasks run at the same
+time.
 
-doit keeps the content hash of each input in ``build/tasks.json``. An input that changes while the
-task runs is not recorded: the task runs again the next time.
+doit stores the hash of the content of each input in ``build/tasks.json``. If an input changes while
+the task runs, its hash is not stored. The task then runs again the next time.
 """
 
 from __future__ import annotations
@@ -30,14 +31,14 @@ from traceability.reading.task_record import RECORD
 from traceability.sources import files_below
 from traceability.whole_file import write_whole
 
-SECONDS = "seconds of tasks"  # the entry with the duration of each task
+SECONDS = "seconds of tasks"  # key of the duration of each task
 WAKE = 0.2  # [s]
-LONG = 10  # [s] a task that is expected to take longer is announced when it starts
+LONG = 10  # If a task is expected to take longer than this, a line is printed when it starts [s].
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result of a task: a note, and whether its results exist but are bad."""
+    """The result of a task. It has a note, and states whether the results exist but are bad."""
 
     note: str
     failed: bool = False
@@ -46,23 +47,26 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Task:
-    """A task: its action, the files and folders that it reads, and the files that it writes."""
+    """A task, with its action, the files and folders that it reads, and the files that it
+    writes."""
 
     name: str
     action: Callable[[TextIO], Outcome | str | None]
     inputs: tuple[str, ...] = ()
-    results: tuple[str, ...] = ()  # removed before the task runs
-    must_exist: tuple[str, ...] = ()  # other outputs, which the task does not remove first
+    results: tuple[str, ...] = ()  # outputs that are removed before the task runs
+    must_exist: tuple[str, ...] = ()  # other outputs, which are not removed first
     after: tuple[str, ...] = ()
     inputs_from: tuple[str, ...] = ()  # tasks that determine inputs of this task
-    always: bool = False  # runs each time, because a build tool detects the changes itself
-    state: Callable[[], str] | None = None  # inputs that are not files
-    quiet: bool = False  # the task prints the lines about itself
+    always: bool = (
+        False  # The task runs each time, because a build tool detects the changes itself.
+    )
+    state: Callable[[], str] | None = None  # state of inputs that are not files
+    quiet: bool = False  # The task itself prints the lines about its progress.
 
 
 @dataclass
 class Progress:
-    """The running, waiting and ended tasks; the portal shows them."""
+    """The running, waiting and ended tasks. The portal shows them."""
 
     running: dict[str, tuple[float, float | None]] = field(default_factory=dict)
     waiting: dict[str, float | None] = field(default_factory=dict)
@@ -98,14 +102,16 @@ class Step(BaseAction):  # type: ignore[misc]  # doit has no types
 
 
 class Database(JsonDB):  # type: ignore[misc]  # doit has no types
-    """The record is replaced as a whole, so that an interruption keeps the previous record."""
+    """The file of the record. It is replaced as a whole, so an interruption leaves the previous
+    record."""
 
     def dump(self) -> None:
         write_whole(Path(self.name), self.codec.encode(self._db))
 
 
 class Record(Dependency):  # type: ignore[misc]  # doit has no types
-    """Records the inputs of a task, except inputs that changed after the start of the run."""
+    """Records the inputs of a task. Inputs that changed after the start of the run are not
+    recorded."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(Database, str(path))
@@ -119,8 +125,8 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
                 self._set(task.name, name, None)
 
     def forget(self, task: DoitTask) -> None:
-        """Removes a task from the record before it runs. If the run is ended by force, the outputs
-        are incomplete, and the record of an earlier run would be wrong.
+        """Removes a task from the record before the task runs. If the run is ended by force, the
+        outputs are incomplete. The record of an earlier run would then be wrong.
         """
         if self.get_values(task.name):
             self.remove_success(task)
@@ -128,8 +134,7 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
 
 
 class WakingQueue(queue.Queue[Any]):
-    """A queue whose reader wakes up periodically, because only then Ctrl-C reaches the main
-    thread."""
+    """A queue whose reader wakes up periodically. Only then Ctrl-C can reach the main thread."""
 
     def get(self, block: bool = True, timeout: float | None = None) -> Any:  # noqa: ARG002 - doit names them
         while True:
@@ -148,7 +153,7 @@ class Runner(MThreadRunner):  # type: ignore[misc]  # doit has no types
 
 
 class Reporter:
-    """Prints one line for each task, and keeps the progress."""
+    """Prints one line for each task, and records the progress."""
 
     def __init__(self, root: Path, tasks: Iterable[Task], record: Record, out: TextIO) -> None:
         self.root, self.record, self.out = root, record, out
@@ -264,10 +269,10 @@ class Graph:
     def run(
         self, names: Iterable[str], changed: Callable[[Task | None, Progress], None] | None = None
     ) -> Reporter:
-        """Runs the named tasks and the tasks that they need; returns their results.
+        """Runs the named tasks and the tasks that they need. Returns their results.
 
-        ``changed`` is called with the progress, and with the task that ended with new results or
-        None.
+        ``changed`` is called with the progress. Its second argument is the task that ended with new
+        results, or None.
         """
         with contextlib.chdir(self.root):
             record = Record(self.record)
@@ -286,7 +291,7 @@ class Graph:
 
     def _doit(self, task: Task) -> DoitTask:
         inputs = [str(path.relative_to(self.root)) for path in files_below(self.root, task.inputs)]
-        # The output of an earlier task need not exist yet.
+        # The output of an earlier task may not exist yet.
         inputs += [name for name in task.inputs if name.startswith("build/") and name not in inputs]
         state = task.state() if task.state is not None else ""
         step = Step(self.root, task)

@@ -1,6 +1,6 @@
-"""The tasks of the project: their actions, inputs and outputs.
+"""The tasks of the project, with their actions, inputs and outputs.
 
-Ninja finds the sources of a program. All other inputs are declared here, and only here.
+Ninja finds the sources of a program. All other inputs are declared only in this file.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ LIVE_MODULE = "live module"
 DOCUMENTS, PAGES = "documents", "tests (pages)"
 PAGES_RECORD = Path("build/pages.json")
 FIRMWARE = (HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, task_record.IMAGES)
-# Tasks whose results the pages show, the most important task first.
+# Tasks whose results the pages show. The most important task is first.
 RESULT_TASKS = (
     *FIRMWARE,
     task_record.TESTS_TRACE,
@@ -106,7 +106,7 @@ PROOF_INPUTS = (
 SCENARIOS = (str(EXAMPLES), "tests/system", "tests/usual_design")  # inputs of tests and runs
 PYTHON_SETTINGS = ("pyproject.toml", "setup/python.lock", "tools/python_tests.py")
 TOOLS = ("traceability", "site/portal", "tools", "client", *PYTHON_SETTINGS)
-# Inputs of the test of the checks: the sources, the checks and the seeded faults.
+# Inputs of the test of the checks. They are the sources, the checks and the seeded faults.
 SEEDED = (
     *(*DESIGN, "changes", "ports", "sim", "tests", "requirements", "design", "docs", "README.md"),
     *(*BUILD_FILES, *TOOLS),
@@ -139,9 +139,13 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     ),
     "worked_examples": SHOWN,
 }
-RUN_PROGRAMS = ("client", "firmware", "programs")  # folders whose tests run programs that are built
-# Folders whose tests also run the tools as programs. The other tests use only the files that they
-# import.
+RUN_PROGRAMS = (
+    "client",
+    "firmware",
+    "programs",
+)  # Folders with tests that run programs of the build.
+# Folders with tests that also run the tools as programs. The other tests use only the files that
+# they import.
 RUN_TOOLS = (*RUN_PROGRAMS, "tools", "worked_examples")
 
 
@@ -158,7 +162,7 @@ def graph(root: Path) -> Graph:
 
 
 def pages_graph(root: Path, out: TextIO | None = None) -> Graph:
-    """Returns the tasks that build and test the pages while other tasks still measure."""
+    """Returns the tasks that build and test the pages. They run while other tasks still measure."""
     return Graph(root, documents(root, out or sys.stdout), out or sys.stdout, record=PAGES_RECORD)
 
 
@@ -205,8 +209,8 @@ def builds(root: Path) -> list[Task]:
 
 
 def measurements(root: Path) -> list[Task]:
-    """Returns tests and runs of the programs that were built. Their inputs are the sources of these
-    programs.
+    """Returns the tasks that test and measure the programs that were built. Their inputs are the
+    sources of these programs.
     """
 
     def tests(run: str) -> Callable[[TextIO], Outcome]:
@@ -325,7 +329,8 @@ def measurements(root: Path) -> list[Task]:
 
 
 def checks_of_tools(root: Path) -> list[Task]:
-    """Returns the tests of the tools, and the task that seeds faults to test the checks."""
+    """Returns the tasks that run the tests of the tools, and the task that inserts faults to test
+    the checks."""
     built = (HOST_FIRMWARE, VIRTUAL_BOARD, K64_FIRMWARE, RECORDED_IMAGES, LIVE_MODULE)
 
     def tests(folder: str, others: tuple[str, ...]) -> Task:
@@ -351,7 +356,7 @@ def checks_of_tools(root: Path) -> list[Task]:
 
 
 def seed_faults(root: Path, log: TextIO) -> Outcome:
-    """Seeds each fault, and reports the faults that no check found."""
+    """Inserts each fault, and reports the faults that no check found."""
     from tools.seed_faults import seed_all
 
     outcomes = seed_all(root)
@@ -364,7 +369,8 @@ def seed_faults(root: Path, log: TextIO) -> Outcome:
 
 
 def documents(root: Path, out: TextIO) -> list[Task]:
-    """Returns the pages with their findings, and the tests of the pages."""
+    """Returns the task that builds the pages and finds the findings, and the task that tests the
+    pages."""
 
     def state() -> str:
         names = (*RESULT_TASKS, task_record.SEEDED_FAULTS, task_record.FIRMWARE_FAULTS)
@@ -372,7 +378,7 @@ def documents(root: Path, out: TextIO) -> list[Task]:
 
     def pages(log: TextIO) -> Outcome:
         if not works(find_browser()):
-            log.write("There is no browser: the tests that need one are skipped.\n")
+            log.write("There is no browser. The tests that need a browser are skipped.\n")
             return run_pytest(root, "site", log, "-m", "not browser")
         outcome = run_pytest(root, "site", log)
         add_metrics(root, reported_numbers(root / RESULTS / "pytest_site.xml"))

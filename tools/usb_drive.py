@@ -1,4 +1,4 @@
-"""The drive of the debug probe of the FRDM-K64F. When an image is copied to the drive, the probe
+"""The drive of the debug probe of the FRDM-K64F. If an image is copied to the drive, the probe
 writes the image into the flash.
 """
 
@@ -18,8 +18,8 @@ MOUNTS = Path("/proc/mounts")
 MARKS = ("DETAILS.TXT", "MBED.HTM")
 FAILURE = "FAIL.TXT"
 LABEL_OF_PROBE = re.compile(r"^(BOOTLOADER|MAINTENANCE)$", re.IGNORECASE)
-GOES_WITHIN = 10.0  # [s] until the drive disappears, after the image is copied
-COMES_WITHIN = 10.0  # [s] until the drive appears again, with the result
+GOES_WITHIN = 10.0  # longest time until the drive disappears after the image was copied [s]
+COMES_WITHIN = 10.0  # longest time until the drive appears again with the result [s]
 LOOK = 0.1
 
 
@@ -32,12 +32,12 @@ def mounted() -> list[Path]:
 
 
 def unescaped(name: str) -> str:
-    """Returns the name of a mount point, in which octal numbers represent blanks."""
+    """Returns the name of a mount point. In its encoded form, octal numbers represent blanks."""
     return re.sub(r"\\([0-7]{3})", lambda match: chr(int(match[1], 8)), name)
 
 
 def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
-    """Returns the first file with one of these names, in upper or lower case."""
+    """Returns the first file with one of these names. Upper and lower case are the same."""
     try:
         files = sorted(folder.iterdir())
     except OSError:
@@ -46,25 +46,28 @@ def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
 
 
 def problem(folder: Path) -> str:
-    """Returns the reason why no image can be copied to this folder; empty when it is the drive of a
-    board.
+    """Returns the reason why no image can be copied to this folder. The reason is empty if the
+    folder is the drive of a board.
     """
     if not folder.is_dir():
-        return f"{folder} is no folder"
+        return f"{folder} is not a folder"
     if file_of(folder, MARKS) is None:
-        return f"{folder} is not the drive of a board: it contains no file {' or '.join(MARKS)}"
+        return (
+            f"{folder} is not the drive of a board, because it contains no file "
+            f"{' or '.join(MARKS)}"
+        )
     details = file_of(folder, ("DETAILS.TXT",))
     text = details.read_text(errors="replace") if details else ""
     if LABEL_OF_PROBE.match(folder.name) or re.search(r"Mode:\s*Bootloader", text, re.IGNORECASE):
         return (
-            f"{folder} takes software for the debug probe, not for the K64. Disconnect the board, "
-            "and connect it without its reset button pressed"
+            f"{folder} accepts software for the debug probe, but not for the K64. Disconnect the "
+            "board, and connect it again without pressing its reset button"
         )
     return ""
 
 
 def copy(image: Path, folder: Path, log: TextIO) -> str:
-    """Copies the image, then waits until the drive appears again, and reads the result."""
+    """Copies the image, and waits until the drive appears again. Then reads the result."""
     old = failure(folder)
     log.write(f"copies {image} to {folder}\n")
     try:
@@ -81,8 +84,14 @@ def copy(image: Path, folder: Path, log: TextIO) -> str:
     if came:
         return "the board accepted the image"
     if went:
-        return "copied; the drive was not mounted again: mount it and look for a file FAIL.TXT"
-    raise FailureError("copied, but the board did not react: the content of its drive is unchanged")
+        return (
+            "the image was copied, but the drive was not mounted again; mount it and look for a "
+            "file FAIL.TXT"
+        )
+    raise FailureError(
+        "the image was copied, but the board did not react, and the content of its "
+        "drive is unchanged"
+    )
 
 
 def failure(folder: Path) -> str:

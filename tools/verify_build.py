@@ -1,4 +1,5 @@
-"""./wr verify-build: repeats the build of the commit in a new folder, and compares."""
+"""./wr verify-build: repeats the build of the commit in a new folder, and compares the two
+builds."""
 
 from __future__ import annotations
 
@@ -27,10 +28,11 @@ WHOLE = ("portal", "--no-serve")
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "verify-build",
-        description="Clones the present commit into a new folder, builds and tests it there, and "
-        "compares it with the build in this folder: each image byte by byte, the verdict on each "
-        "requirement, and the result of each test on each target. Randomised tests get the seed "
-        "of the first run. Ends with 1 when anything differs. Takes as long as a first build.",
+        description="Clones the present commit into a new folder, and builds and tests it there. "
+        "Then compares this build with the build in this folder: each image byte by "
+        "byte, the verdict on each requirement, and the result of each test on each "
+        "target. Randomised tests get the seed of the first run. The exit code is 1 if "
+        "the builds differ. The command takes as long as a first build.",
     )
     parser.add_argument("--images", action="store_true", help="compare only the images of the K64")
     parser.set_defaults(run=verify_build)
@@ -50,7 +52,7 @@ def verify_build(root: Path, options: argparse.Namespace) -> int:
             check=False,
         )
         if run.returncode and not (copy / RECORD).exists() and not options.images:
-            raise FailureError("the build in the new folder failed: see its messages above")
+            raise FailureError("the build in the new folder failed; see its messages above")
         differences = list(compare(root, copy, images=options.images))
     for line in differences:
         print(line)
@@ -62,21 +64,21 @@ def verify_build(root: Path, options: argparse.Namespace) -> int:
 
 
 def check_origin(root: Path, *, images: bool) -> None:
-    """Checks that the build in this folder belongs to its commit."""
+    """Checks that the build in this folder is a build of its commit."""
     if not git(root, "rev-parse", "HEAD"):
-        raise MissingError("this folder is not a git clone: there is no commit to repeat")
+        raise MissingError("this folder is not a git clone, so there is no commit to repeat")
     changed = git(root, "status", "--porcelain").splitlines()
     if changed:
-        raise FailureError(f"{len(changed)} files differ from the commit: commit them first")
+        raise FailureError(f"{len(changed)} files differ from the commit; commit them first")
     needed = [root / image_of(product, ".bin") for product in PRODUCTS]
     needed += [] if images else [root / RECORD]
     missing = [path for path in needed if not path.exists()]
     if missing:
-        raise MissingError(f"there is no {missing[0].relative_to(root)}: run ./wr portal first")
+        raise MissingError(f"{missing[0].relative_to(root)} does not exist; run ./wr portal first")
     record = read_json(root / RECORD)
     commit = git(root, "rev-parse", "HEAD").strip()
     if not images and not commit.startswith((record or {}).get("commit", "-")):
-        raise FailureError("the results here are of another commit: run ./wr portal first")
+        raise FailureError("the results here belong to another commit; run ./wr portal first")
 
 
 def clone(root: Path, copy: Path) -> None:
@@ -87,8 +89,8 @@ def clone(root: Path, copy: Path) -> None:
 
 
 def environment(root: Path, copy: Path) -> dict[str, str]:
-    """Returns the environment: Python searches the modules of the copy first, and the tests get the
-    seed of the run here.
+    """Returns the environment of the second build. Python searches the modules of the copy first.
+    The tests get the seed of the run in this folder.
     """
     path = os.pathsep.join(str(folder) for folder in (copy, copy / "client", copy / "site"))
     run = read_run(root, RUNS[HOST])
@@ -109,12 +111,12 @@ def compare(root: Path, copy: Path, *, images: bool) -> Iterator[str]:
 
 
 def compare_verdicts(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[str]:
-    """Yields the state of each requirement, and the results of its tests."""
+    """Yields the state of each requirement and the results of its tests."""
     rows = [{row["id"]: row for row in table.get("requirements", [])} for table in (first, second)]
     for name in sorted(rows[0].keys() | rows[1].keys()):
         here, there = (table.get(name, {}) for table in rows)
         if here.get("state") != there.get("state"):
-            yield f"{name}: {here.get('state')} here, {there.get('state')} in the new folder"
+            yield f"{name} is {here.get('state')} here, but {there.get('state')} in the new folder"
         tests, repeated = here.get("tests", {}), there.get("tests", {})
         for test in sorted(tests.keys() | repeated.keys()):
             if tests.get(test) != repeated.get(test):

@@ -1,7 +1,7 @@
 """The typed records of the model, which readers, checks, pages and exports share.
 
-Texts are plain, with the light markup of the comments: `names`, lists, and an empty line between
-paragraphs. A value or result that this run did not produce is ``None``.
+Texts are plain text with the light markup of the comments: `names`, lists, and an empty line
+between paragraphs. A value or result that this run did not produce is ``None``.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from traceability.sources import EXTENSIONS
 
-# The targets of a test: this machine, or the virtual board that boots the image.
+# The targets of a test. They are this machine, and the virtual board that boots the image.
 HOST = "host"
 VIRTUAL_K64 = "virtual K64"
 BINDINGS = (HOST, VIRTUAL_K64)
@@ -35,8 +35,8 @@ class Param:
 
 @dataclass(frozen=True)
 class Call:
-    """A call as written. ``targets`` are the methods that it can reach; a direct call has one
-    target."""
+    """A call as it is written. ``targets`` are the methods that the call can reach. A direct call
+    has one target."""
 
     target: str
     virtual: bool
@@ -46,7 +46,7 @@ class Call:
 
 @dataclass(frozen=True)
 class Constant:
-    """A number of the code that texts show."""
+    """A number of the code that is shown in texts."""
 
     number: int
     unit: str
@@ -57,7 +57,7 @@ class Constant:
 class PaperStatement:
     """A demand or claim of the paper about the software, with the answer of this project."""
 
-    where: str  # id of a place
+    where: str  # id of a place of the paper
     says: str
     here: Sequence[str]
     deviation: str
@@ -66,7 +66,7 @@ class PaperStatement:
 
 @dataclass(frozen=True)
 class Tuned:
-    """Constants whose values are suitable for only one value of another constant."""
+    """Constants whose values fit only one value of another constant."""
 
     to: str
     why: str
@@ -76,7 +76,7 @@ class Tuned:
 
 @dataclass(frozen=True)
 class Method:
-    """A member function of a module. Its id is ``Class::name``; overloads share one id."""
+    """A member function of a module. Its id is ``Class::name``. Overloads have the same id."""
 
     id: str
     module: str
@@ -96,7 +96,9 @@ class Method:
     interrupt: str = ""
     satisfies: Sequence[str] = field(default_factory=list)
     documented: bool = False
-    inherited_from: str | None = None  # overridden method whose specification applies
+    inherited_from: str | None = (
+        None  # overridden method whose specification also applies to this method
+    )
     overrides: str | None = None
     calls: Sequence[Call] = field(default_factory=list)
     called_by: Sequence[str] = field(default_factory=list)
@@ -104,7 +106,8 @@ class Method:
 
 @dataclass(frozen=True)
 class Function:
-    """A function of a composition: a folder that contains functions and no module."""
+    """A function of a composition. A composition is a folder that contains functions and no
+    module."""
 
     id: str
     place: Place
@@ -118,7 +121,7 @@ class DataPart:
     name: str
     type: str  # "" for a value of an enumeration
     text: str
-    unit: str  # "" without one
+    unit: str  # "" if it has no unit
     makers: Sequence[str]  # modules
     readers: Sequence[str]
 
@@ -129,7 +132,7 @@ class MessageField:
 
     name: str
     text: str
-    width: str = ""  # "u8", "i16"; "" when no message has the field
+    width: str = ""  # "u8" or "i16"; "" when no message has the field
     writers: Sequence[str] = field(default_factory=list)  # modules
     readers: Sequence[str] = field(default_factory=list)
 
@@ -165,11 +168,13 @@ class Module:
     uses: Sequence[str] = field(default_factory=list)  # modules named in its header or source
     used_by: Sequence[str] = field(default_factory=list)
     requirements: Sequence[str] = field(default_factory=list)
-    hides: Sequence[str] = field(default_factory=list)  # headers, constants and types of its secret
+    hides: Sequence[str] = field(
+        default_factory=list
+    )  # headers, constants and types that its secret hides
     registers: Sequence[str] = field(default_factory=list)  # blocks of registers that it owns
     tests: Sequence[str] = field(
         default_factory=list
-    )  # tests that executed the module, or tests with its name in its folder
+    )  # tests that executed the module, or tests of its folder that have its name
     lines_total: int | None = None
     lines_covered: int | None = None
     branches_total: int | None = None
@@ -180,8 +185,8 @@ class Module:
 
     @property
     def extension(self) -> bool:
-        """Returns whether the module belongs to an extension: the design does not count such
-        modules."""
+        """Returns whether the module belongs to an extension. The design does not count modules of
+        extensions."""
         return is_extension(self.logic)
 
 
@@ -192,7 +197,7 @@ def is_extension(logic: str) -> bool:
 
 @dataclass(frozen=True)
 class LogicModule:
-    """A folder of the design. The name is as in the paper: ``OperationModes``."""
+    """A folder of the design. It has its name in the paper, for example ``OperationModes``."""
 
     id: str
     name: str
@@ -208,7 +213,7 @@ class LogicModule:
 
 @dataclass(frozen=True)
 class Clause:
-    """A structural clause of a pattern, and whether one application meets it."""
+    """A structural clause of a pattern, and whether one application fulfils it."""
 
     id: str
     says: str
@@ -223,23 +228,23 @@ class PatternApplication:
     title: str
     why: str
     changes: str
-    module: str  # module above which it is declared
+    module: str  # module whose comment declares it
     place: Place
     roles: Sequence[RoleBinding] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class PatternPrice:
-    """The price of an application: the cost of the virtual calls in the image."""
+    """The cost of an application: the cost of the virtual calls in the image."""
 
     instructions: float  # mean number in a cycle
-    flash: int  # bytes: the tables of its modules, and the instructions of the calls
-    virtual_calls: int  # places in the image
+    flash: int  # bytes of the tables of its modules and of the instructions of the calls
+    virtual_calls: int  # number of places in the image
 
 
 @dataclass(frozen=True)
 class TreeNode:
-    """A node of a requirement's tree; ``resolved`` is the method with the body."""
+    """A node of a requirement's tree. ``resolved`` is the method with the body."""
 
     label: str
     module: str
@@ -250,25 +255,30 @@ class TreeNode:
     reachable: bool | None = None
     executed: Mapping[str, bool] = field(
         default_factory=dict
-    )  # target with a recorded test -> whether the node was executed
+    )  # target with a recorded test -> whether a test executed the node there
     outside: Sequence[str] = field(
         default_factory=list
-    )  # targets that implement it without recording the call
+    )  # targets that implement the method without recording its call
     children: Sequence[TreeNode] = field(default_factory=list)
-    otherwise: bool = False  # the code posts a declared call, or calls a declared post
+    # The code posts the method although the tree declares a call, or calls it although the tree
+    # declares a post.
+    otherwise: bool = False
     often: str = ""  # declared: "" once, "?" under a condition, "*" several times
     often_in_code: str | None = None
-    too_early: str = ""  # the previous node in the tree, if the code calls that node later
+    too_early: str = (
+        ""  # the previous node in the tree, if the code calls the previous node after this node
+    )
 
     @property
     def ran(self) -> bool | None:
-        """Returns whether any target executed the node; ``None`` when no target was measured."""
+        """Returns whether the node was executed on any target. Returns ``None`` when no target was
+        measured."""
         return any(self.executed.values()) if self.executed else None
 
 
 @dataclass(frozen=True)
 class TraceRow:
-    """One call of a recorded run: depth and method."""
+    """One call of a recorded run, with its depth and its method."""
 
     depth: int
     method: str
@@ -277,12 +287,15 @@ class TraceRow:
 
 @dataclass(frozen=True)
 class TreeRun:
-    """A recorded run of a test that contains a whole tree. The page shows it next to the tree."""
+    """A recorded run of a test that contains a whole tree. The page shows the run next to the
+    tree."""
 
     test: str
     rows: Sequence[TraceRow]
     start: int  # index of the first shown row in the whole recording
-    places: Sequence[int | None]  # the row that each node of the tree matches, from the root
+    places: Sequence[
+        int | None
+    ]  # for each node of the tree, from the root: the row that matches it
     folded: Sequence[FoldedCall] = field(default_factory=list)
 
 
@@ -292,7 +305,7 @@ class FoldedCall:
 
     depth: int
     module: str
-    methods: Sequence[str]  # methods that were called from the module above
+    methods: Sequence[str]  # methods that the module above called
     count: int
     declared_by: Sequence[str]  # requirements whose trees have a call between the two modules
 
@@ -304,7 +317,7 @@ class MethodCoverage:
     method: str
     place: Place
     lines: Mapping[int, bool]
-    branches: Sequence[bool] | None  # None where branches are not recorded
+    branches: Sequence[bool] | None  # None if branches are not recorded
 
 
 @dataclass(frozen=True)
@@ -320,13 +333,16 @@ class LineGap:
 
 @dataclass(frozen=True)
 class BindingResult:
-    """A test on one target: "passed", "failed", "skipped", or None when it did not run."""
+    """The result of a test on one target: "passed", "failed", "skipped", or None when the test did
+    not run."""
 
     result: str | None = None
     milliseconds: float | None = None
     message: str = ""
     stale: bool = False
-    recordings: Sequence[str] = field(default_factory=list)  # possible files of its recorded calls
+    recordings: Sequence[str] = field(
+        default_factory=list
+    )  # files that may contain its recorded calls
     measured: str = ""  # additional text that the test reports
     instances: Mapping[str, str] = field(
         default_factory=dict
@@ -336,7 +352,7 @@ class BindingResult:
 
 @dataclass(frozen=True)
 class Test:
-    """A test case, with a result for each target that it is built for."""
+    """A test case. It has a result for each target that it is built for."""
 
     id: str
     suite: str
@@ -360,8 +376,8 @@ class Test:
 
 @dataclass(frozen=True)
 class Evidence:
-    """A metric that a tool measures, with its bound. If the relation is empty, the text could not
-    be read.
+    """A metric that a tool measures, with its bound. If the text could not be read, the relation is
+    empty.
     """
 
     figure: str
@@ -375,7 +391,7 @@ class Evidence:
         return f"{self.relation} {self.bound:g} {self.unit}".strip()
 
     def holds(self, value: float | None) -> bool:
-        """Returns whether a value that was measured is within the bound."""
+        """Returns whether a measured value is within the bound."""
         if value is None:
             return False
         if self.relation == "at most":
@@ -387,7 +403,7 @@ class Evidence:
 
 @dataclass(frozen=True)
 class Baseline:
-    """The texts of each requirement, and the hash of each text. A text has the key "kind name"."""
+    """The hash of each text of each requirement. The key of a text is "kind name"."""
 
     links: Mapping[str, Sequence[str]]
     hashes: Mapping[str, str]
@@ -423,8 +439,8 @@ class Review:
 
 @dataclass(frozen=True)
 class Suspicion:
-    """A text that differs from the baseline, and on which a link depends. Kind: see ``KINDS`` of
-    reviews."""
+    """A text that differs from the baseline, if a link depends on the text. For the kinds, see
+    ``KINDS`` of reviews."""
 
     kind: str
     name: str
@@ -446,7 +462,7 @@ SOURCE_KINDS = ("paper", "goal", "protocol", "data sheet", "decision")
 
 @dataclass(frozen=True)
 class Requirement:
-    """A requirement. If it is partly verified, ``partly`` describes the part that no test shows."""
+    """A requirement. If no test shows a part of the requirement, ``partly`` describes this part."""
 
     id: str
     text: str
@@ -464,26 +480,34 @@ class Requirement:
     satisfied_by: Sequence[str] = field(default_factory=list)
     verified_by: Sequence[str] = field(default_factory=list)
     tree: TreeNode | None = None
-    runs: Mapping[str, TreeRun] = field(default_factory=dict)  # target -> run with the tree
-    coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)  # target -> methods
-    evidence: Sequence[Evidence] = field(default_factory=list)  # instead of calls
+    runs: Mapping[str, TreeRun] = field(
+        default_factory=dict
+    )  # target -> run that contains the tree
+    coverage: Mapping[str, list[MethodCoverage]] = field(
+        default_factory=dict
+    )  # target -> executed parts of the methods
+    evidence: Sequence[Evidence] = field(
+        default_factory=list
+    )  # fulfils the requirement instead of calls
     reviews: Sequence[Review] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)
 
     @property
     def reviewed(self) -> bool:
-        """Returns whether a person reviewed its present texts and found no open point."""
+        """Returns whether a person reviewed the present texts of the requirement and found no open
+        point."""
         return any(review.holds and not review.open_points for review in self.reviews)
 
     @property
     def by_calls(self) -> bool:
-        """Returns whether calls fulfil the requirement: it is functional, or has a tree."""
+        """Returns whether calls fulfil the requirement. This is so if the requirement is functional
+        or has a tree."""
         return self.id.startswith("FR-") or self.tree is not None
 
 
 @dataclass(frozen=True)
 class SafeState:
-    """A state of the robot, and the situations in which it is safe and not safe."""
+    """A state of the robot, with the situations in which this state is safe and is not safe."""
 
     id: str
     says: str
@@ -494,7 +518,7 @@ class SafeState:
 
 @dataclass(frozen=True)
 class Assumption:
-    """A demand of safety on hardware or people, which the firmware cannot fulfil."""
+    """A demand on hardware or people, which safety needs and the firmware cannot fulfil."""
 
     id: str
     title: str
@@ -507,8 +531,8 @@ class Assumption:
 
 @dataclass(frozen=True)
 class Hazard:
-    """A situation that can hurt somebody. ``level`` is its AgPLr; empty when it cannot be
-    computed."""
+    """A situation that can hurt somebody. ``level`` is its AgPLr. The level is empty when it cannot
+    be computed."""
 
     id: str
     title: str
@@ -519,20 +543,20 @@ class Hazard:
     avoidance: str
     goals: Sequence[str]
     assumptions: Sequence[str]
-    answer: str  # answer of the firmware
+    answer: str  # reaction of the firmware
     place: Place
     level: str = ""
 
 
 @dataclass(frozen=True)
 class SafetyGoal:
-    """A goal that prevents hazards. Times in seconds."""
+    """A goal that prevents hazards. Its times are in seconds."""
 
     id: str
     title: str
     text: str
     safe_states: Sequence[str]
-    time: float  # time in which the firmware must avert harm
+    time: float  # time in which the firmware must prevent harm
     formula: str
     because: str
     reaction: float  # time that the firmware needs
@@ -540,7 +564,7 @@ class SafetyGoal:
     requirements: Sequence[str]
     scenarios: Sequence[str]
     place: Place
-    exceptions: Sequence[str] = field(default_factory=list)  # known exceptions
+    exceptions: Sequence[str] = field(default_factory=list)  # known exceptions to the goal
     computed: float | None = None  # result of the formula
     hazards: Sequence[str] = field(default_factory=list)
     level: str = ""  # the highest level of its hazards
@@ -554,13 +578,16 @@ class FaultScenario:
     title: str
     goals: Sequence[str]
     place: Place
-    bounds: Mapping[int, float] = field(default_factory=dict)  # line -> time in its expectation [s]
+    bounds: Mapping[int, float] = field(
+        default_factory=dict
+    )  # line -> time in the expectation of this line [s]
     tests: Sequence[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
 class Correction:
-    """Files whose edits correct defects; ``for_safety`` counts their lines that serve safety."""
+    """Files whose edits correct defects. ``for_safety`` counts the lines of these edits that serve
+    safety."""
 
     paths: Sequence[str]
     why: str
@@ -570,12 +597,14 @@ class Correction:
 
 @dataclass(frozen=True)
 class TouchedFile:
-    """Lines of a file of the robot that were edited since the base of the safety case."""
+    """The edited lines of a file of the robot, counted since the base of the safety case."""
 
     file: str
     added: int
     removed: int
-    corrections: str = ""  # reason why they are not a safety function; empty for a safety function
+    corrections: str = (
+        ""  # reason why the edits are not for a safety function; empty for a safety function
+    )
 
     @property
     def touched(self) -> int:
@@ -584,26 +613,27 @@ class TouchedFile:
 
 @dataclass(frozen=True)
 class SafetyCost:
-    """The cost of the safety functions, counted by git; ``None`` in the model without git."""
+    """The cost of the safety functions, which git counts. The model has ``None`` if git is
+    missing."""
 
     base: str
     commit: str
     files_added: Sequence[str]
-    lines_added: int  # lines added to these files
+    lines_added: int  # number of lines added in these files
     touched: Sequence[TouchedFile]
-    for_safety: int  # lines of the robot that were edited for safety functions
+    for_safety: int  # number of lines of the robot that were edited for safety functions
 
 
 @dataclass(frozen=True)
 class SafetyCase:
-    """The hazards, the goals against them, and the assumptions of the goals."""
+    """The hazards, the goals that prevent them, and the assumptions of the goals."""
 
     base: str = ""  # commit before the first safety function
     says: str = ""
     conditions: Sequence[str] = field(default_factory=list)
     limits: Sequence[str] = field(default_factory=list)
     risk_source: str = ""
-    levels: Sequence[str] = field(default_factory=list)  # in ascending order
+    levels: Sequence[str] = field(default_factory=list)  # levels in ascending order
     graph: Mapping[str, list[str]] = field(default_factory=dict)  # severity -> rows of levels
     words: Mapping[str, str] = field(default_factory=dict)
     priorities: Mapping[str, str] = field(
@@ -630,7 +660,7 @@ class RequirementNumbers:
 
 @dataclass(frozen=True)
 class NumbersWithout:
-    """Numbers of requirements that no constant has, for example ``FR-1 100 us``."""
+    """Numbers of requirements for which the code has no constant, for example ``FR-1 100 us``."""
 
     numbers: Sequence[str]
     why: str
@@ -639,9 +669,9 @@ class NumbersWithout:
 
 @dataclass(frozen=True)
 class Justified:
-    """Methods, tests or lines of methods that serve no requirement, with the reason. Other
-    justifications are for methods that only tests call, and for functions with a loop that does not
-    count its rounds.
+    """Methods, tests or lines of methods that serve no requirement, with the reason. There are two
+    other kinds: methods that only tests call, and functions with a loop that does not count its
+    iterations.
     """
 
     kind: str  # "method", "test", "line", "uncalled", "loop"
@@ -665,7 +695,7 @@ class Equivalent:
 
 @dataclass(frozen=True)
 class Mutant:
-    """A fault that was seeded in a method."""
+    """A fault that the mutation test inserted in a method."""
 
     place: Place
     method: str
@@ -674,13 +704,13 @@ class Mutant:
     killed_by: Sequence[str]  # tests
     own: Mapping[
         str, bool
-    ]  # requirement with the method in its tree -> whether tests of the requirement find it
-    why: str = ""  # reason why no test can find it; empty without a justification
+    ]  # requirement with the method in its tree -> whether one of its tests finds the fault
+    why: str = ""  # reason why no test can find the fault; empty without a justification
 
 
 @dataclass(frozen=True)
 class Mutation:
-    """The tried faults, and the number of all possible faults."""
+    """The faults that were tried, and the number of all possible faults."""
 
     seed: int
     minutes: float
@@ -698,7 +728,7 @@ class Mutation:
 
 @dataclass(frozen=True)
 class TestRun:
-    """When the tests ran on a target, and the seeds of the randomised tests."""
+    """The time at which the tests ran on a target, and the seeds of the randomised tests."""
 
     date: str
     seeds: Sequence[str]
@@ -728,18 +758,19 @@ class BuildEvidence:
 
 @dataclass(frozen=True)
 class LastRecord:
-    """The last run of a test that is too long for each build.
+    """The last run of a test that takes too long to run in each build.
 
-    It tests the tests, the checks, or the release and its equal files.
+    Such a test tests the tests, tests the checks, or builds the release again and compares its
+    files.
     """
 
     command: str
     commit: str  # empty without git
     found: int
     tried: int
-    current: bool  # whether its sources were the present sources
+    current: bool  # whether it ran with the present sources
     date: str  # YYYY-MM-DD
-    justified: int = 0  # faults that were not found because no test can find them
+    justified: int = 0  # faults that no test found, because no test can find them
 
 
 @dataclass(frozen=True)
@@ -753,13 +784,13 @@ class Transition:
     requirements: Sequence[str] = field(default_factory=list)
     changes: Sequence[Place] = field(
         default_factory=list
-    )  # places in the code that make it; none without a change
-    tests: Sequence[str] = field(default_factory=list)  # passed tests that made it
+    )  # places in the code that make the transition; empty if the state does not change
+    tests: Sequence[str] = field(default_factory=list)  # passed tests that made the transition
 
 
 @dataclass(frozen=True)
 class StateMachine:
-    """``states`` maps a state's name to the module that implements it.
+    """``states`` maps the name of a state to the module that implements the state.
 
     ``events`` maps an event to the operation of the state that the Context then calls. ``guards``
     maps a guard or an event to its condition in the code. ``actions`` maps an action to its calls.
@@ -775,7 +806,7 @@ class StateMachine:
     events: Mapping[str, str] = field(default_factory=dict)
     guards: Mapping[str, Sequence[str]] = field(default_factory=dict)
     actions: Mapping[str, Sequence[str]] = field(default_factory=dict)
-    # "from operation to" of an undeclared change -> the tests that made it
+    # change that is not declared, as "from operation to" -> the tests that made it
     undeclared: Mapping[str, list[str]] = field(default_factory=dict)
 
 
@@ -792,28 +823,28 @@ class ProofProperty:
 
 @dataclass(frozen=True)
 class ProofResult:
-    """Result of the proof of a property, and the size of the search."""
+    """The result of the proof of a property, and the size of the search."""
 
     verdict: str  # "proven", "false", "incomplete"
     states: int
     depth: int
     seconds: float
     events: Sequence[str] = field(default_factory=list)  # lines of the counterexample
-    scenario: str = ""  # file that plays the counterexample, when its events can be played
-    recorded: str = ""  # commit of the earlier run with the same model, if it is known
-    recorded_on: str = ""  # date of this run, YYYY-MM-DD; empty: this build proved it
+    scenario: str = ""  # file that plays the counterexample, if its events can be played
+    recorded: str = ""  # commit of the earlier run with the same model, if this commit is known
+    recorded_on: str = ""  # date of this run, YYYY-MM-DD; empty if this build proved the property
 
 
 @dataclass(frozen=True)
 class Proofs:
-    """The properties, the model in Promela, and the results, if these sources gave them."""
+    """The properties, the model in Promela, and the results if the present sources gave results."""
 
     properties: Mapping[str, ProofProperty] = field(default_factory=dict)
     results: Mapping[str, ProofResult] | None = None
     text: str = ""  # the machines and their composition in Promela
     words: Mapping[str, Sequence[tuple[str, Sequence[str]]]] = field(
         default_factory=dict
-    )  # the rounds of each counterexample
+    )  # the cycles of each counterexample
 
     def of(self, requirement: str) -> list[ProofProperty]:
         """Returns the properties that formalise a requirement."""
@@ -829,15 +860,15 @@ class Proofs:
 
     @property
     def recorded(self) -> list[ProofResult]:
-        """Returns results of an earlier run with the same models, which this build did not
-        repeat.
+        """Returns the results of an earlier run with the same models. This build did not repeat the
+        run.
         """
         return [result for result in (self.results or {}).values() if result.recorded_on]
 
 
 @dataclass(frozen=True)
 class ExecutionContext:
-    """Code that the hardware enters: an interrupt, the thread of a control system, or the start."""
+    """Code that the hardware starts: an interrupt, the thread of a control system, or the start."""
 
     id: str
     kind: str  # "interrupt", "thread", "start"
@@ -848,9 +879,13 @@ class ExecutionContext:
     place: Place
     lines: Sequence[int] = field(default_factory=list)  # lines of the interrupt controller
     priority: int | None = None
-    first: Sequence[str] = field(default_factory=list)  # first methods of modules
-    methods: Sequence[str] = field(default_factory=list)  # methods of modules that it may execute
-    intended: int | None = None  # priority in the design
+    first: Sequence[str] = field(
+        default_factory=list
+    )  # the first methods of modules that it executes
+    methods: Sequence[str] = field(
+        default_factory=list
+    )  # all methods of modules that it may execute
+    intended: int | None = None  # priority that the design states
 
 
 @dataclass(frozen=True)
@@ -859,7 +894,8 @@ class StackCall:
 
     name: str
     bytes: int
-    measured: bool  # computed from the instructions, because the compiler did not report it
+    # The frame is computed from the instructions, because the compiler did not report it.
+    measured: bool
 
 
 @dataclass(frozen=True)
@@ -881,7 +917,7 @@ class TimeBound:
     context: str
     name: str
     cycles: int
-    # An interrupt is entered at most this often in any window of `ticks` ms; None: once in a
+    # An interrupt is entered at most this often in any window of `ticks` ms. None means once in a
     # control cycle.
     entries: int | None
     ticks: int
@@ -891,18 +927,18 @@ class TimeBound:
     priority: int | None
     why: str
     response_ms: float | None = (
-        None  # for an interrupt: time from its request to the end of its handler
+        None  # for an interrupt: the time from its request to the end of its handler
     )
 
 
 @dataclass(frozen=True)
 class PathBound:
-    """The longest time from an input to its effect: the sum of its parts [ms]."""
+    """The longest time from an input to its effect, which is the sum of its parts [ms]."""
 
     name: str
     title: str
     parts: Sequence[tuple[str, float]]
-    seen_ms: float | None  # time in the recording of the chain
+    seen_ms: float | None  # time of the path in its recording
     why: str
 
     @property
@@ -912,15 +948,17 @@ class PathBound:
 
 @dataclass(frozen=True)
 class TimeProof:
-    """The bounds of the times of the image of the robot."""
+    """The time bounds of the image of the robot."""
 
     contexts: Sequence[TimeBound]
-    cycle_ms: float  # from the clock pulse to the end of the main thread, with all interrupts
+    cycle_ms: (
+        float  # time from the clock pulse to the end of the main thread, including all interrupts
+    )
     noise_ms: float  # the same time with noise at all inputs
-    seen_ms: float | None  # longest time to the report in a run of the bench
+    seen_ms: float | None  # longest time from the clock pulse to the report in a run of the bench
     paths: Sequence[PathBound]
-    unbound: Sequence[tuple[str, Place]]  # loops and copies: function, place
-    unresolved: Sequence[tuple[str, Place]]  # calls: function, place
+    unbound: Sequence[tuple[str, Place]]  # loops and copies without a bound: function and place
+    unresolved: Sequence[tuple[str, Place]]  # calls without a known target: function and place
 
     @property
     def proven(self) -> bool:
@@ -933,14 +971,16 @@ class StackProof:
 
     exception_frame: int  # bytes that the hardware stores at each entry
     limit: int = 0  # size of the stack in the linker script
-    seen: int | None = None  # largest use in a run in closed loop
+    seen: int | None = None  # largest stack use of a run in closed loop
     contexts: Sequence[StackContext] = field(default_factory=list)
-    unresolved: Sequence[tuple[str, Place]] = field(default_factory=list)  # calls: function, place
+    unresolved: Sequence[tuple[str, Place]] = field(
+        default_factory=list
+    )  # calls without a known target: function and place
     cycles: Sequence[list[str]] = field(default_factory=list)
     dynamic: Sequence[str] = field(default_factory=list)  # functions whose frame has no bound
     untold: Sequence[str] = field(
         default_factory=list
-    )  # functions of the project without a report of the compiler
+    )  # functions of the project for which the compiler reported no frame
 
     @property
     def proven(self) -> bool:
@@ -948,7 +988,7 @@ class StackProof:
 
     @property
     def levels(self) -> list[StackContext]:
-        """Returns for each priority the context that needs most stack; the start has the lowest
+        """Returns for each priority the context that needs the most stack. The start has the lowest
         level."""
         worst: dict[int | None, StackContext] = {}
         for context in self.contexts:
@@ -962,7 +1002,7 @@ class StackProof:
 
     @property
     def total(self) -> int:
-        """Returns the sum of all levels; each level except the lowest includes the frame that the
+        """Returns the sum of all levels. Each level except the lowest includes the frame that the
         hardware stores.
         """
         levels = self.levels
@@ -971,7 +1011,7 @@ class StackProof:
 
 @dataclass(frozen=True)
 class SharedPipe:
-    """A pipe of the robot; ``writers`` and ``readers`` are methods with their contexts."""
+    """A pipe of the robot. ``writers`` and ``readers`` are methods with their contexts."""
 
     id: str
     name: str
@@ -992,7 +1032,7 @@ class SharedMember:
     place: Place
     writers: Sequence[str]
     readers: Sequence[str]
-    protection: str  # "" when the design states none
+    protection: str  # "" when the design states no protection
     why: str
 
 
@@ -1025,7 +1065,7 @@ class Apart:
 
 @dataclass(frozen=True)
 class Cycle:
-    """Logic modules that may use each other in a ring, and the pattern that causes the ring."""
+    """Logic modules that may use each other in a cycle, and the pattern that causes the cycle."""
 
     within: str
     modules: Sequence[str]
@@ -1047,7 +1087,7 @@ class ArchitectureElement:
 
 @dataclass(frozen=True)
 class PaperPlace:
-    """A picture, table, section or box of the paper."""
+    """A picture, a table, a section or a box of the paper."""
 
     id: str
     kind: str
@@ -1057,21 +1097,21 @@ class PaperPlace:
 
 @dataclass(frozen=True)
 class PaperElement:
-    """A name of the paper and its place here. ``here`` contains targets as "kind:name"."""
+    """A name of the paper and its counterpart here. ``here`` contains targets as "kind:name"."""
 
     kind: str
     name: str
     here: Sequence[str]
-    alias: str = ""  # reason for a different name here
-    deviation: str = ""  # intended difference
+    alias: str = ""  # reason why the name here is different
+    deviation: str = ""  # intended difference from the paper
     note: str = ""
-    where: Sequence[str] = field(default_factory=list)  # places of the paper that name it
+    where: Sequence[str] = field(default_factory=list)  # places of the paper that contain the name
     place: Place = field(default_factory=lambda: Place("", 0))
 
 
 @dataclass(frozen=True)
 class KitTest:
-    """A test of a likely change, and its result if the test ran in this build."""
+    """A test of a likely change. It has a result if it ran in this build."""
 
     id: str
     target: str
@@ -1085,46 +1125,50 @@ class Port:
 
     title: str
     says: str
-    program: str  # name of the program with the tests
+    program: str  # name of the test program
     image: str
-    needs: str  # program that the tests need, if any
-    files: Mapping[str, int]  # lines of each file that the port adds
-    composition_lines: int  # existing lines of the composition, removed or changed
-    outside_lines: int  # changed lines of other files
-    tests: Mapping[str, str] | None  # results of the tests, if these sources gave them
-    size: Mapping[str, int]  # flash and ram of its image [bytes], if built from these sources
-    size_on_k64: Mapping[str, int]  # these values for this design on the K64
+    needs: str  # program that the tests need; "" if they need none
+    files: Mapping[str, int]  # file -> number of lines that the port adds
+    composition_lines: (
+        int  # number of existing lines of the composition that are removed or changed
+    )
+    outside_lines: int  # number of changed lines of other files
+    tests: Mapping[str, str] | None  # results of the tests, if the present sources gave results
+    size: Mapping[
+        str, int
+    ]  # flash and RAM of its image [bytes], if the image was built from the present sources
+    size_on_k64: Mapping[str, int]  # flash and RAM of this design on the K64
 
     @property
     def passed(self) -> bool:
-        """Returns whether tests ran, and all passed."""
+        """Returns whether tests ran and all of them passed."""
         return bool(self.tests) and set((self.tests or {}).values()) == {"passed"}
 
 
 @dataclass(frozen=True)
 class MadeChange:
-    """A likely change that a kit or an extension makes."""
+    """A likely change that a folder of changes/ or an extension makes."""
 
     application: str
     event: str
     hard: str  # name in the list of hard changes
-    why: str  # reason for the lines of existing files
+    why: str  # reason why existing files change
     classes: Sequence[str]
-    extension: str  # folder of the extension that makes it; "" for a kit
+    extension: str  # folder of the extension that makes it; "" for a folder of changes/
     files: Sequence[str]  # added
     patched: Sequence[str]  # existing files
-    composition_lines: int  # existing lines removed or changed
-    outside_lines: int  # changed lines outside the composition
-    added_lines: int  # lines added to existing files
+    composition_lines: int  # number of existing lines that are removed or changed
+    outside_lines: int  # number of changed lines outside the composition
+    added_lines: int  # number of lines added to existing files
     flash: float | None  # additional bytes
     ram: float | None
-    instructions: float | None  # more in a cycle, on average
+    instructions: float | None  # additional instructions in a cycle, on average
     tests: Sequence[KitTest]
     place: Place
 
     @property
     def new_lines(self) -> int:
-        """Returns the lines added to existing files, without the changed lines."""
+        """Returns the number of lines added to existing files, without the changed lines."""
         return self.added_lines - self.composition_lines - self.outside_lines
 
 
@@ -1136,9 +1180,9 @@ class LikelyChange:
     pattern: str
     hidden_by: str  # module
     altered: Sequence[str]  # modules, each of which hides one variant
-    role: str  # role of a new class; "" when none is added
+    role: str  # role of a new class; "" when the change adds no class
     derives: Sequence[str]  # base classes of a new class
-    logic: str  # folder of the present classes
+    logic: str  # folder of the existing classes
     edits: Sequence[str]  # modules that register a new class
     untouched: Sequence[str]
     requirements: Sequence[str]  # requirements to review
@@ -1168,7 +1212,7 @@ class Connection:
     target: str
     connector: str
     place: Place
-    # Methods; a connection outside the code has none.
+    # Methods on the path of the connection. A connection outside the code has none.
     way: Sequence[str] = field(default_factory=list)
 
     @property
@@ -1179,7 +1223,7 @@ class Connection:
 
 @dataclass(frozen=True)
 class BoardFinding:
-    """A kind of mistake that the virtual K64 detects, and the tests that cause it."""
+    """A kind of mistake that the virtual K64 detects, and the tests that cause this mistake."""
 
     id: str
     says: str
@@ -1193,7 +1237,7 @@ class BeliefSource:
 
     id: str
     says: str
-    outside: bool  # neither the driver nor the model was written from it
+    outside: bool  # Neither the driver nor the model was written from this source.
     place: Place
 
 
@@ -1206,7 +1250,7 @@ class BoardBelief:
     says: str
     source: str  # id of a BeliefSource
     model: str  # file of the virtual board
-    shared: bool  # only the driver and the model state the belief
+    shared: bool  # Only the driver and the model state the belief.
     place: Place
 
     @property
@@ -1217,8 +1261,8 @@ class BoardBelief:
 
 @dataclass(frozen=True)
 class DriverFault:
-    """A fault seeded in a driver, and the findings of the virtual K64 in the image built from
-    it."""
+    """A fault that a test inserted in a driver, and the findings of the virtual K64 in the image
+    with this fault."""
 
     fault: str
     file: str
@@ -1229,8 +1273,8 @@ class DriverFault:
 
 @dataclass(frozen=True)
 class Finding:
-    """A finding of a check: ``text`` describes the fault. Without an own ``fix`` it has the fix of
-    its check."""
+    """A finding of a check. ``text`` describes the fault. If the finding has no ``fix``, it gets
+    the fix of its check."""
 
     place: Place
     check: str
@@ -1261,8 +1305,8 @@ class LoopFigure:
     title: str
     limit: float
     unit: str
-    requirement: str  # "" without one
-    values: Mapping[str, float | None]  # target that ran -> value; None without a value
+    requirement: str  # "" if no requirement states the limit
+    values: Mapping[str, float | None]  # target that ran -> value; None if the run has no value
 
     def holds(self, binding: str) -> bool:
         value = self.values[binding]
@@ -1271,11 +1315,12 @@ class LoopFigure:
 
 @dataclass(frozen=True)
 class LoopRun:
-    """Whether the run met all expectations of the scenario, and its output if it did not."""
+    """Whether the run met all expectations of the scenario. If it did not, ``said`` is its
+    output."""
 
     passed: bool
     said: str
-    stack: int | None = None  # bytes that it used, on the virtual K64
+    stack: int | None = None  # bytes of stack that the run used on the virtual K64
 
 
 @dataclass(frozen=True)
@@ -1292,7 +1337,7 @@ class LoopScenario:
 
 @dataclass(frozen=True)
 class ProductImage:
-    """The image of a product: its bytes, its modules, and its forbidden features."""
+    """The image of a product, with its bytes, its modules and its forbidden features."""
 
     flash: int
     ram: int
@@ -1303,7 +1348,7 @@ class ProductImage:
 
 @dataclass(frozen=True)
 class Spread:
-    """Average, least and greatest value over the cycles of a run."""
+    """The average, the least and the greatest value over the cycles of a run."""
 
     average: float
     minimum: float
@@ -1331,24 +1376,25 @@ class ExceptionCost:
 
 @dataclass(frozen=True)
 class BenchRun:
-    """A scenario of the bench, played once. A board measures neither instructions nor latencies."""
+    """One run of a scenario of the bench. A board measures neither instructions nor latencies."""
 
     report_ms: Spread  # time from the clock pulse to the report
     load: Spread  # [%] of the cycle
     start_us: Spread  # time from the clock pulse to the first instruction of the cycle
     jitter_us: float
-    times_us: Sequence[int]  # time of each cycle to the report
+    times_us: Sequence[int]  # for each cycle: time from the clock pulse to the report
     cycles: int
     instructions: Spread | None = None
-    report_instructions: Spread | None = None  # up to the report
-    latency: Mapping[str, Latency] = field(default_factory=dict)  # priority -> the longest
+    report_instructions: Spread | None = None  # instructions up to the report
+    latency: Mapping[str, Latency] = field(default_factory=dict)  # priority -> the longest latency
     exceptions: Sequence[ExceptionCost] = field(default_factory=list)
-    speed: float | None = None  # times real time
+    speed: float | None = None  # speed of the simulation, as a multiple of real time
 
 
 @dataclass(frozen=True)
 class Profile:
-    """Average instructions of a name in a cycle: in total, and up to the report."""
+    """The average number of instructions of each name in a cycle. The first number is the total,
+    and the second number counts up to the report."""
 
     modules: Sequence[tuple[str, float, float]]
     functions: Sequence[tuple[str, float, float]]
@@ -1356,7 +1402,8 @@ class Profile:
 
 @dataclass(frozen=True)
 class BenchScenario:
-    """A scenario of the bench: its runs by the model of time, and its instructions by module."""
+    """A scenario of the bench, with a run for each model of time and the instructions of each
+    module."""
 
     runs: Mapping[str, BenchRun] = field(default_factory=dict)
     profile: Profile | None = None

@@ -1,4 +1,4 @@
-"""Hashes of files, which identify the inputs of a build, test or page."""
+"""Hashes of files. They identify the inputs of a build, a test or a page."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ import hashlib
 from collections.abc import Iterable
 from pathlib import Path
 
-# The design: the robot, and the extensions of the products.
+# The design, which consists of the robot and the extensions of the products.
 SRC, EXTENSIONS = "src", "extensions"
 DESIGN = (SRC, EXTENSIONS)
-# The table of frames and its reader, from which the build of the simulator makes a header.
+# The table of frames and its reader. The build of the simulator makes a header from them.
 FRAMES = ("design/frames.toml", "client/weeding_robot_client/layout.py")
 TESTED = (*DESIGN, "sim", "tests", "CMakeLists.txt", "CMakePresets.json")
 
 
 def files_below(root: Path, names: Iterable[str], suffixes: tuple[str, ...] = ()) -> list[Path]:
-    """Returns the files of the named folders and files below the root, sorted, without Python
-    caches.
+    """Returns the files of the named folders, and the named files. The result is sorted and
+    contains no Python caches.
     """
     files: list[Path] = []
     for name in names:
@@ -40,7 +40,7 @@ def include_options(root: Path) -> list[str]:
 
 
 def file_hash(path: Path) -> str:
-    """Returns the SHA-256 of one file, or the empty string when there is none."""
+    """Returns the SHA-256 of one file, or the empty string if the file does not exist."""
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError:

@@ -1,5 +1,5 @@
-"""Writes a file in one step. A reader finds either the previous or the new content, also if the
-writer was killed or the disk was full."""
+"""Writes a file in one step. A reader finds either the previous content or the new content. This is
+true even if the writer is killed or the disk is full."""
 
 from __future__ import annotations
 

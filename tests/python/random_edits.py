@@ -1,5 +1,5 @@
-"""Random texts for the readers: a sound text with some edits. The seed is the seed of the test
-run."""
+"""Random texts for the readers. A text is a valid text with some edits. The seed is the seed of the
+test run."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ ODD = ("0", "-1", "[]", "{}", '""', "true", "1e999", "nan", "[[x]]", "a.b = 1", 
 
 
 def randomised(examples: int) -> Callable[[Any], Any]:
-    """Settings of a property: the same examples for the same seed, which a failure prints."""
+    """Returns the settings of a property test. The same seed gives the same examples, and a failure
+    prints the seed."""
 
     def decorate(test: Any) -> Any:
         chosen = settings(

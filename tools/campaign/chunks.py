@@ -1,6 +1,6 @@
 """The chunks of a campaign, and the files of the finished chunks.
 
-A chunk is a pure function of its seed and its count: it has the same result on every computer.
+The result of a chunk depends only on its seed and its count. It is the same on every computer.
 """
 
 from __future__ import annotations
@@ -18,12 +18,13 @@ from typing import Any
 from tools.lock import BusyError
 
 FOLDER = Path("build/campaign")
-SEEDS = 1 << 20  # seeds of chunks of one campaign
+SEEDS = 1 << 20  # number of seeds that the chunks of one campaign can have
 
 
 @dataclass(frozen=True)
 class Chunk:
-    """A part of a campaign: its number, the seed of its random choices, the number of its cases."""
+    """A part of a campaign. It has its number, the seed of its random choices, and its number of
+    cases."""
 
     number: int
     seed: int
@@ -41,7 +42,7 @@ def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
 
 
 def identity_of(files: Iterable[Path]) -> str:
-    """Returns the hash of the files that a chunk executes: the image and the program."""
+    """Returns the hash of the files that a chunk executes. They are the image and the program."""
     digest = hashlib.sha256()
     for path in files:
         digest.update(hashlib.sha256(path.read_bytes()).digest())
@@ -49,7 +50,7 @@ def identity_of(files: Iterable[Path]) -> str:
 
 
 class Store:
-    """The finished chunks of a campaign, each in a file."""
+    """The finished chunks of a campaign. Each chunk has its own file."""
 
     def __init__(self, root: Path, kind: str, identity: str, seed: int) -> None:
         self.identity = identity
@@ -57,7 +58,7 @@ class Store:
 
     @contextmanager
     def only_one(self) -> Iterator[None]:
-        """Locks the chunks: a second campaign with the same chunks would run them again."""
+        """Locks the chunks. A second campaign with the same chunks would run them again."""
         self.folder.mkdir(parents=True, exist_ok=True)
         with (self.folder / "lock").open("a", encoding="utf-8") as file:
             try:
@@ -70,7 +71,7 @@ class Store:
             yield
 
     def keep(self, chunk: Chunk, cases: list[dict[str, Any]]) -> None:
-        """Writes the result of a chunk. Its file is complete, or it does not exist."""
+        """Writes the result of a chunk. Its file is either complete or does not exist."""
         self.folder.mkdir(parents=True, exist_ok=True)
         path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
         draft = path.with_suffix(f".{os.getpid()}.draft")
@@ -82,7 +83,7 @@ class Store:
         draft.replace(path)
 
     def read(self, chunk: Chunk) -> list[dict[str, Any]] | None:
-        """Returns the cases of a chunk, or None while the chunk is not finished. Raises an error
+        """Returns the cases of a chunk. Returns None if the chunk is not finished. Raises an error
         for a chunk of another program.
         """
         path = self.folder / f"{chunk.number:06}-{chunk.count}.json"
@@ -90,13 +91,13 @@ class Store:
             return None
         content = json.loads(path.read_text(encoding="utf-8"))
         if (content["identity"], content["seed"]) != (self.identity, chunk.seed):
-            raise ValueError(f"{path} belongs to another campaign: remove it")
+            raise ValueError(f"{path} belongs to another campaign; remove this file")
         cases: list[dict[str, Any]] = content["cases"]
         return cases
 
     def finished(self) -> list[Chunk]:
-        """Returns the finished chunks by their numbers. If several chunks have the same number, it
-        returns the longest chunk.
+        """Returns the finished chunks, sorted by their numbers. If several chunks have the same
+        number, returns the longest of them.
         """
         seed = int(self.folder.name.rpartition("-")[2])
         longest: dict[int, int] = {}

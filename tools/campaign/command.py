@@ -1,4 +1,4 @@
-"""./wr campaign: a long run of random cases, in chunks that are kept when they are finished."""
+"""./wr campaign: a long run of random cases in chunks. Each finished chunk is stored."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ SHOWN_EVERY = 10.0  # seconds
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "campaign",
-        description="Runs many random cases, in chunks on all cores. Each finished chunk is kept "
-        "in build/campaign. An interrupted campaign continues with --resume, and has the same "
-        "result as an uninterrupted campaign.",
+        description="Runs many random cases, in chunks on all cores. Each finished chunk is stored "
+        "in build/campaign. An interrupted campaign continues with --resume, and has "
+        "the same result as an uninterrupted campaign.",
     )
     parser.add_argument("kind", choices=sorted(KINDS), help="kind of the cases")
-    parser.add_argument("--count", type=positive, help="number of cases; each kind has a default")
+    parser.add_argument("--count", type=positive, help="number of cases (each kind has a default)")
     parser.add_argument(
-        "--seed", type=int, default=1, help="number that chooses the cases (default: 1)"
+        "--seed", type=int, default=1, help="seed that determines the cases (default: 1)"
     )
     parser.add_argument(
         "--workers",
@@ -40,12 +40,14 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help="number of worker processes (default: one for each core)",
     )
     parser.add_argument("--scheduler", help="address of a Dask scheduler, such as tcp://HOST:8786")
-    parser.add_argument("--resume", action="store_true", help="keep the chunks that are finished")
+    parser.add_argument(
+        "--resume", action="store_true", help="use the chunks that are already finished"
+    )
     parser.add_argument(
         "--publish",
         action="store_true",
         help="write the result of the finished chunks to tests/records; without --count, run no "
-        "other chunk",
+        "further chunk",
     )
     parser.set_defaults(run=campaign)
 
@@ -81,7 +83,7 @@ def campaign(root: Path, options: argparse.Namespace) -> int:
     for failure in failures:
         print(*(f"{name}: {value}" for name, value in failure.items()), sep="\n")
     if failures:
-        print(f"the whole results are in {store.folder.relative_to(root)}")
+        print(f"the full results are in {store.folder.relative_to(root)}")
     return 1 if failures else 0
 
 
@@ -96,8 +98,8 @@ def run(root: Path, kind: Kind, store: Store, options: argparse.Namespace) -> li
     finished = {chunk for chunk in chunks if store.read(chunk) is not None}
     if finished and not options.resume:
         raise UsageError(
-            f"{len(finished)} chunks of this campaign are finished: --resume keeps them. "
-            f"To run them again remove {store.folder.relative_to(root)}"
+            f"{len(finished)} chunks of this campaign are already finished. Use --resume to "
+            f"continue, or remove {store.folder.relative_to(root)} to run them again"
         )
     left = [chunk for chunk in chunks if chunk not in finished]
     progress = Progress(kind, len(chunks), sum(chunk.count for chunk in left))
@@ -115,7 +117,7 @@ def run(root: Path, kind: Kind, store: Store, options: argparse.Namespace) -> li
 
 
 def merged(root: Path, kind: Kind, store: Store, chunks: list[Chunk]) -> dict[str, Any]:
-    """Returns the summary of the chunks, each counted once."""
+    """Returns the summary of the chunks. Each chunk is counted once."""
     cases = [case for chunk in chunks for case in store.read(chunk) or []]
     return {
         "identity": store.identity,
@@ -126,7 +128,7 @@ def merged(root: Path, kind: Kind, store: Store, chunks: list[Chunk]) -> dict[st
 
 
 class Progress:
-    """Prints the number of finished cases and the expected end, from time to time."""
+    """Prints from time to time the number of finished cases and the remaining time."""
 
     def __init__(self, kind: Kind, chunks: int, cases: int) -> None:
         self.kind, self.chunks, self.cases = kind, chunks, cases

@@ -1,4 +1,4 @@
-"""The campaign of injected faults: its program, and the summary of its cases."""
+"""The campaign of injected faults, with its program and the summary of its cases."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from traceability.reading.products import DEFAULT, image_of
 
 PROGRAM = Path("build/host/sim/weeding_robot_faults")
 IMAGE, ELF = image_of(DEFAULT, ".bin"), image_of(DEFAULT, ".elf")
-BY_ADDRESS = ("ram", "code", "flash")  # kinds whose place is an address with a module
-BY_INSTRUCTION = ("register", "stack")  # kinds that hit the module that runs
-LISTED = 40  # silent faults in the record
+BY_ADDRESS = ("ram", "code", "flash")  # kinds of faults at an address that belongs to a module
+BY_INSTRUCTION = ("register", "stack")  # kinds of faults that hit the module that runs at this time
+LISTED = 40  # number of silent faults that the record lists
 
 Case = dict[str, Any]
 
@@ -53,7 +53,7 @@ def counted(cases: Iterable[Case]) -> dict[str, int]:
 
 
 def times(values: Sequence[int]) -> dict[str, float]:
-    """Returns median, 95th percentile, and maximum [ms]."""
+    """Returns the median, the 95th percentile and the maximum [ms]."""
     ordered = sorted(values)
     if not ordered:
         return {}
@@ -65,7 +65,7 @@ def times(values: Sequence[int]) -> dict[str, float]:
 
 
 def module_of(places: Any, case: Case) -> str:
-    """Returns the module that a fault hit; empty if it hit no module."""
+    """Returns the module that a fault hit. The result is empty if the fault hit no module."""
     if case["kind"] in BY_ADDRESS:
         return str(places.of(case["place"]))
     return str(places.of(case["pc"])) if case["kind"] in BY_INSTRUCTION else ""

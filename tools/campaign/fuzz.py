@@ -1,4 +1,4 @@
-"""The campaign of random inputs: its programs, and the summary of its runs."""
+"""The campaign of random inputs, with its programs and the summary of its runs."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from typing import Any
 PROGRAM = Path("tools/campaign/fuzz_program.py")
 NAMES = ("frames", "link", "robot")
 FUZZERS = tuple(Path(f"build/fuzz/tests/fuzz/fuzz_{name}") for name in NAMES)
-LISTED = 20  # failures in the record
+LISTED = 20  # number of failures that the record lists
 
 
 def options(files: Sequence[Path]) -> list[str]:
-    """Returns the options of the program for the fuzzers."""
+    """Returns the options of the program that runs the fuzzers."""
     return [
         word
         for name, file in zip(NAMES, files[1:], strict=True)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Runs all fuzzers of the firmware a number of times; prints a line of JSON for each time.
+"""Runs all fuzzers of the firmware several times, and prints a line of JSON after each time.
 
-Needs the standard library only: it runs on any worker, in the folder of the project.
+This program needs only the standard library. It can run on any worker, in the folder of the
+project.
 """
 
 from __future__ import annotations
@@ -14,19 +15,21 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-# Number of inputs in one run. The first fuzzer needs about 30 s of processor time, each other
-# fuzzer about 5 s.
+# Number of inputs in one run. The first fuzzer needs about 30 s of processor time. Each other
+# fuzzer needs about 5 s.
 INPUTS = {"frames": 1_000_000, "link": 50_000, "robot": 1_000}
 LONGEST_INPUT = {"frames": 24}  # bytes
 LONGEST = 60  # time limit of an input [s]; most inputs need less than 0.02 s
 CORPUS = Path("tests/fuzz/corpus")
 MOST_OF_TEXT = 2_000
-# Line of the cause. The lines before it show the progress, and the lines after it show the calls.
+# The line that states the cause. The lines before it show the progress, and the lines after it show
+# the calls.
 CAUSE = re.compile(r"^.*(the fuzzer found|runtime error:|ERROR: ).*$", re.MULTILINE)
 
 
 def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
-    """Runs a fuzzer. Inputs that reach new code are kept in a folder that is removed afterwards."""
+    """Runs a fuzzer. Inputs that reach new code are stored in a folder, which is removed
+    afterwards."""
     with tempfile.TemporaryDirectory() as corpus, tempfile.TemporaryDirectory() as failed:
         words = [
             program,
@@ -59,7 +62,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
 
 
 def cause_in(output: str) -> str:
-    """Returns the text of a failure, beginning at the line of its cause."""
+    """Returns the text of a failure from the line of its cause on."""
     match = CAUSE.search(output)
     return output[match.start() :][:MOST_OF_TEXT] if match else output[-MOST_OF_TEXT:]
 

@@ -1,4 +1,4 @@
-"""The kinds of campaigns: the work of a chunk, and the summary of all cases."""
+"""The kinds of campaigns, with the work of a chunk and the summary of all cases."""
 
 from __future__ import annotations
 
@@ -19,12 +19,14 @@ class Kind:
 
     name: str
     unit: str  # name of a case
-    size: int  # cases of a chunk
-    usual: int  # cases of a campaign, unless another number is given
-    # Preset and targets that are built before the campaign.
+    size: int  # number of cases of a chunk
+    usual: int  # number of cases of a campaign, if the user gives none
+    # presets, and the targets that are built in each preset before the campaign
     targets: tuple[tuple[str, tuple[str, ...]], ...]
     files: tuple[Path, ...]  # files that a chunk needs; the first file is the program
-    options: Callable[[Sequence[Path]], list[str]]  # the options for these files
+    options: Callable[
+        [Sequence[Path]], list[str]
+    ]  # function that returns the options for these files
     summarise: Callable[[Path, Cases], dict[str, Any]]
 
     def words(self, files: Sequence[Path], chunk: Chunk) -> list[str]:

@@ -1,4 +1,5 @@
-"""The campaign of random drives with a loaded line: its program, and the summary of its drives."""
+"""The campaign of random drives with a loaded line, with its program and the summary of its
+drives."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 PROGRAM = Path("build/host/sim/weeding_robot_loads")
-LISTED = 10  # longest drives in the record
+LISTED = 10  # number of longest drives that the record lists
 
 
 def summarise(_root: Path, cases: Sequence[dict[str, Any]]) -> dict[str, Any]:

@@ -13,20 +13,21 @@ from elftools.elf.elffile import ELFFile
 
 from traceability.sources import files_below
 
-NOWHERE = "other"  # padding, libraries, tables of the compiler
+NOWHERE = "other"  # padding, libraries and tables of the compiler
 _ADDRESS = 0x03  # DW_OP_addr
 _WRAPPERS = {"DW_TAG_typedef", "DW_TAG_const_type", "DW_TAG_volatile_type"}
 _CLASSES = {"DW_TAG_structure_type", "DW_TAG_class_type", "DW_TAG_union_type"}
 
 
 class Places:
-    """Names the module of an address in flash or RAM: the innermost class or the source file."""
+    """The modules of the addresses in flash or RAM. A module is the innermost class or the source
+    file."""
 
     def __init__(self, root: Path, elf: Path) -> None:
         self._modules = {
             path.stem for path in files_below(root, ("src", "extensions"), (".hpp", ".cpp"))
         }
-        self._objects: list[tuple[int, int, DIE, str]] = []  # address, end, type, source
+        self._objects: list[tuple[int, int, DIE, str]] = []  # address, end, type and source
         self._functions: list[tuple[int, int, str]] = []
         self._defined: dict[str, DIE] = {}
         with elf.open("rb") as file:
@@ -42,7 +43,7 @@ class Places:
             }
 
     def of(self, address: int) -> str:
-        """Returns the module of an address; NOWHERE when the address belongs to no module."""
+        """Returns the module of an address. Returns NOWHERE if the address belongs to no module."""
         for starts, items in ((self._starts, self._objects), (self._first, self._functions)):
             at = bisect.bisect_right(starts, address) - 1
             if at < 0 or address >= items[at][1]:
@@ -130,13 +131,14 @@ class Places:
                 if member is not None and (place is not None or kind.tag == "DW_TAG_union_type"):
                     at = place.value if place is not None else 0
                     if "DW_AT_bit_size" not in child.attributes and isinstance(at, int):
-                        # A base class is a part of the derived class: it has no separate place.
+                        # A base class is a part of the derived class. It has no address of its own
+                        # in the list.
                         inner = self._bytes(member, offset + at, module)
                         yield from inner
 
     def _resolved(self, die: DIE) -> DIE:
-        """Returns the type itself; for a class that is only declared, its definition in another
-        file.
+        """Returns the type itself. If a class is only declared here, returns its definition in
+        another file.
         """
         while die.tag in _WRAPPERS:
             inner = _type_of(die)
@@ -168,7 +170,7 @@ class Places:
 
 
 def _children(die: DIE, tags: Iterable[str]) -> Iterator[DIE]:
-    """Yields the entries of some kinds in namespaces, classes and functions."""
+    """Yields the entries of the given kinds in namespaces, classes and functions."""
     for child in die.iter_children():
         if str(child.tag) in tags:
             yield child
@@ -189,7 +191,7 @@ def _text(die: DIE, name: str) -> str:
 
 
 def _plain(name: str) -> str:
-    """Returns the name of a class without the arguments of its template."""
+    """Returns the name of a class without its template arguments."""
     return re.sub(r"<.*", "", name)
 
 

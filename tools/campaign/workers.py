@@ -17,13 +17,13 @@ from tools.campaign.kinds import Kind
 from tools.steps import FailureError, stop_programs, stoppable
 
 Result = tuple[Chunk, list[dict[str, Any]]]
-NICE = "15"  # a campaign leaves the processor to other work
-HERE = "{folder}"  # replaced by the folder of the copies in the command of a worker
-RETRIES = 3  # retries of a chunk whose worker ended
+NICE = "15"  # A campaign has low priority on the processor.
+HERE = "{folder}"  # In the command of a worker, the folder of the copies replaces this text.
+RETRIES = 3  # number of times that a chunk is repeated after its worker ended
 
 
 def execute(words: Sequence[str]) -> list[dict[str, Any]]:
-    """Runs the command of a chunk. Returns its cases."""
+    """Runs the command of a chunk, and returns its cases."""
     program = subprocess.Popen(
         ["nice", "-n", NICE, *words],
         stdin=subprocess.DEVNULL,
@@ -40,7 +40,7 @@ def execute(words: Sequence[str]) -> list[dict[str, Any]]:
 
 
 def run_here(kind: Kind, root: Path, chunks: Sequence[Chunk], workers: int) -> Iterator[Result]:
-    """Yields each chunk when it is finished."""
+    """Yields each chunk as soon as it is finished."""
     files = [root / file for file in kind.files]
     with ThreadPoolExecutor(workers) as pool:
         waiting = iter(chunks)
@@ -60,7 +60,7 @@ def run_here(kind: Kind, root: Path, chunks: Sequence[Chunk], workers: int) -> I
 def execute_copy(
     identity: str, contents: Mapping[str, bytes], words: Sequence[str]
 ) -> list[dict[str, Any]]:
-    """Runs a command on a worker. Each machine writes the copies of its files once."""
+    """Runs a command on a worker. Each machine writes the copies of its files only once."""
     folder = Path(tempfile.gettempdir()) / f"campaign-{os.getuid()}-{identity}"
     if not folder.is_dir():
         draft = Path(tempfile.mkdtemp(prefix="campaign-"))
@@ -69,7 +69,7 @@ def execute_copy(
             (draft / name).chmod(0o700)
         try:
             draft.rename(folder)
-        except OSError:  # another worker of this machine wrote the copies first
+        except OSError:  # Another worker of this machine wrote the copies first.
             if not folder.is_dir():
                 raise
             shutil.rmtree(draft)
@@ -79,9 +79,10 @@ def execute_copy(
 def run_on_dask(
     kind: Kind, root: Path, chunks: Sequence[Chunk], scheduler: str, identity: str
 ) -> Iterator[Result]:
-    """Yields each chunk when a worker has finished it. A chunk of a lost worker runs again.
+    """Yields each chunk as soon as a worker has finished it. If a worker is lost, its chunk runs
+    again.
 
-    The workers need this project's tools: they are started in its folder, with its Python.
+    The workers need this project's tools. Start them in the project's folder, with its Python.
     """
     from distributed import Client, as_completed
 

@@ -1,1 +1,1 @@
-"""The mutation score: faults in the firmware and its extensions, and the tests that find them."""
+"""The mutation test: faults in the firmware and its extensions, and the tests that find them."""

@@ -1,5 +1,5 @@
-// The operations of the mutated copies of the sources. Each operation works as written, unless the
-// environment variable WR_MUTANT names one of its mutants.
+// The operations of the mutated copies of the sources. An operation works as written if the
+// environment variable WR_MUTANT names none of its mutants.
 
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace mutant {
 
-/// @brief The number of the mutant that is active; 0 means none.
+/// @brief Returns the number of the active mutant. 0 means that no mutant is active.
 inline int active() {
   static const int number = [] {
     const char* text = std::getenv("WR_MUTANT");
@@ -20,7 +20,7 @@ inline bool on(int number) {
   return active() == number;
 }
 
-/// @brief Value that is added to a constant: 1, -1 or 0.
+/// @brief Returns the value that is added to a constant: 1, -1 or 0.
 inline int offset(int number) {
   return on(number) ? 1 : on(number + 1) ? -1 : 0;
 }

@@ -1,4 +1,4 @@
-"""The places for faults, found by libclang: each mutant is one small change of a method."""
+"""The places for faults, which libclang finds. Each mutant is one small change of a method."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from traceability.reading.clang_names import function_id, is_function
 from traceability.reading.translation_units import clang_arguments, standard
 from traceability.sources import include_options
 
-# Operator -> its replacements, one mutant each.
+# Operator -> its replacements. Each replacement is a mutant.
 OPERATORS = {
     "<": ("<=", ">="),
     ">": (">=", "<="),
@@ -30,7 +30,7 @@ OPERATORS = {
     "<<": (">>",),
     ">>": ("<<",),
 }
-# The function of mutant.hpp that computes the original or the changed value.
+# Operator -> the function of mutant.hpp that computes the original or the changed value.
 FUNCTIONS = {
     "<": "less",
     ">": "greater",
@@ -61,7 +61,8 @@ NOT_AT_RUN_TIME = {
 
 @dataclass(frozen=True)
 class Mutant:
-    """One change. Its number is its position in the list of all mutants, from 1 on."""
+    """One change of the source. Its number is its position in the list of all mutants. The first
+    number is 1."""
 
     file: str
     line: int
@@ -72,10 +73,11 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Point:
-    """A wrapped part of a source. The wrapper can activate each of its mutants.
+    """A part of a source with a wrapper around it. The wrapper can activate each mutant of the
+    part.
 
-    In ``before``, ``#`` means the number of the first mutant. ``inside`` replaces the text of
-    ``cut``: the operator between two operands.
+    In ``before``, ``#`` is replaced by the number of the first mutant. ``cut`` is the operator
+    between two operands. ``inside`` replaces the text of ``cut``.
     """
 
     start: int
@@ -88,7 +90,8 @@ class Point:
 
 
 def compiler_arguments(root: Path) -> list[str]:
-    """Parses the sources like the model, with the precompiled headers of the library."""
+    """Returns the options with which the sources are parsed. They are the options of the model,
+    with the precompiled headers of the library."""
     parsed = ["-include-pch", str(standard(root / "build" / "model" / "cache"))]
     return [*clang_arguments(board=False), *include_options(root), *parsed]
 
@@ -97,7 +100,7 @@ def find_points(
     root: Path, unit: str, files: list[str], wanted: set[str] | None = None
 ) -> dict[str, list[Point]]:
     """Returns for each file the points in the bodies of the requested functions, in the order of
-    the text. By default it searches all functions.
+    the text. By default, all functions are searched.
     """
     tree = cindex.Index.create().parse(str(root / unit), args=compiler_arguments(root))
     finder = _Finder(root, {str(root / file): file for file in files}, wanted)
@@ -164,7 +167,7 @@ class _Finder:
 
     def early_return(self, function: Cursor, body: Cursor) -> None:
         if len(list(body.get_children())) < 2:
-            return  # the mutants of its only statement are equal
+            return  # The mutants of its only statement are the same.
         void = function.result_type.kind == TypeKind.VOID
         if function.kind in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR):
             void = True
@@ -174,7 +177,7 @@ class _Finder:
         self.add(Point(at, at, f" if (mutant::on(#)) {text};", "", (mutant,)))
 
     def statement(self, cursor: Cursor) -> None:
-        """Adds a mutant that leaves out a statement which is a call or an assignment."""
+        """Adds a mutant that removes a statement, if the statement is a call or an assignment."""
         inner = _layers(cursor)[-1]
         call = inner.kind == CursorKind.CALL_EXPR
         change = inner.kind in CHANGES or (
@@ -231,14 +234,14 @@ class _Finder:
     def literal(self, cursor: Cursor) -> None:
         text = self.short(cursor)
         if not text[:1].isdigit():
-            return  # the number comes from a macro
+            return  # The number comes from a macro.
         mutants = tuple(self.mutant(cursor, "constant", f"{text} {way} 1") for way in "+-")
         start, end = cursor.extent.start.offset, cursor.extent.end.offset
         self.add(Point(start, end, "(mutant::offset(#) + ", ")", mutants))
 
     def negated(self, cursor: Cursor) -> None:
         if any(self.operator(part)[0] in RELATIONS for part in _layers(cursor)):
-            return  # a mutant of the relation is its negation
+            return  # A mutant of the relation already is its negation.
         mutant = self.mutant(cursor, "condition", f"not {self.short(cursor)}")
         self.wrap(cursor, "(mutant::on(#) != static_cast<bool>(", "))", mutant)
 
@@ -259,8 +262,8 @@ class _Finder:
 
 
 def _layers(cursor: Cursor) -> list[Cursor]:
-    """Returns an expression without the nodes that the compiler adds around it, beginning with the
-    outermost node.
+    """Returns an expression without the nodes that the compiler adds around it. The outermost node
+    is first.
     """
     found = [cursor]
     while found[-1].kind == CursorKind.UNEXPOSED_EXPR:

@@ -1,4 +1,4 @@
-"""Runs the tests of a mutant, and returns the tests that find it."""
+"""Runs the tests of a mutant, and returns the tests that find the mutant."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from tempfile import NamedTemporaryFile
 
 from traceability.reading.results import plain_name
 
-SLOWER = 10  # a test counts as hanging after this factor times its time without a mutant
+SLOWER = 10  # A test counts as hanging after this multiple of its time without a mutant.
 LEAST_SECONDS = 2.0
-ASLEEP = 30  # a program that waits without computing is ended after this factor times its limit
-HANGS = 2  # number of tests that may hang; the tests after them stay undecided
+ASLEEP = 30  # A program that waits without computing is ended after this multiple of its limit.
+HANGS = 2  # number of tests that may hang; the tests after them are not decided
 LINE = re.compile(rb"^\[ +(RUN|OK|FAILED|SKIPPED) +\] ([\w/]+)\.([\w/]+)", re.MULTILINE)
 
 SUITE = re.compile(rb"^\[-+\] \d+ tests? from ([\w/]+)(?:, .*)?$", re.MULTILINE)
@@ -27,17 +27,18 @@ SUITE = re.compile(rb"^\[-+\] \d+ tests? from ([\w/]+)(?:, .*)?$", re.MULTILINE)
 
 @dataclass
 class Outcome:
-    """Results of tests: the failed tests, and the passed tests. Other tests are undecided."""
+    """The results of tests. It contains the failed tests and the passed tests. The other tests are
+    not decided."""
 
     failed: set[str] = field(default_factory=set)
     passed: set[str] = field(default_factory=set)
 
 
 def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
-    """Runs tests with a mutant activated; the number 0 activates no mutant.
+    """Runs tests with an active mutant. The number 0 means that no mutant is active.
 
     ``seconds`` contains the time of each test without a mutant. A test that ends the program has
-    failed; the remaining tests run in the next process.
+    failed. The remaining tests then run in the next process.
     """
     outcome = Outcome()
     left = dict(seconds)
@@ -58,15 +59,16 @@ def run_tests(program: Path, mutant: int, seconds: dict[str, float]) -> Outcome:
 def _run(
     program: Path, mutant: int, tests: Iterable[str], limit: float, outcome: Outcome
 ) -> tuple[str | None, bool]:
-    """Runs one process. Returns the test that ended the process, if any, and whether this test
-    hung.
+    """Runs one process. Returns the test that ended the process, if there is one, and whether this
+    test hung.
 
     ``limit`` counts processor seconds, because other programs on this computer delay the tests.
     """
     tests = list(tests)
-    # Every run of a random test has the same seed: a difference is an effect of the mutant.
+    # Every run of a random test has the same seed. A difference is therefore an effect of the
+    # mutant.
     environment = {**os.environ, "WR_MUTANT": str(mutant), "WR_SEED": "1"}
-    # The names of all tests are too long for an argument.
+    # An argument of a program is too short for the names of all tests.
     with NamedTemporaryFile("w", dir=program.parent, suffix=".flags") as flags:
         flags.write(f"--gtest_color=no\n--gtest_filter={':'.join(map(_pattern, tests))}\n")
         flags.flush()
@@ -91,14 +93,15 @@ def _run(
 
 
 def _pattern(test: str) -> str:
-    """Returns the filter of a test, of its parameters, and of the types of its suite."""
+    """Returns the filter of a test. The filter includes its parameters and the types of its
+    suite."""
     suite, _, name = test.partition(".")
     return f"{test}:{test}/*:*/{test}:*/{test}/*:{suite}/*.{name}"
 
 
 def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
-    """Returns the first open test of the suite that began last: a fault can end the set-up of a
-    suite.
+    """Returns the first test without a result of the suite that began last. A fault can end the
+    process in the set-up of a suite.
     """
     for suite in SUITE.findall(text)[-1:]:
         begin = plain_name(suite.decode(), "")
@@ -108,15 +111,15 @@ def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | N
 
 
 def _limit_processor_time(process: int, seconds: int) -> None:
-    """Limits the processor time of the process and of each child. The kernel ends a process at the
+    """Limits the processor time of the process and of each child. The kernel ends a process at this
     limit.
     """
-    with contextlib.suppress(ProcessLookupError):  # the process has ended
+    with contextlib.suppress(ProcessLookupError):  # The process has already ended.
         resource.prlimit(process, resource.RLIMIT_CPU, (seconds, seconds + 1))
 
 
 def record_results(text: bytes, outcome: Outcome) -> str | None:
-    """Adds the results that the program printed. Returns the test that had begun and not ended."""
+    """Adds the results that the program printed. Returns the test that began and did not end."""
     running: str | None = None
     for word, suite, name in LINE.findall(text.partition(b"Global test environment tear-down")[0]):
         test = plain_name(suite.decode(), name.decode())

@@ -21,15 +21,15 @@ from traceability.reading.traces import Traces, nodes_of
 from traceability.schema import HOST, Equivalent, Test
 
 RESULT = RESULTS / "mutation.json"
-FIRST_PART = 0.2  # [s] of tests that run first
+FIRST_PART = 0.2  # processor time of the tests that run first [s]
 PART_GROWTH = 4
 MUTANT = [one.name for one in fields(Mutant)]
-NO_REQUIREMENT = ""  # requirement of the functions outside the trees
+NO_REQUIREMENT = ""  # stands for the requirement of functions outside the trees
 
 
 @dataclass
 class Plan:
-    """Data that exists before the first mutant runs."""
+    """The data that exists before the first mutant runs."""
 
     methods: dict[str, list[str]]  # method -> requirements whose trees contain it
     verifying: dict[str, set[str]]  # requirement -> its tests on this machine
@@ -46,8 +46,8 @@ class Plan:
 
 @dataclass
 class Tried:
-    """A mutant that ran: the tests that found it, and for each requirement whether a test of the
-    requirement found it.
+    """A mutant that was tried, with the tests that found it. For each requirement, it states
+    whether a test of the requirement found the mutant.
 
     A requirement is missing if its tests were not decided.
     """
@@ -58,7 +58,7 @@ class Tried:
 
 
 def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[str]) -> Plan:
-    """Returns the tests of the functions that have mutants. A function outside the trees serves no
+    """Returns the tests for the functions that have mutants. A function outside the trees serves no
     requirement.
     """
     plan = Plan({name: [] for name in functions}, {}, {})
@@ -82,7 +82,8 @@ def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[st
 
 
 def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
-    """Returns the functions that a test called; all functions when its recording is incomplete.
+    """Returns the functions that a test called. If its recording is incomplete, returns all
+    functions.
 
     A death test runs in a separate process, which is not recorded.
     """
@@ -95,7 +96,8 @@ def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
 
 
 def order(mutants: list[Mutant], plan: Plan, seed: int) -> list[int]:
-    """Returns the numbers of the mutants, shuffled. The requirements contribute alternately."""
+    """Returns the numbers of the mutants in random order. The requirements contribute their mutants
+    in turn."""
     numbers = list(range(1, len(mutants) + 1))
     random.Random(seed).shuffle(numbers)
     waiting: dict[str, list[int]] = {name: [] for name in plan.verifying}
@@ -125,8 +127,8 @@ def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
 
 
 def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried | None:
-    """Runs the tests of the requirements. If no test finds the mutant, it runs all tests that
-    execute its method. Returns nothing if no test found the mutant and some tests did not end."""
+    """Runs the tests of the requirements. If no test finds the mutant, runs all tests that execute
+    its method. Returns nothing if no test found the mutant and some tests did not end."""
     own = {name: plan.own(mutant.method, name) for name in plan.methods[mutant.method]}
     outcome = run_until_found(program, number, plan, list(own.values()))
     if not outcome.failed:
@@ -143,11 +145,11 @@ def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried 
 
 
 def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str]]) -> Outcome:
-    """Runs the short tests first, until each group has a test that found the mutant, or has no
-    tests left.
+    """Runs the tests of the groups. The short tests run first. The run ends when each group has a
+    test that found the mutant, or has no tests left.
 
-    The time of each part is a multiple of the time of the previous part, so that programs start
-    seldom.
+    The tests run in parts. Each part takes a multiple of the time of the previous part, so only a
+    few programs start.
     """
     outcome = Outcome()
     most = FIRST_PART
@@ -161,13 +163,13 @@ def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str
         outcome.failed |= result.failed
         outcome.passed |= result.passed
         if not part or not part.keys() <= result.failed | result.passed:
-            break  # nothing is left, or tests hang
+            break  # No test is left, or tests hang.
         most *= PART_GROWTH
     return outcome
 
 
 def _found(outcome: Outcome, tests: set[str]) -> bool | None:
-    """Returns whether a test failed; None while a test is undecided."""
+    """Returns whether a test failed. Returns None if a test is not decided."""
     if tests & outcome.failed:
         return True
     return False if tests <= outcome.passed else None
@@ -202,11 +204,11 @@ def try_all(
 def found_before(
     last: Mapping[str, Any], mutants: list[Mutant], files: Mapping[str, str], plan: Plan
 ) -> dict[int, Tried]:
-    """Returns the last results of found mutants, by number, if the file is unchanged and a test
-    that found the mutant still passes.
+    """Returns the last results of found mutants, by number. The file of the mutant must be
+    unchanged, and a test that found the mutant must still pass.
 
-    Equal changes of a method are one group. A group is returned only if the last run found each
-    mutant of the group.
+    Equal changes of a method are one group. The result contains a group only if the last run found
+    each of its mutants.
     """
     results: dict[tuple[str, ...], list[dict[str, Any]]] = {}
     for item in last.get("tried", []):
@@ -247,10 +249,11 @@ class Justifications:
         self.lines: dict[str, list[str]] = {}
 
     def reasons_of(self, mutants: Iterable[Mutant]) -> list[str]:
-        """Returns the reason why no test can find each mutant; empty without a justification.
+        """Returns for each mutant the reason why no test can find it. The reason is empty without a
+        justification.
 
-        Each change in an entry justifies one mutant. When a line has the same change at several
-        places, the entry contains the change once for each place at which no test can find it.
+        Each change in an entry justifies one mutant. A line can have the same change at several
+        places. The entry then contains the change once for each place at which no test can find it.
         """
         left = {key: list(reasons) for key, reasons in self.reasons.items()}
         return [

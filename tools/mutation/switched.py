@@ -1,4 +1,5 @@
-"""The switched build: a copy of the sources that contains all mutants, each with its number."""
+"""The mutated build: a copy of the sources that contains all mutants. Each mutant has its
+number."""
 
 from __future__ import annotations
 
@@ -24,10 +25,11 @@ ATTEMPTS = 10
 
 
 def write_switched(root: Path, log: TextIO) -> list[Mutant]:
-    """Writes the copy with the mutants of the firmware and its extensions, without the parts that
-    only the K64 has. Returns the mutants, whose numbers begin at 1.
+    """Writes the copy with the mutants of the firmware and its extensions. Parts that only the K64
+    has are left out. Returns the mutants, whose numbers begin at 1.
 
-    A mutant that does not compile is omitted, for example in a sum that must be a constant.
+    A mutant that does not compile is omitted. An example is a mutant of a sum that must be a
+    constant.
     """
     texts: dict[str, str] = {}
     mutants: list[Mutant] = []
@@ -49,7 +51,8 @@ def write_switched(root: Path, log: TextIO) -> list[Mutant]:
 def compiling(
     root: Path, unit: str, found: dict[str, list[Point]], first: int, log: TextIO
 ) -> tuple[dict[str, str], list[Mutant]]:
-    """Returns the changed texts of a unit with the points that compile, and their mutants."""
+    """Returns the changed texts of a unit with the points that compile, and the mutants of these
+    points."""
     for _ in range(ATTEMPTS):
         held = [mutant for points in found.values() for point in points for mutant in point.mutants]
         numbers = iter(range(first, first + len(held)))
@@ -74,13 +77,13 @@ def _lines(path: Path, file: str, point: Point) -> set[tuple[str, int]]:
 
 
 def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
-    """Returns the text with each point wrapped."""
+    """Returns the text with a wrapper around each point."""
     text = path.read_bytes()
     edits: list[tuple[tuple[int, int, int], int, int, str]] = []
     for order, point in enumerate(points):
         number, *_ = [next(numbers) for _ in point.mutants]
         length = point.end - point.start
-        # When a replaced part ends where another part begins, the end comes first.
+        # If one replaced part ends where another part begins, the end is inserted first.
         before = (point.start, 1, order)
         after = (point.end, 0, -order)
         if length == 0:
@@ -97,7 +100,7 @@ def switched(path: Path, points: list[Point], numbers: Iterator[int]) -> str:
 
 
 def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int, str]]:
-    """Returns file, line and message of each error in a unit with changed texts."""
+    """Returns the file, the line and the message of each error in a unit with changed texts."""
     arguments = [*compiler_arguments(root), "-include", str(SWITCH)]
     unsaved = [(str(root / file), text) for file, text in texts.items()]
     tree = cindex.Index.create().parse(str(root / unit), args=arguments, unsaved_files=unsaved)
@@ -105,8 +108,8 @@ def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int,
     for problem in tree.diagnostics:
         if problem.severity < cindex.Diagnostic.Error or not problem.location.file:
             continue
-        # If the switch has an error, a note shows the place of the call. Errors of libclang without
-        # a file come from parsed headers and are ignored.
+        # If the switch has an error, a note shows the place of the call. libclang also reports
+        # errors without a file, which come from parsed headers and are ignored.
         places = [problem.location, *(child.location for child in problem.children)]
         for place in places:
             if place.file and str(Path(place.file.name)) in {name for name, _ in unsaved}:

@@ -1,4 +1,4 @@
-"""The checks: each reads the model and reports findings."""
+"""The checks. Each check reads the model and reports findings."""
 
 from __future__ import annotations
 
@@ -70,7 +70,8 @@ FAMILIES = (
 
 
 def run_checks(model: Model, facts: Facts) -> Report:
-    """Returns the report, with all findings except the findings of the site's links, sorted."""
+    """Returns the report with all findings, sorted. The findings of the site's links are not
+    included."""
     families = FAMILIES[:1] if facts.declared.entries.unreadable else FAMILIES
     all_findings = [finding for family in families for finding in family(model, facts)]
     clauses, broken = pattern_checks.decide(model, facts)
@@ -87,7 +88,7 @@ def run_link_checks(model: Model, facts: Facts, site: Path) -> list[Finding]:
 
 
 def sort(findings: list[Finding]) -> list[Finding]:
-    """Returns the findings in the order of their places, each with its fix."""
+    """Returns the findings, sorted by their places. Each finding has its fix."""
     return sorted(
         (replace(each, fix=each.fix or KNOWN[each.check].fix.rstrip(".")) for each in findings),
         key=lambda finding: (finding.place.file, finding.place.line, finding.check, finding.text),

@@ -1,4 +1,4 @@
-"""arch-*: the architecture names modules that exist, and its connections are in the code."""
+"""arch-*: the architecture names modules that exist, and the code has its connections."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from traceability.reading.change_texts import Particular, Recipe
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, Place
 
-STANDING = {"derives", "edits", "id"}  # words that the model replaces in a step
+STANDING = {"derives", "edits", "id"}  # words that the model replaces in the text of a step
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -44,7 +44,7 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
     added = re.split(r", | or ", recipe.adds)
     for role in [*recipe.alters, *added, recipe.derives]:
         if role and role not in roles[name]:
-            yield recipe.place, role, f"{role} is no role of {name}"
+            yield recipe.place, role, f"{role} is not a role of {name}"
     sorts: list[tuple[str, tuple[str, ...], str]] = [
         (role, HEIRS, "heir") for role in added if role
     ]
@@ -55,7 +55,7 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
             yield (
                 recipe.place,
                 role,
-                f"{role} is no {sort}, but a change of a {name} needs one here",
+                f"{role} is not a {sort}, but a change of a {name} needs a {sort} here",
             )
     if not recipe.alters:
         yield (
@@ -66,7 +66,7 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
     for step in recipe.steps:
         for role in re.findall(r"@role\{\{id\}, ([^}]+)\}", step):
             if role not in roles[name]:
-                yield recipe.place, role, f"{role} is no role of {name}"
+                yield recipe.place, role, f"{role} is not a role of {name}"
         for word in set(re.findall(r"\{([^{}]*)\}", step)) - STANDING:
             yield recipe.place, step, f"the model does not replace {{{word}}} in a step"
 
@@ -86,7 +86,11 @@ def _particular(
             yield particular.place, module, f"{module} has no role in {name}"
     for module in particular.examples:
         if module in model.modules and not model.modules[module].extension:
-            yield particular.place, module, f"{module} is part of the robot, so it is no example"
+            yield (
+                particular.place,
+                module,
+                (f"{module} is part of the robot, so it is not an example"),
+            )
 
     if application and particular.examples and bound.isdisjoint(particular.examples):
         yield particular.place, "examples", f"no example has a role in {name}"

@@ -1,4 +1,4 @@
-"""syntax-error, doc-warning and design-entry: the sources can be read."""
+"""syntax-error, doc-warning and design-entry: the tools can read the sources."""
 
 from __future__ import annotations
 

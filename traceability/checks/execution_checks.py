@@ -78,16 +78,19 @@ def _handlers(model: Model, facts: Facts) -> tuple[dict[str, ExecutionContext], 
     findings: list[Finding] = []
     for context in model.contexts.values():
         if context.kind not in KINDS:
-            text = f"{context.id} has the kind {context.kind}, and not one of: {', '.join(KINDS)}"
+            text = (
+                f"{context.id} has the kind {context.kind}; the possible kinds are "
+                f"{', '.join(KINDS)}"
+            )
             findings.append(_declared(context.place, text))
         if (context.kind == THREAD) != bool(context.body):
             body = "a body" if context.body else "no body"
-            text = f"{context.id} is of the kind {context.kind}, and has {body}"
+            text = f"{context.id} has the kind {context.kind}, and has {body}"
             key = "body" if context.body else "kind"
             place = facts.declared.entries.line_in(context.place, key)
             findings.append(_declared(place, text))
         if len(set(context.handlers)) != len(context.handlers):
-            text = f"{context.id} names a handler twice"
+            text = f"{context.id} names a handler more than once"
             place = facts.declared.entries.line_in(context.place, "handlers")
             findings.append(_declared(place, text))
         for handler in context.handlers:
@@ -109,7 +112,8 @@ def _pipes(model: Model, facts: Facts) -> Iterator[Finding]:
         for what, contexts in (("writes", writing), ("reads", reading)):
             if len(contexts) > 1:
                 text = (
-                    f"more than one context {what} the {pipe.name}: {', '.join(sorted(contexts))}"
+                    f"more than one context {what} the pipe {pipe.name}: "
+                    f"{', '.join(sorted(contexts))}"
                 )
                 fix = "add a pipe for each writer and reader"
                 yield Finding(pipe.place, "exec-shared", text, fix)
@@ -121,7 +125,8 @@ def _pipes(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each line of a context has the priority that the design gives to the context."""
+    """Yields a finding for each interrupt line whose priority differs from the priority of its
+    context."""
     names = line_priorities(facts)
     right = {
         names[line]
@@ -135,7 +140,8 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
             given = facts.syntax.constants[name]
             if given != context.intended:
                 text = f"{context.id} has the priority {given} here, and {context.intended} in "
-                # The finding is at the call, because the constant may be right for another context.
+                # The place of the finding is the call, because another context may need this value
+                # of the constant.
                 shared = name in right
                 place = _enabled_at(name, context, facts) if shared else _place_of(name, facts)
                 key = (name, context.id if name in right else "")
@@ -144,8 +150,8 @@ def _priorities(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _enabled_at(constant: str, context: ExecutionContext, facts: Facts) -> Place:
-    """Returns the last call that enables a line with this priority. A call that names a line of
-    the context goes before all other calls.
+    """Returns the last call that enables a line with this priority. A call that names a line of the
+    context has precedence over all other calls.
     """
     constants = facts.syntax.constants
     calls = [
@@ -179,7 +185,7 @@ def _declared(place: Place, text: str) -> Finding:
 
 
 def _interrupts(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds methods that run in an interrupt although no interrupt may call them."""
+    """Finds methods that an interrupt runs although no interrupt may call them."""
     forbidden = {
         method.id: method
         for module in model.modules.values()
@@ -215,7 +221,8 @@ def _claims(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds floating-point numbers in interrupts, which do not save the registers for them."""
+    """Finds floating-point numbers in interrupts. An interrupt does not save the floating-point
+    registers."""
     findings: dict[Place, Finding] = {}
     for context in model.contexts.values():
         if context.kind != INTERRUPT:
@@ -231,13 +238,13 @@ def _floats(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _loops(facts: Facts) -> Iterator[Finding]:
-    """Finds a loop that does not count its rounds and is not in design/justified.toml."""
+    """Finds a loop that does not count its iterations and is not in design/justified.toml."""
     entries = [entry for entry in facts.declared.justified if entry.kind == "loop"]
     named = {name for entry in entries for name in entry.names}
     looping = {body.id: body for body in facts.syntax.bodies if body.loops}
     for name, body in looping.items():
         if name not in named:
-            text = f"the head of a loop in {name} does not count its rounds"
+            text = f"the head of a loop in {name} does not count the iterations"
             yield Finding(Place(body.place.file, body.loops[0]), "exec-loop", text)
     for entry in entries:
         for name in entry.names:
@@ -247,7 +254,8 @@ def _loops(facts: Facts) -> Iterator[Finding]:
 
 
 def _heap(facts: Facts) -> Iterator[Finding]:
-    """Finds uses of the heap in the source, because the image may be older than the source."""
+    """Finds uses of the heap in the source. The image is not read, because it may be older than the
+    source."""
     for path in files_below(facts.root, SOURCES, (".cpp", ".hpp")):
         file = str(path.relative_to(facts.root))
         bare = comment_blanked(path.read_text(encoding="utf-8"))
@@ -279,11 +287,11 @@ def _called_by_products(handlers: Iterable[str], facts: Facts) -> list[str]:
 
 
 def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds members that are declared as atomic or locked, and are not."""
+    """Finds members that are declared as atomic or locked, but are not atomic or locked."""
     contexts = {context.id: context for context in model.contexts.values()}
     for member in model.shared:
         if "atomic" in member.protection and "atomic" not in member.type:
-            text = f"{member.id} is declared as atomic, and is {member.type}"
+            text = f"{member.id} is declared as atomic, but its type is {member.type}"
             yield Finding(member.place, "exec-shared", text, "make it std::atomic")
         if member.protection != MASKED:
             continue
@@ -293,8 +301,8 @@ def _unprotected(model: Model, facts: Facts) -> Iterator[Finding]:
         for body in facts.syntax.bodies:
             locked = any(call.target == f"{LOCK}::{LOCK}" for call in body.calls)
             if member.id in body.touches and body.id in reached and not locked:
-                text = f"{body.id} uses {member.id} without the {LOCK} that shall protect it"
-                fix = f"make an {LOCK} first, or declare the actual protection"
+                text = f"{body.id} uses {member.id} without the {LOCK} that must protect it"
+                fix = f"create an {LOCK} first, or declare the actual protection"
                 yield Finding(body.place, "exec-shared", text, fix)
 
 
@@ -306,7 +314,7 @@ def _shared(model: Model, facts: Facts) -> Iterator[Finding]:
                 "exec-shared",
                 f"{member.id} is changed by {' and '.join(member.writers)}"
                 + (f" and read by {' and '.join(member.readers)}" if member.readers else "")
-                + ", and no protection is declared",
+                + ", and the design declares no protection",
             )
     members = {member.id for member in model.shared}
     owners = {member.rpartition("::")[0] for member in members}

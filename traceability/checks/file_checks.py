@@ -1,4 +1,4 @@
-"""module-file and module-preprocessor: every file belongs to the design, and needs no
+"""module-file and module-preprocessor: every file belongs to the design and needs no
 preprocessor."""
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-# Files that are not C++: texts about folders, and inputs of the linker and of the K64 build.
+# Files that are not C++. They are texts about folders, and inputs of the linker and of the K64
+# build.
 OTHERS = ("module.dox", "CMakeLists.txt")
 OTHER_ENDINGS = (".ld", ".cmake")
 NAMED = re.compile(r'\s*(<|"[^"]+\.hpp")')  # a header
@@ -34,7 +35,8 @@ def _finding(place: Place, text: str) -> Finding:
 
 
 def _files(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Every file belongs to a module, to data types or to a composition, or is listed as shared."""
+    """Finds a file that belongs to no module, to no data type and to no composition, and is not
+    listed as shared."""
     described = {fact.place.file for fact in facts.syntax.classes if _is_described(fact, facts)}
     described |= {shared.file for shared in facts.declared.shared}
     for path in files_below(facts.root, DESIGN):
@@ -52,20 +54,20 @@ def _files(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _is_described(fact: ClassFact, facts: Facts) -> bool:
-    """Returns whether a class is a module, or a data type with its mark."""
+    """Returns whether a class is a module or a data type with a @datatype."""
     name = fact.qualified.rsplit("::", maxsplit=1)[-1]
     return bool(facts.comment(fact).of("datatype")) or name in facts.with_file
 
 
 def _composes(model: Model, folder: str) -> bool:
-    """Returns whether a folder contains functions and no module: the composition of a product."""
+    """Returns whether a folder contains functions and no module. Such a folder is the composition
+    of a product."""
     logic = model.logic_modules.get(folder.removeprefix("src/"))
     return logic is not None and bool(logic.function) and not logic.modules
 
 
 def _outside(facts: Facts) -> Iterator[Finding]:
-    """Finds functions and classes in the file of a module that other files can use without the
-    module."""
+    """Finds functions and classes next to a module that other files can use without the module."""
     shared = {Path(item.file).stem for item in facts.declared.shared}
     for body in facts.syntax.bodies:
         stem = Path(body.place.file).stem
@@ -86,7 +88,7 @@ def _outside(facts: Facts) -> Iterator[Finding]:
 
 
 def _loose(facts: Facts) -> Iterator[Finding]:
-    """Finds a variable that belongs to no object, so that all objects of a class share it."""
+    """Finds a variable that belongs to no object. All objects of a class share such a variable."""
     for variable in facts.syntax.objects:
         module = facts.written_in.get(variable.place.file)
         if module in facts.modules:
@@ -103,7 +105,7 @@ def _idle(facts: Facts) -> Iterator[Finding]:
 
 
 def _preprocessor(root: Path) -> Iterator[Finding]:
-    """Finds macros and conditions, with which products would compile different texts."""
+    """Finds macros and conditions. With them, products would compile different texts."""
     for place, line in lines_below(root, DESIGN, (".cpp", ".hpp")):
         match = DIRECTIVE.match(line)
         if match is None or (match[1] == "include" and NAMED.match(match[2])):

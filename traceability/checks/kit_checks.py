@@ -34,7 +34,7 @@ def _change(
     model: Model, facts: Facts, change: LikelyChange, made: MadeChange, kit: Kit
 ) -> Iterator[str]:
     if not made.classes and not made.patched:
-        yield "the kit names no class and changes no file"
+        yield "the folder of the change names no class and changes no file"
     for name in made.classes:
         if name not in kit.bases and name not in model.modules:
             yield f"there is no class {name}"
@@ -45,18 +45,18 @@ def _change(
                 f"it does not derive from {parts} and does not use it"
             )
     if not made.classes and not _touches(model, change, made):
-        yield f"the kit edits none of {', '.join(change.altered)}"
+        yield f"the folder of the change edits none of {', '.join(change.altered)}"
     targets = {test.target for test in made.tests}
     for target in sorted({HOST, VIRTUAL_K64} - targets):
         yield f"the change has no test on {target}"
     for name in set(kit.named_tests) - set(model.tests):
         yield f"there is no test {name}"
     if made.patched and not made.why:
-        yield "the kit changes existing files without a reason"
+        yield "the change edits existing files without a reason"
 
 
 def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str) -> bool:
-    """Returns whether a class of the kit makes the change of the recipe."""
+    """Returns whether a class of the folder makes the change of the recipe."""
     above = set(_above(facts, kit, name))
     if change.derives:
         return not above.isdisjoint(change.derives)
@@ -71,14 +71,14 @@ def _plays(model: Model, facts: Facts, change: LikelyChange, kit: Kit, name: str
 
 
 def _touches(model: Model, change: LikelyChange, made: MadeChange | None) -> bool:
-    """Returns whether the kit changes the file of an altered module."""
+    """Returns whether the folder changes the file of an altered module."""
     headers = [model.modules[name].place.file for name in change.altered]
     files = {*headers, *(name.replace(".hpp", ".cpp") for name in headers)}
     return made is not None and not files.isdisjoint(made.patched)
 
 
 def _above(facts: Facts, kit: Kit, name: str) -> Iterator[str]:
-    """Returns all base classes of a class of a kit, or of the design."""
+    """Returns all base classes of a class of the folder, or of the design."""
     bases = [kit.bases[name]] if kit.bases.get(name) else []
     if name in facts.classes:
         bases = list(facts.classes[name].bases)

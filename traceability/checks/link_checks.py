@@ -1,4 +1,4 @@
-"""link-site: the built site has no dead link. link-doc: the files that pages name exist."""
+"""link-site: the built site has no dead link. link-doc: the files that the pages name exist."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from traceability.schema import Finding, Place
 from traceability.sources import file_hash, files_below
 
 PAGES = ("README.md", "docs")
-# A path of the project, in backticks or as the target of a link.
+# A path of a file of the project. It is in backticks, or is the target of a link.
 NAMED = re.compile(r"(?<!:)`(\w[\w.-]*/[\w./-]*)`|\]\((\w[\w.-]*/[\w./-]*)(?:#[^)]*)?\)")
 URL = re.compile(r"""\burl\(\s*["']?([^"')]+)["']?\s*\)""")  # links in a style sheet
 COMMAND = re.compile(r"\./wr ([a-z][a-z-]*)((?: +(?:--?[a-z][a-z-]*|[A-Z.\d/_a-z]+))*)")
@@ -30,12 +30,12 @@ PRODUCT = re.compile(r"--product[ =](\w+)")
 PROGRAM = re.compile(r"(?<![\w/])build/\w+/(?:tests|changes)/(\w+)(?![\w/.])")
 PIN = re.compile(r"\bPT[A-E]\d+\b(?!=)")
 KEY = re.compile(r"\bkey ``(\w)``")
-HELP = '"--help"'  # options of every command
+HELP = '"--help"'  # an option of every command
 PROGRAMS = ("tools", "client", "setup")
 QUESTIONS = "design/questions.toml"
 CLICK = re.compile(r'"([^"]+)"')
-CACHE = "pages-cache/links"  # next to the site
-FEW = 100  # up to this number of pages, a single process is as fast as several processes
+CACHE = "pages-cache/links"  # a folder next to the site
+FEW = 100  # With at most this number of pages, a single process is as fast as several processes.
 SOURCES = (".rst", ".dox", ".toml", ".tree", ".hpp", ".cpp", ".py")
 ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|'[^']*')""")
 
@@ -43,7 +43,7 @@ ATTRIBUTE = re.compile(r"""\s(id|name|href|src|xlink:href|data|poster)=("[^"]*"|
 @dataclass
 class _Page:
     anchors: set[str]
-    # link -> place in the text, without valid links to anchors of the same page
+    # Link -> its position in the text. Valid links to anchors of the same page are left out.
     links: dict[str, int]
 
 
@@ -59,7 +59,7 @@ def _read(file: str) -> _Page:
     for attribute in ATTRIBUTE.finditer(text):
         start = text.rfind("<", 0, attribute.start())
         if start < text.rfind(">", 0, attribute.start()):
-            continue  # words of the text outside of tags
+            continue  # The match is in the text outside of tags.
         name, value = attribute[1], html.unescape(attribute[2][1:-1])
         if name == "id" or (name == "name" and text.startswith("<a ", start)):
             page.anchors.add(value)
@@ -86,7 +86,9 @@ def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
         cached |= {name: (states[name], page) for name, page in zip(changed, read, strict=True)}
     cached = {name: cached[name] for name in names}
     cache.parent.mkdir(parents=True, exist_ok=True)
-    new = cache.with_suffix(f".{os.getpid()}")  # another process may read the cache
+    new = cache.with_suffix(
+        f".{os.getpid()}"
+    )  # Another process may read the cache at the same time.
     new.write_bytes(pickle.dumps(code) + pickle.dumps(cached))
     new.replace(cache)
     return {name: page for name, (_, page) in cached.items()}
@@ -103,13 +105,14 @@ class _Site:
         self.away = functools.cache(self._away)
 
     def reason(self, file: str, folder: str, link: str) -> str:
-        """Returns the reason why a link is dead; empty when its target exists."""
+        """Returns the reason why a link is dead. The reason is empty if the target exists."""
         if link.startswith(("#", "?")):
             return self._without(file, link.partition("#")[2])
         return self.away(folder, link)
 
     def _away(self, folder: str, link: str) -> str:
-        """Returns the result, which is computed once: it is equal for each page of a folder."""
+        """Returns the reason why a link is dead. The reason is the same for all pages of a folder,
+        and is computed once."""
         path, _, fragment = link.partition("#")
         path = path.partition("?")[0]
         if re.match(r"[a-z][a-z0-9+.-]*:|//", path, re.IGNORECASE):
@@ -117,11 +120,11 @@ class _Site:
         start = self.root if path.startswith("/") else folder
         target = posixpath.normpath(f"{start}/{unquote(path)}")
         if not f"{target}/".startswith(f"{self.root}/"):
-            return "it points outside of the site"
+            return "the link points outside of the site"
         if target not in self.files:
             target = f"{target}/index.html"
         if target not in self.files:
-            return "there is no such file"
+            return "the file does not exist"
         return self._without(target, fragment)
 
     def _without(self, target: str, fragment: str) -> str:
@@ -131,7 +134,7 @@ class _Site:
 
 
 def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
-    """Returns page, line, link and reason of each dead link."""
+    """Returns the page, the line, the link and the reason of each dead link."""
     site = _Site(root)
     dead: list[tuple[Path, int, str, str]] = []
     for file, page in site.pages.items():
@@ -144,7 +147,7 @@ def dead_links(root: Path) -> list[tuple[Path, int, str, str]]:
 
 
 def check(model: Model, site: Path) -> Iterator[Finding]:
-    """Returns one finding for each link in a source text, also if several pages contain the
+    """Returns one finding for each link in a source text, even if several pages contain the
     link."""
     places = _sources(model)
     root = site.resolve()
@@ -194,7 +197,8 @@ class Texts:
         self.lines: dict[str, list[str]] = {}
 
     def place_of(self, target: str, page: str) -> Place | None:
-        """Returns the place of a link; no place when the text contains only parts of the link."""
+        """Returns the place of a link. It returns no place if the text contains only parts of the
+        link."""
         own = Path("docs") / Path(page).with_suffix(".rst").name
         written = re.compile(
             rf"""["'<](?:@/|\{{\{{ root \}}\}}|(?:\.\./)*){re.escape(target)}["'>]"""

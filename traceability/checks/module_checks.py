@@ -19,7 +19,8 @@ from traceability.sources import DESIGN, SRC
 FEWEST_WORDS = 3  # smallest number of words of a useful sentence
 FEWEST_OF_BRIEF = 2  # a verb and its object
 NUMBER = re.compile(r"\b(u?int\d+_t|size_t|int|unsigned|short|long|float|double)\b")
-# A number has a unit, or it is a count, the number of an item, bytes, or the value of a field.
+# The text of a number states a unit, a count, the number of an item, bytes, or the value of a
+# field.
 MEANING = re.compile(
     r"\[.+?\]|\bunit\b|\bnumbers?\b|\bbytes?\b|\bfields?\b|\bcount|\bhow many\b|\bsteps?\b"
     r"|\bfactor\b|\braw\b|\bcheck sum\b|\bits value\b|\bidentif",
@@ -27,14 +28,14 @@ MEANING = re.compile(
 )
 
 
-# Values with a unit. A text states the unit, or that the value has no meaning here.
+# Types of values with a unit. Their text states the unit, or states that the value has no meaning.
 QUANTITY = re.compile(
     r"(const )?(std::optional<)?(Velocity|Tension|Current|Angle|StepRate|DutyCycle|Microseconds)\b"
 )
 UNIT = re.compile(r"\[.+?\]|\bnot used\b|\bno meaning\b")
 UNITS = re.compile(r"\[([^\]]+)\]")
 PROMISE = re.compile(r"\b(to be (written|done|defined|decided)|TODO|TBD|FIXME)\b", re.IGNORECASE)
-INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # text of @isr
+INTERRUPT = re.compile(r"(yes|no)$|depends on ")  # the text of @isr
 
 
 def check(model: Model, facts: Facts) -> list[Finding]:
@@ -58,8 +59,9 @@ def check(model: Model, facts: Facts) -> list[Finding]:
 
 
 def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds modules that no composition reaches by names in the code and by base classes."""
-    named: dict[str, set[str]] = {}  # module, or "" for a composition -> names in its code
+    """Finds modules that no composition reaches. The search follows names in the code and base
+    classes."""
+    named: dict[str, set[str]] = {}  # Module -> names in its code. The key of a composition is "".
     for name in facts.syntax.names:
         user = facts.user(name.by, name.place)
         owner = user if user in model.modules else ""
@@ -76,13 +78,13 @@ def _unused(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _products(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds modules of the list of products that do not exist."""
+    """Finds modules that the list of products names and that do not exist."""
     file = str(PRODUCT_LIST)
     products = listed(facts.root) if (facts.root / PRODUCT_LIST).exists() else []
     place = Place(file, 1)
     for name in sorted({name for product in products for name in product.has}):
         if name not in model.modules:
-            text = f"{file} lists {name}, which is no module"
+            text = f"{file} lists {name}, which is not a module"
             yield Finding(
                 facts.declared.entries.line_in(place, f'"{name}"'),
                 "module-used",
@@ -105,7 +107,7 @@ def _place_and_name(module: Module, facts: Facts) -> Iterator[Finding]:
         yield Finding(
             module.place,
             "module-logic",
-            f"{module.name} lies in {folder}, which is not a described logic module",
+            f"{module.name} is in {folder}, which is not the folder of a logic module",
         )
     if Path(module.header).stem != module.name:
         yield Finding(
@@ -123,7 +125,8 @@ def _place_and_name(module: Module, facts: Facts) -> Iterator[Finding]:
 
 
 def _written(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds missing modules of the design, and a number of modules that differs from the paper."""
+    """Finds modules of the design that are missing in the code. Also finds a number of modules that
+    differs from the paper."""
     names = facts.declared.names
     written = {name: str(Path(fact.place.file).parent) for name, fact in facts.classes.items()}
     for logic, place in facts.declared.name_places.items():
@@ -138,7 +141,8 @@ def _written(model: Model, facts: Facts) -> Iterator[Finding]:
             yield Finding(
                 module.place,
                 "module-count",
-                f"{module.name} has a @datatype, but is a module of {module.logic} in the design",
+                f"{module.name} has a @datatype, but the design lists it as a module of "
+                f"{module.logic}",
             )
     listed = [name for folder in names for name in names[folder]]
     total = facts.declared.total
@@ -166,7 +170,7 @@ def _function(module: Module, comment: Comment, functions: dict[str, str]) -> It
 
 
 def says(text: str) -> bool:
-    """Returns whether a text is a sentence, and not a placeholder."""
+    """Returns whether a text is a sentence and not a placeholder."""
     return len(text.split()) >= FEWEST_WORDS and not PROMISE.search(text)
 
 
@@ -184,11 +188,12 @@ def _nested(facts: Facts) -> Iterator[Finding]:
     ]
     for fact in nested:
         if not facts.comment(fact).brief:
-            yield Finding(fact.place, "module-spec", f"{fact.name} is public, and has no @brief")
+            yield Finding(fact.place, "module-spec", f"{fact.name} is public, but has no @brief")
 
 
 def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
-    """Finds public parts of a header without a brief. The manual defines the registers."""
+    """Finds public parts of a header that have no brief. Registers need no brief, because the
+    manual defines them."""
     seen = {
         (finding.place.file, finding.place.line)
         for finding in findings
@@ -199,18 +204,18 @@ def _silent(facts: Facts, findings: list[Finding]) -> Iterator[Finding]:
         if (place.file, place.line) in seen or place.file == REGISTERS:
             continue
         if place.end is None or not _has_words(place, facts):
-            yield Finding(place, "module-spec", f"{declaration.name} is public, and has no @brief")
+            yield Finding(place, "module-spec", f"{declaration.name} is public, but has no @brief")
     for fact in facts.syntax.classes:
         described = facts.comment(fact).words("tparam")
         for name in fact.parameters if described else ():
             if name not in described:
-                text = f"{fact.name}, {name} is public, and has no @tparam"
+                text = f"{fact.name}, {name} is public, but has no @tparam"
                 yield Finding(fact.place, "module-spec", text)
 
 
 def _units(model: Model, facts: Facts) -> Iterator[Finding]:
     """Finds a unit in a text that differs from the unit of the type."""
-    texts: list[tuple[Place, str, str, str]] = []  # place, name, type, text
+    texts: list[tuple[Place, str, str, str]] = []  # place of the text, name, text and type
     for module in model.modules.values():
         for method in module.methods:
             texts += [
@@ -228,13 +233,13 @@ def _units(model: Model, facts: Facts) -> Iterator[Finding]:
         said = UNITS.findall(text)
         unit = UNITS.findall(unit_text(kind, model)) if said else []
         if unit and unit[0].split(" since ")[0] not in said:
-            wrong = f"the text of {name} has the unit [{said[0]}], and its type has [{unit[0]}]"
+            wrong = f"the text of {name} has the unit [{said[0]}], but its type has [{unit[0]}]"
             yield Finding(place, "module-spec", wrong)
 
 
 def _has_words(place: Place, facts: Facts) -> bool:
     """Returns whether a declaration has a comment. For an object, the comment of its class is
-    enough.
+    sufficient.
     """
     if facts.comments.at(place.file, place.end or 0).tags:
         return True
@@ -254,7 +259,7 @@ def _secret(module: Module, comment: Comment, secrets: dict[str, str]) -> Iterat
         yield Finding(
             module.place,
             "module-secret",
-            f"the secret of {module.name} is the same as its public texts",
+            f"the secret of {module.name} repeats its public texts",
         )
     elif words_of(module.secret) in secrets:
         yield Finding(
@@ -301,7 +306,7 @@ def _gives_result(method: Method) -> bool:
 
 
 def _result_of(method: Method) -> str:
-    """Returns the type of the result and the name, as in the signature."""
+    """Returns the type of the result and the name of the method, as they are in the signature."""
     return method.signature.split("(")[0].removeprefix("virtual ").removeprefix("static ")
 
 
@@ -318,12 +323,12 @@ def _folders(model: Model, facts: Facts) -> Iterator[Finding]:
             texts = {"@brief": logic.brief, "@function": logic.function, "@secret": logic.secret}
             missing = [name for name, text in texts.items() if not text]
             if not missing and not says(logic.secret):
-                missing = ["@secret with a separate text"]
+                missing = ["@secret with a text of its own"]
             secret = words_of(logic.secret)
             if not missing and secret in (words_of(logic.function), words_of(logic.brief)):
                 missing = ["@secret that differs from its public description"]
             elif not missing and secrets.setdefault(secret, logic.id) != logic.id:
-                missing = [f"separate @secret: {secrets[secret]} has the same"]
+                missing = [f"@secret of its own, because {secrets[secret]} has the same"]
         for name in missing:
             yield Finding(
                 logic.place, "module-folder", f"the logic module {logic.id} has no {name}"

@@ -1,4 +1,4 @@
-"""doc-name: names of the code in texts exist.
+"""doc-name: the names of the code in texts exist.
 
 A text is a comment of the code, a literal of a page of docs/, or a text of design/.
 """
@@ -17,7 +17,8 @@ from traceability.reading.source_lines import lines_below
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN, files_below
 
-# Forms of names in comments; none is an English word: HallCount, Wheel::stop, kPeriod, read().
+# Forms of names in comments. No English word has one of these forms: HallCount, Wheel::stop,
+# kPeriod, read().
 IN_COMMENT = re.compile(
     r"`([A-Za-z_]\w*(?:::\w+)*)`|\b([A-Z]\w*(?:::\w+)+|[A-Z][a-z]+(?:[A-Z][a-z0-9]+)+"
     r"|k[A-Z][a-z]{2,}\w*|[a-z]\w*(?=\(\)))"
@@ -27,7 +28,7 @@ IN_DESIGN = re.compile(r"`([A-Za-z_]\w*(?:::\w+)*)`")
 IDENTIFIER = re.compile(r"[A-Za-z_]\w*")
 FOR_A_TOOL = ("NOLINT", "clang-format")
 PLACEHOLDER = "Class"  # docs/ writes Class::method for any method
-# The check of each file of the design.
+# For each file of the design, the check that finds a wrong name in it.
 CHECKS = {"concordance": "paper-stale", "changes": "pattern-change"}
 
 

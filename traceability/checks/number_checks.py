@@ -40,7 +40,7 @@ def _unlinked(
     links: RequirementNumbers | None,
     without: dict[str, Place],
 ) -> Iterator[Finding]:
-    """Finds numbers without a linked constant in the design."""
+    """Finds numbers of requirements that are linked with no constant in the design."""
     for number in stated.keys() - (links.constants.keys() if links else set()):
         if f"{requirement.id} {number}" not in without:
             text = f"{requirement.id} states {number}, but no constant is linked with it"
@@ -58,7 +58,7 @@ def _linked(
             text = f"{entry.requirement} does not state {number}"
             yield Finding(place, "req-number", text)
         elif not constants:
-            text = f"{name} is no constant, but is linked with {number} of {entry.requirement}"
+            text = f"{name} is not a constant, but is linked with {number} of {entry.requirement}"
             yield Finding(place, "req-number", text)
         elif not any(is_same(stated[number], quantity_of(constant)) for constant in constants):
             value = f"{constants[0].number} {constants[0].unit}".strip()

@@ -1,4 +1,4 @@
-"""paper-*: the concordance with the paper is complete, and correct."""
+"""paper-*: the concordance with the paper is complete and correct."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ EXACT = (
     "method",
     "state",
     "application",
-)  # kinds that have the same names in the code
+)  # kinds of elements that have the same names in the code
 COUNT, CONSTANT = "figure-of-design", "constant"
-PAGES = ("view", "docs")  # only in the built site
+PAGES = ("view", "docs")  # pages that exist only in the built site
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -32,25 +32,26 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _statements(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds statements that have no place in the paper, or no existing answer."""
+    """Finds statements without a place in the paper, and statements whose answer does not exist."""
     places = {place.id for place in model.paper_places}
     for statement in model.statements:
         texts = [
-            (f"its answer {target} does not exist", target)
+            (f"the answer {target} of the statement does not exist", target)
             for target in statement.here
             if not exists(target, model, facts)
         ]
         if statement.where not in places:
             texts.append((f"the paper has no place {statement.where}", "place"))
         if not statement.here and not statement.deviation:
-            texts.append(("it has neither an answer nor a deviation", "says"))
+            texts.append(("the statement has neither an answer nor a deviation", "says"))
         for text, word in texts:
             line = facts.declared.entries.line_in(statement.place, word)
             yield Finding(line, "paper-statement", text)
 
 
 def _unstated(model: Model) -> Iterator[Finding]:
-    """Each requirement whose source is a place of the paper answers a statement of the paper."""
+    """Finds requirements whose source is a place of the paper, and that answer no statement of the
+    paper."""
     answered = {
         (statement.where, target) for statement in model.statements for target in statement.here
     }
@@ -63,13 +64,13 @@ def _unstated(model: Model) -> Iterator[Finding]:
 
 
 def _complete(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each element has one entry, and each entry has an element."""
+    """Finds elements without exactly one entry, and entries without an element."""
     concordance = facts.declared.concordance
     entries: dict[tuple[str, str], PaperElement] = {}
     for entry in model.paper:
         key = (entry.kind, entry.name)
         if key in entries:
-            text = f"the {entry.kind} {entry.name} has a second entry"
+            text = f"the concordance has a second entry for the {entry.kind} {entry.name}"
             yield Finding(entry.place, "paper-complete", text, "remove one of the two entries")
         elif key not in concordance.named:
             text = f"design/paper.toml lists no {entry.kind} {entry.name}"
@@ -94,7 +95,7 @@ def _complete(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _arrows(model: Model) -> Iterator[Finding]:
-    """Entries of the concordance name each arrow of the high-level diagram."""
+    """Finds arrows of the high-level diagram that no entry of the concordance names."""
     said = {target.partition(":")[2] for entry in model.paper for target in entry.here}
     fix = "correct the arrow, or name it in the entry of Figure 5 and write the reason as deviation"
     for connection in model.connections:
@@ -113,8 +114,8 @@ def _stale(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]
 
 
 def exists(target: str, model: Model, facts: Facts) -> bool:
-    """Returns whether the model contains the part of an entry. The site contains the generated
-    pages.
+    """Returns whether the model contains the part that an entry names. Generated pages are in the
+    site, and another check finds them.
     """
     kind, _, name = target.partition(":")
     if kind == "method":
@@ -140,22 +141,25 @@ def exists(target: str, model: Model, facts: Facts) -> bool:
 
 
 def _alias(entry: PaperElement, model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each name that differs from the paper has a reason, and no equal name has a reason."""
+    """Finds a name that differs from the paper without a reason, and an equal name with a
+    reason."""
     if entry.kind not in EXACT or not entry.here:
         return
     same = entry.name in {_name_here(target, model) for target in entry.here}
     if same and entry.alias:
         text = (
-            f"{entry.name} has the paper's name here, but the entry gives a reason for another name"
+            f"{entry.name} has the same name here as in the paper, but its entry gives a reason "
+            "for a different name"
         )
         yield Finding(entry.place, "paper-alias", text, "remove the alias")
     elif not same and not entry.alias:
         text = (
-            f"the paper's {entry.name} is named {' and '.join(entry.here)} here, but has no alias"
+            f"the paper's {entry.name} is named {' and '.join(entry.here)} here, but its entry has "
+            "no alias"
         )
         yield Finding(entry.place, "paper-alias", text)
     elif entry.alias and entry.kind == "module" and entry.name in facts.classes:
-        text = f"the code has a class {entry.name}, but the entry has another name for it"
+        text = f"the code has a class {entry.name}, but the entry states another name for it"
         yield Finding(entry.place, "paper-alias", text, "name that class, and remove the alias")
 
 
@@ -187,14 +191,15 @@ def _returned(method: str, facts: Facts) -> Iterator[str]:
 
 
 def _name_here(target: str, model: Model) -> str:
-    """Returns the name of an element in this project; of an application, its title."""
+    """Returns the name of an element in this project. The name of an application is its title."""
     kind, _, name = target.partition(":")
     application = model.patterns.get(name) if kind == "pattern" else None
     return application.title if application else name
 
 
 def check_pages(model: Model, facts: Facts, site: Path) -> Iterator[Finding]:
-    """Finds generated pages and anchors that entries name although the built site lacks them."""
+    """Finds generated pages and anchors that entries name and that the built site does not
+    contain."""
     named = [
         (entry.place, target, "paper-stale", f"the paper's {entry.kind} {entry.name}")
         for entry in model.paper
@@ -206,7 +211,7 @@ def check_pages(model: Model, facts: Facts, site: Path) -> Iterator[Finding]:
     ]
     for place, target, check, what in named:
         if target.startswith("view:") and not has_page(site, _page_of(target)):
-            text = f"{what} is linked to {target}, which is no page"
+            text = f"{what} is linked to {target}, which is not a page"
             yield Finding(facts.declared.entries.line_in(place, target), check, text)
 
 

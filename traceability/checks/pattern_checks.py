@@ -1,4 +1,5 @@
-"""pattern-*: each application binds its roles, and each clause of its pattern holds in the code."""
+"""pattern-*: each application binds its roles, and each clause of its pattern is true in the
+code."""
 
 from __future__ import annotations
 
@@ -15,11 +16,11 @@ ABSTRACTIONS = (
     *("State", "Strategy", "Component", "Decorator", "Command", "Abstract Class", "Builder"),
     *("Singleton", "Serializable", "Reader", "Writer"),
 )
-# The comment of an abstraction contains the purpose. With several applications, the subclass
-# contains it.
+# The comment of an abstraction states the purpose of the application. If an abstraction has several
+# applications, the comment of the subclass states the purpose.
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
-# The roles of subclasses; the subclasses of a Decorator among them; abstractions with alternatives.
+# The roles of subclasses. A Decorator is a subclass of its Component, and has subclasses.
 HEIRS = (
     *("Concrete State", "Concrete Strategy", "Concrete Component", "Decorator"),
     *("Concrete Decorator", "Concrete Command", "Concrete Class", "Concrete Builder"),
@@ -99,7 +100,7 @@ def _roles(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _lost(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds marks that are not above a module; no document shows such marks."""
+    """Finds tags that are not above a module. No document shows such tags."""
     above = {(b.place.file, b.place.line) for m in model.modules.values() for b in m.roles}
     above |= {(pattern.place.file, pattern.place.line) for pattern in model.patterns.values()}
     checks = {"role": "pattern-role-unknown", "patternapp": "pattern-known"}
@@ -143,7 +144,7 @@ def _undeclared(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _undecided(facts: Facts) -> Iterator[Finding]:
-    """Each clause of the design has a function that decides it, and each function has a clause."""
+    """Finds clauses of the design that no function decides, and functions without a clause."""
     clauses = facts.declared.clauses
     if not clauses:
         return
@@ -152,7 +153,7 @@ def _undecided(facts: Facts) -> Iterator[Finding]:
             yield Finding(
                 Place("design/clauses.toml", 1),
                 "pattern-known",
-                f"no clause {name} is declared, so no application uses it",
+                f"no clause {name} is declared, so no application uses this function",
                 "declare the clause",
             )
     for clause in clauses.values():
@@ -163,7 +164,7 @@ def _undecided(facts: Facts) -> Iterator[Finding]:
 
 
 def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, str]]:
-    """Yields the faults of a clause: text, word and fix."""
+    """Yields the faults of a clause. A fault has a text, a word at its place, and a fix."""
     problems: list[tuple[str, str, str]] = []
     if clause.id not in CLAUSES:
         fix = "correct the id, or write its function in traceability/checks/pattern_clauses.py"
@@ -183,7 +184,7 @@ def _clause_problems(clause: ClauseText, facts: Facts) -> list[tuple[str, str, s
 
 
 def _counts(facts: Facts) -> Iterator[Finding]:
-    """The number of applications of each pattern equals the number in the paper."""
+    """Finds patterns whose number of applications differs from the number in the paper."""
     for pattern in facts.declared.patterns:
         applications = [
             i for i in facts.declared.applications.values() if i.pattern == pattern.name
@@ -197,7 +198,8 @@ def _counts(facts: Facts) -> Iterator[Finding]:
 
 
 def _required(facts: Facts) -> Iterator[Finding]:
-    """Each application of the design binds every role of its pattern to modules that exist."""
+    """Finds roles of an application that are not bound, or that are bound to modules that do not
+    exist."""
     patterns = {pattern.name: pattern.roles for pattern in facts.declared.patterns}
     for item in facts.declared.applications.values():
         roles = patterns.get(item.pattern, [])
@@ -218,7 +220,7 @@ def _required(facts: Facts) -> Iterator[Finding]:
 
 
 def _roles_of(item: KnownApplication, roles: list[str]) -> list[tuple[str, str]]:
-    """Yields the faults of the roles of an application, and the word of each."""
+    """Yields the faults of the roles of an application. Each fault has the word at its place."""
     unbound = [
         (f"{item.id} binds nothing to the role {role}", "roles")
         for role in roles
@@ -245,13 +247,13 @@ def _missing_roles(
     for role, modules in (declared.roles if declared else {}).items():
         for module in modules:
             if module in model.modules and (role, module) not in bound:
-                text = f"{module} has no mark that it is {role} in {application.id}"
+                text = f"{module} has no @role as {role} in {application.id}"
                 yield Finding(model.modules[module].place, "pattern-role-missing", text)
 
 
 def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds subclasses without a role; a nested Command is the body of a thread and needs no
-    role.
+    """Finds subclasses without a role. A nested Command needs no role, because it is the body of a
+    thread.
     """
     findings: dict[str, Finding] = {}
     for application in model.patterns.values():
@@ -269,17 +271,17 @@ def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
                         fact.place,
                         "pattern-heir-unbound",
                         f"{heir} derives from {binding.module}, which is {binding.role} in "
-                        f"{application.id}, and plays no role of a subclass",
+                        f"{application.id}, but has no role of a subclass",
                     ),
                 )
     yield from findings.values()
 
 
 def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
-    """Returns whether a subclass has a role that derives, in this application or in an application
+    """Returns whether a subclass has a role of a subclass, in this application or in an application
     that replaces it.
 
-    The subclasses of a Command or a Builder have one application each. A decorator of a component,
+    Each subclass of a Command or of a Builder has its own application. A decorator of a component,
     or a decorated component, need not also be an alternative.
     """
     module = model.modules.get(heir)

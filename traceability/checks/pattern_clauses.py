@@ -1,6 +1,7 @@
-"""The structural clauses of the patterns, decided on the syntax tree.
+"""The structural clauses of the patterns, which are decided on the syntax tree.
 
-The function of a clause gets one application and yields the places where the clause is violated.
+The function of a clause gets one application. It yields the places at which the code violates the
+clause.
 """
 
 from __future__ import annotations
@@ -25,15 +26,15 @@ class Shape:
 
     @property
     def replaced(self) -> list[str]:
-        """Returns the operations that decorators of the application replace instead of extending
-        them.
+        """Returns the operations that decorators of the application replace. Decorators extend the
+        other operations.
         """
         declared = self.facts.declared.applications.get(self.application.id)
         return declared.replaces if declared else []
 
     @property
     def declared_at(self) -> Place:
-        """Returns the place in the design with the replaced operations."""
+        """Returns the place in the design that lists the replaced operations."""
         declared = self.facts.declared.applications.get(self.application.id)
         place = declared.place if declared else self.application.place
         return self.facts.declared.entries.line_in(place, "replaces")
@@ -120,7 +121,8 @@ class Shape:
                 yield call.target, call.place
 
     def calls_from(self, method: str, module: str) -> set[str]:
-        """Returns the calls of a method, also through methods and functions of its class."""
+        """Returns the calls of a method. Calls in methods and functions of its class that it calls
+        are included."""
         own = {body.id: body for body in self.bodies(module)}
         work, seen = [method], {method}
         called: set[str] = set()
@@ -188,7 +190,10 @@ def state_unmarked(shape: Shape) -> Broken:
     for context in shape.playing("Context"):
         for name in shape.facts.names_of.get(context, []):
             state = own.get((name.target, name.member))
-            beside = owner_of(name.by) not in ("", context)  # a data type in the same header
+            beside = owner_of(name.by) not in (
+                "",
+                context,
+            )  # The name is in a data type of the same header.
             if state and context not in states and not beside:
                 yield (
                     name.place,
@@ -198,7 +203,8 @@ def state_unmarked(shape: Shape) -> Broken:
 
 
 def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
-    """Finds a Context that compares the address of a state, or branches on its number."""
+    """Finds a Context that compares the address of a state, or that branches on the number of a
+    state."""
     states = {name for base in shape.playing("State") for name in shape.family(base)}
     contexts = set(shape.playing("Context")) - states
     for branch in shape.facts.syntax.branches:
@@ -210,7 +216,8 @@ def state_unasked(shape: Shape, enumerations: set[str]) -> Broken:
 
 
 def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
-    """Finds a Context that takes the address of its present state, to compare it later."""
+    """Finds a Context that takes the address of its present state, because it can compare the
+    address later."""
     bases = shape.playing("State")
     for body in shape.facts.syntax.bodies:
         if body.owner not in contexts:
@@ -228,7 +235,7 @@ def state_addresses(shape: Shape, contexts: set[str]) -> Broken:
 
 
 def called(role: str) -> Callable[[Shape], Broken]:
-    """Each Context calls the abstraction, directly or through an inherited method."""
+    """Finds Contexts that do not call the abstraction, directly or through an inherited method."""
 
     def clause(shape: Shape) -> Broken:
         for base in shape.playing(role):
@@ -245,7 +252,8 @@ def called(role: str) -> Callable[[Shape], Broken]:
 
 
 def state_change(shape: Shape) -> Broken:
-    """One operation of the Context assigns the field that refers to the State."""
+    """Finds a Context without exactly one operation that assigns the field that refers to the
+    State."""
     for base in shape.playing("State"):
         states = shape.family(base)
         for context in shape.playing("Context"):
@@ -272,8 +280,8 @@ def state_change(shape: Shape) -> Broken:
 def change_operation(
     shape: Shape, states: set[str], context: str, changers: dict[str, Place]
 ) -> str:
-    """Returns the operation of the Context that the states call; if there are several, the first
-    operation.
+    """Returns the operation of the Context that the states call. If there are several, returns the
+    first operation.
     """
     by_states = {target for state in states for target, _ in shape.calls(state)}
     own = [method for method in changers if owner_of(method) == context]
@@ -296,8 +304,8 @@ def decorator_holds(shape: Shape) -> Broken:
 
 
 def on_wrapped(call: CallFact, decorators: set[str]) -> bool:
-    """Returns whether a call goes to the component of the Decorator, which is its only member of
-    this type.
+    """Returns whether a call goes to the component of the Decorator. The component is the only
+    member of its type.
     """
     return all(
         place.startswith("this ") or owner_of(place.split()[1]) in decorators for place in call.on
@@ -351,7 +359,7 @@ def decorator_forwards(shape: Shape) -> Broken:
 
 
 def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
-    """Returns for each method the virtual methods of the same class that it calls."""
+    """Returns the virtual methods of the same class that each method calls."""
     virtual = {method.id for method in shape.methods(module) if method.virtual}
     return {
         body.id: primitives
@@ -361,7 +369,7 @@ def primitives_called(shape: Shape, module: str) -> dict[str, set[str]]:
 
 
 def template_methods(shape: Shape, module: str) -> dict[str, set[str]]:
-    """Returns the callers that are not virtual."""
+    """Returns the methods that are not virtual and call virtual methods of their class."""
     plain = {method.id for method in shape.methods(module) if not method.virtual}
     return {m: called for m, called in primitives_called(shape, module).items() if m in plain}
 
@@ -436,13 +444,15 @@ def command_invoker(shape: Shape) -> Broken:
 
 
 def executed(shape: Shape, calls: list[CallFact]) -> bool:
-    """Returns whether calls reach a Concrete Command of the application, as builders bind them."""
+    """Returns whether calls reach a Concrete Command of the application, through the objects that
+    the builders passed."""
     targets = {owner_of(name) for call in calls for name in shape.facts.references.targets(call)}
     return not targets.isdisjoint(shape.playing("Concrete Command"))
 
 
 def command_receiver(shape: Shape) -> Broken:
-    """The operation of each Concrete Command calls a Receiver; each Receiver is called."""
+    """Finds Concrete Commands whose operation calls no Receiver, and Receivers that no Concrete
+    Command calls."""
     receivers = shape.playing("Receiver")
     reached: set[str] = set()
     for command in shape.playing("Concrete Command"):
@@ -474,12 +484,12 @@ def command_client(shape: Shape) -> Broken:
     clients = shape.playing("Client")
     for command in shape.playing("Concrete Command"):
         if clients and not any(makes(shape, client, command) for client in clients):
-            yield shape.place(clients[0]), f"{' and '.join(clients)} make no {command}"
+            yield shape.place(clients[0]), f"{' and '.join(clients)} construct no {command}"
 
 
 def makers(shape: Shape, product: str) -> Iterator[tuple[Place, str]]:
-    """Yields the places where an object of a class is constructed, and the constructing class; ""
-    is a composition."""
+    """Yields the places at which an object of a class is constructed, and the constructing class.
+    The class is "" in a composition."""
     for fact in shape.facts.syntax.names:
         if fact.how == "construct" and fact.target == product:
             yield fact.place, shape.facts.user(fact.by, fact.place)
@@ -497,7 +507,7 @@ def builder_constructs(shape: Shape) -> Broken:
                 yield shape.place(builder), f"{builder} does not construct {product}"
         for place, maker in makers(shape, product):
             if maker not in builders and maker not in shape.family(product):
-                yield place, f"{maker or 'a function'} makes a {product}"
+                yield place, f"{maker or 'a function'} constructs a {product}"
 
 
 def passes_steps_on(shape: Shape, builder: str) -> bool:
@@ -516,11 +526,11 @@ def builder_parts(shape: Shape) -> Broken:
     for part in sorted(parts_of(shape, builders)):
         for place, maker in makers(shape, part):
             if maker in shape.facts.modules - shape.facts.builders:
-                yield place, f"{maker} makes a {part}, which only {builders[0]} may make"
+                yield place, f"{maker} constructs a {part}, but only {builders[0]} may construct it"
 
 
 def parts_of(shape: Shape, builders: list[str]) -> set[str]:
-    """Returns the modules with a role that the builders store or construct."""
+    """Returns the modules that the builders store or construct, and that have a role."""
     parts = {
         name
         for builder in builders
@@ -553,7 +563,8 @@ def builder_director(shape: Shape) -> Broken:
 
 
 def unknown_to(shape: Shape, director: str) -> list[str]:
-    """Returns the parts of builders, without Builders and the parts of the Director itself."""
+    """Returns the parts of builders that the Director must not name. Builders and the Director's
+    own parts are not among them."""
     applications = shape.facts.declared.applications.values()
     bound = [item.roles for item in applications if item.pattern == shape.application.pattern]
     bound.append({role: shape.playing(role) for role in ("Builder", "Concrete Builder", "Product")})
@@ -587,7 +598,7 @@ def singleton_one(shape: Shape) -> Broken:
             made = [call.place for call in body.calls if call.target == f"{module}::{module}"]
             if body.id not in {method.id for method in gives[:1]}:
                 for place in made:
-                    yield place, f"{body.id} makes a second {module}"
+                    yield place, f"{body.id} constructs a second {module}"
 
 
 def singleton_constructor(shape: Shape) -> Broken:
@@ -596,7 +607,7 @@ def singleton_constructor(shape: Shape) -> Broken:
         if not constructors:
             yield (
                 shape.place(module),
-                f"{module} has no declared constructor, so the compiler adds a public one",
+                f"{module} has no declared constructor, so the compiler adds a public constructor",
             )
         for method in constructors:
             if method.access != "private":

@@ -1,4 +1,4 @@
-"""proof-*: the properties are proven, and their model agrees with the design."""
+"""proof-*: the properties are proven, and the model of the proofs agrees with the design."""
 
 from __future__ import annotations
 
@@ -60,7 +60,8 @@ def _machines(model: Model, text: str) -> Iterator[Finding]:
 
 
 def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
-    """Each hand-written step names the methods that it models, and they exist."""
+    """Finds hand-written steps that do not name the methods that they model, or name methods that
+    do not exist."""
     methods = {method.id for module in model.modules.values() for method in module.methods}
     methods |= set(facts.bodies)
     for above, line in zip([Line("", lines[0].place), *lines], lines, strict=False):
@@ -76,7 +77,7 @@ def _steps(model: Model, facts: Facts, lines: list[Line]) -> Iterator[Finding]:
 
 
 def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
-    """The numbers of the composition agree with the code."""
+    """Finds numbers of the composition that differ from the code."""
     for line in lines:
         match = NUMBER.match(line.text)
         if not match:
@@ -89,7 +90,7 @@ def _numbers(model: Model, lines: list[Line]) -> Iterator[Finding]:
         first, *rest = [constant.number for constant in constants if constant]
         value = first // rest[0] if rest else first
         if value != int(match[2]):
-            said = f"{match[1]} is {match[2]}, and the code has {value}"
+            said = f"{match[1]} is {match[2]}, but the code has {value}"
             yield Finding(line.place, "proof-composition", said)
 
 

@@ -1,4 +1,4 @@
-"""doc-frame, doc-example: the table of frames and the worked examples match the code."""
+"""doc-frame and doc-example: the table of frames and the worked examples match the code."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ def check(_model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _numbers(facts: Facts) -> Iterator[Finding]:
-    """A value of an enumeration has the number and the name of the enumerator in the firmware."""
+    """Finds values of an enumeration whose number differs from the enumerator of this name in the
+    firmware."""
     path = facts.root / FRAMES
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     for table in facts.declared.entries.whole(path).get("enumeration", []):
@@ -55,7 +56,7 @@ def _enumerators(name: str, facts: Facts) -> dict[str, int]:
 
 
 def _examples(facts: Facts) -> Iterator[Finding]:
-    """The check sum and the bytes on the line of an example belong to its body."""
+    """Finds examples whose check sum or bytes on the line do not belong to their body."""
     path = facts.root / EXAMPLES
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     for number, line in enumerate(lines, 1):

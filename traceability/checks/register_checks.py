@@ -1,4 +1,4 @@
-"""secret-registers: only the owners of a block of registers name the block."""
+"""secret-registers: a block of registers is named only by the owners of the block."""
 
 from __future__ import annotations
 
@@ -14,14 +14,16 @@ from traceability.reading.translation_units import is_board
 from traceability.schema import Finding, Place
 from traceability.sources import DESIGN
 
-REGISTERS = "src/k64/registers.hpp"  # the table of all blocks
-REGISTER = "src/k64/Register.hpp"  # converts a number to an address
+REGISTERS = "src/k64/registers.hpp"  # the file with the table of all blocks
+REGISTER = "src/k64/Register.hpp"  # an expression that converts a number to an address
 CLASS = "Register"
-PERIPHERALS = 0x4000_0000  # the first address of the registers
-CORE = 0xE000_0000  # the first address of the core
+PERIPHERALS = 0x4000_0000  # the first address of the peripherals' registers
+CORE = 0xE000_0000  # the first address of the core's registers
 OWNERS = "design/register_owners.toml"
-START_UP = "/start_up/"  # the drivers are in this range of folders only
-MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')  # reads or writes memory
+START_UP = "/start_up/"  # only these folders contain drivers
+MEMORY = re.compile(
+    r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]'
+)  # an instruction that reads or writes memory
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:
@@ -41,7 +43,7 @@ def _owners(facts: Facts) -> dict[str, Block]:
 
 
 def _files(module: str, facts: Facts) -> set[str]:
-    """Returns the place of a module; empty when no module has the name."""
+    """Returns the place of a module. The place is empty if no module has the name."""
     fact = facts.classes.get(module)
     if fact is None:
         return set()
@@ -82,7 +84,8 @@ def _used(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _past_the_table(facts: Facts) -> Iterator[Finding]:
-    """Finds a register that is not in the table, or an address that is converted from a number."""
+    """Finds a register that is not in the table. Also finds an address that is converted from a
+    number."""
     fix = f"add the register to {REGISTERS}, and use it there"
     for name in facts.syntax.names:
         if (
@@ -105,15 +108,16 @@ def _past_the_table(facts: Facts) -> Iterator[Finding]:
 
 
 def _reaches(place: Place, facts: Facts) -> bool:
-    """Returns whether an instruction of a driver reads or writes an address that it computes."""
+    """Returns whether an instruction of a driver reads or writes an address that the driver
+    computes."""
     lines = (facts.root / place.file).read_text(encoding="utf-8").splitlines()[place.line - 1 :]
     words = "\n".join(lines).partition(";")[0]
     return START_UP not in place.file and MEMORY.search(words) is not None
 
 
 def _twice(facts: Facts) -> Iterator[Finding]:
-    """Finds an address in two blocks. The owners of each block could access the registers of the
-    other block.
+    """Finds an address that is in two blocks. The owners of one block could then access the
+    registers of the other block.
     """
     first: dict[int, str] = {}
     for number, block, address in _table(facts):
@@ -130,7 +134,8 @@ def _twice(facts: Facts) -> Iterator[Finding]:
 
 
 def _table(facts: Facts) -> Iterator[tuple[int, str, int | None]]:
-    """The registers of the table: line, block, and address; None if this is not a number."""
+    """Yields the line, the block and the address of each register of the table. The address is None
+    if it is not a number."""
     path = facts.root / REGISTERS
     block = ""
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
@@ -166,13 +171,15 @@ def _outside(facts: Facts) -> Iterator[Finding]:
 
 
 def _lies_in(address: int, registers: list[int]) -> bool:
-    """Returns whether an address is in a block: between its registers, or near them."""
+    """Returns whether an address is in a block. The address is between the block's registers or in
+    the page of its last register."""
     first, last = min(registers), max(registers)
     return first <= address <= last or _page(address) == _page(last)
 
 
 def _page(address: int) -> int:
-    """A peripheral has 4 KiB of addresses; in the core, blocks share them."""
+    """Returns the page of an address. A page of a peripheral has 4 KiB. In the core, blocks share
+    pages, so each address is a page."""
     return address >> 12 if address < CORE else address
 
 
@@ -213,7 +220,7 @@ def _given(facts: Facts) -> Iterator[Finding]:
             if body.place.file == REGISTER or (own and not _is_open(body, word, facts)):
                 continue
             text = f"{function} {'returns' if word == 'result' else 'gets'} a register"
-            fix = "let the owner read or write it, and return the meaning of its value"
+            fix = "let the owner read or write the register, and return the meaning of its value"
             findings[body.place.file, body.place.line] = _finding(body.place, text, fix)
     for fact in facts.syntax.classes:
         for field in fact.fields:
@@ -229,7 +236,7 @@ def _module_of(file: str) -> str:
 
 
 def _is_open(body: BodyFact, word: str, facts: Facts) -> bool:
-    """Returns whether other modules can call a function for its result."""
+    """Returns whether other modules can call a function to get its result."""
     if word == "param" or body.local:
         return False
     methods = facts.classes[body.owner].methods if body.owner in facts.classes else []

@@ -1,4 +1,4 @@
-"""Every check: its rule, its limits, and the fix of a finding."""
+"""Every check: its rule, its limits and the fix of a finding."""
 
 from __future__ import annotations
 
@@ -26,103 +26,109 @@ class Check:
     @property
     def text(self) -> str:
         """Returns the whole description, as plain text."""
-        return f"{self.holds} Its limits: {self.blind} To fix a finding: {self.fix}"
+        return f"{self.holds} {self.blind} To fix a finding: {self.fix}"
 
 
 # The first word of an id names its family.
 WHY = {
-    "syntax": "All other checks read the syntax tree, and need a tree without errors.",
-    "design": "The checks compare design/ with the code; they cannot compare an unreadable file.",
-    "doc": "Every document is generated from these texts, and repeats their mistakes.",
+    "syntax": "All other checks read the syntax tree. They need a tree without errors.",
+    "design": "The checks compare design/ with the code. They cannot compare a file that they "
+    "cannot read.",
+    "doc": "Every document is generated from these texts. A mistake in a text is in every "
+    "document.",
     "module": (
-        "A developer can find, understand and replace a small module with a known place and a "
-        "specification, and need not read the other modules."
+        "A developer can find, understand and replace a small module that has a known place and a "
+        "specification. To do this, the developer need not read the other modules."
     ),
     "secret": (
-        "If another module uses hidden names, a change of the secret must also change that module."
+        "If another module uses hidden names, a change of the secret also changes that module."
     ),
     "pattern": (
-        "A pattern makes changes easy only while the code keeps the structure of the pattern. "
-        "Each clause states a part of this structure."
+        "A pattern makes changes easy only while the code has the structure of the pattern. Each "
+        "clause states a part of this structure."
     ),
-    "change": "A change of a value must show the other values that depend on it.",
+    "change": "A developer who changes a value must find the other values that depend on it.",
     "uses": (
-        "The allowed uses of a module show which modules must be reused together with it, and "
-        "which changes can break it."
+        "The allowed uses of a module show two facts: which modules must be reused together with "
+        "it, and which changes can break it."
     ),
-    "board": "The virtual K64 replaces the hardware: a mistake that it does not detect reaches the "
-    "robot.",
+    "board": "The virtual K64 replaces the hardware. A mistake that the virtual K64 does not "
+    "detect reaches the robot.",
     "tree": (
-        "A tree shows how the code fulfils a requirement. Its calls must be possible in the "
-        "code, and occur in a run."
+        "A tree shows how the code fulfils a requirement. The code must be able to make the calls "
+        "of the tree, and a run must make them."
     ),
-    "fsm": "Readers read a state machine instead of the code of its states, so both must be equal.",
+    "fsm": "People read a state machine instead of the code of its states. Both must therefore be "
+    "equal.",
     "proof": "A test covers some sequences of events. A proof covers all sequences of the model.",
     "exec": (
-        "Contexts of different priorities share data. A wrong call may cause a fault only once "
-        "in a thousand cycles."
+        "Contexts of different priorities share data. A wrong call may cause a fault only once in "
+        "a thousand cycles."
     ),
     "stack": (
-        "The threads and interrupts share one stack: it must be large enough for the deepest "
-        "calls, which may occur in no test."
+        "The threads and interrupts share one stack. The stack must be large enough for the "
+        "deepest calls, and these calls may occur in no test."
     ),
     "time": (
         "A cycle that is too long disturbs the control. The longest cycle may occur in no test."
     ),
-    "req": "A requirement is fulfilled only when code, tests and results show this.",
+    "req": "A requirement is fulfilled only when the code, the tests and the test results show "
+    "this.",
     "suspect": (
-        "A verdict is valid for the judged texts. The baseline shows which of these texts changed."
+        "A verdict is valid only for the texts that were judged. The baseline shows which of these "
+        "texts changed."
     ),
     "hazard": (
-        "The safety case links each hazard with tests that ran. A missing link makes the "
-        "argument invalid, and a reader may not notice it."
+        "The safety case links each hazard with tests that ran. A missing link makes the argument "
+        "invalid, and a reader may not notice the missing link."
     ),
     "paper": (
-        "The paper is the reference of the design: the project uses its names, or states the "
-        "difference."
+        "The paper is the reference of the design. The project uses the names of the paper, or "
+        "states the difference."
     ),
-    "arch": "The architecture is the first picture that a newcomer sees: it must match the code.",
+    "arch": "The architecture is the first picture that a newcomer sees. It must match the code.",
     "link": "A reader who follows a link must find the target.",
 }
 
-_TEXT_BLIND = "whether the texts are true and useful; only a reader can judge that."
+_TEXT_BLIND = (
+    "The check cannot judge whether the texts are true and useful. Only a reader can judge this."
+)
 
 _FIXED = [
     Check(
         "syntax-error",
         "Code without errors",
         "The syntax tree of every file below src and extensions has no error.",
-        "an error that only another compiler or another target reports.",
-        "correct the code as in the message.",
+        "The check does not find an error that only another compiler or another target reports.",
+        "correct the code as the message says.",
     ),
     Check(
         "doc-warning",
         "Documentation comments and pages without warnings",
-        "Doxygen and Sphinx read every comment and page without a warning: each @param names a "
-        "parameter, each tag is defined in this project, and each link has a target.",
+        "Doxygen and Sphinx read every comment and every page without a warning. Each @param names "
+        "a parameter. Each tag is defined in this project. Each link has a target.",
         _TEXT_BLIND,
-        "correct the comment or the page as in the message.",
+        "correct the comment or the page as the message says.",
     ),
     Check(
         "doc-name",
-        "Names in texts exist",
-        "Each named class, method, function, constant or value exists in the code or in the paper. "
-        "The names are in comments of the code, in literals of the pages of docs/, and in texts of "
-        "design/. "
-        "`paper-stale` checks the names in design/concordance.toml, and `pattern-change` the "
-        "names in design/changes.toml.",
-        "names that are also English words, such as the class Wheel; a name that "
-        "means something else now.",
+        "Names in texts exist in the code",
+        "Each class, method, function, constant or value that a text names exists in the code or "
+        "in the paper. The texts are comments of the code, literals in the pages of docs/, and "
+        "texts of design/. `paper-stale` checks the names in design/concordance.toml, and "
+        "`pattern-change` the names in design/changes.toml.",
+        "The check does not find names that are also English words, such as the class Wheel. It "
+        "does not find a name whose meaning has changed.",
         "write its present name.",
     ),
     Check(
         "design-entry",
         "The files of the design can be read",
-        "Every file of design/ exists and is valid TOML. Each entry has the keys that it needs and "
-        "no others, and no needed text is empty. Each name has one entry. Each baseline and each "
-        "review has a date.",
-        "whether an entry is true; the other checks compare it with the code. As long as "
-        "a file cannot be read, they do not run.",
+        "Every file of design/ exists and is valid TOML. Each entry has all keys that it needs, "
+        "and no other keys. No needed text is empty. Each name has one entry. Each baseline and "
+        "each review has a date.",
+        "The check cannot judge whether an entry is true. The other checks compare the entries "
+        "with the code. They do not run while a file cannot be read.",
         "correct the line, or the name of the key.",
     ),
     Check(
@@ -130,8 +136,10 @@ _FIXED = [
         "Each design module is in a logic module",
         "Every class with a separate header is in a folder below src or extensions that has a "
         "module.dox.",
-        "whether it is the right folder; this is a decision of the design.",
-        "move the header into the folder of its logic module, or describe the folder.",
+        "The check cannot judge whether the header is in the right folder. The designer decides "
+        "this.",
+        "move the header into the folder of its logic module, or describe the folder in a "
+        "module.dox.",
     ),
     Check(
         "module-folder",
@@ -143,29 +151,31 @@ _FIXED = [
     Check(
         "module-function",
         "Each design module has a function",
-        "The comment above every design module has @brief and one @function, and no two modules "
-        "have the same @function.",
+        "The comment above every design module has @brief and one @function. No two modules have "
+        "the same @function.",
         _TEXT_BLIND,
-        "write above the class a purpose that no other module has.",
+        "write a purpose above the class that no other module has.",
     ),
     Check(
         "module-secret",
         "Each design module has exactly one secret",
-        "The comment above every design module has exactly one @secret, which differs from its "
-        "function, and no two modules have the same @secret.",
-        "whether the code hides the subject of the secret.",
-        "state above the class, with @secret, the one likely change that only this module hides.",
+        "The comment above every design module has exactly one @secret, which differs from the "
+        "@function. No two modules have the same @secret.",
+        "The check cannot judge whether the code hides the subject of the secret.",
+        "write @secret above the class, and state the one likely change that only this module "
+        "hides.",
     ),
     Check(
         "module-spec",
         "Each public method has a specification",
-        "Every public method of a design module has a brief, a text for each parameter and a text "
-        "for its result, and @isr for calls from interrupts. The texts are in its comment, or "
-        "inherited from the method that it overrides. The text of a plain number has its unit or "
-        "the counted items, the text of a parameter with a unit has the unit, and each unit "
-        "equals the unit of the type. Every other public part of a header has a brief: classes, "
-        "types, functions, members, constants, friends, and all values of an enumeration when one "
-        "value has a brief.",
+        "Every public method of a design module has a brief, a text for each parameter, and a "
+        "text for its result. Every method except a constructor has @isr, which states whether "
+        "interrupts may call it. The texts are in the comment of the method, or in the comment of "
+        "the method that it overrides. The text of a plain number states its unit or the counted "
+        "items. The text of a parameter with a unit states this unit, and each unit equals the "
+        "unit of the type. Every other public part of a header has a brief: classes, types, "
+        "functions, members, constants and friends. If one value of an enumeration has a brief, "
+        "all its values have a brief.",
         _TEXT_BLIND,
         "make the declaration private, or complete the comment above it.",
     ),
@@ -173,60 +183,64 @@ _FIXED = [
         "module-name",
         "A header is named after its class",
         "Every design module has the name of its header, and no header contains two modules.",
-        "whether the name is good.",
+        "The check cannot judge whether the name is good.",
         "rename the file or the class, or mark a value type with @datatype.",
     ),
     Check(
         "module-count",
         "The modules of the design, and no others",
-        "Every design module below src is listed for its folder in design/modules.toml, every "
-        "listed module exists and is not a data type, and their number equals the number in the "
-        "paper. Modules of extensions are not counted.",
-        "whether the list is correct.",
+        "Every design module below src is listed for its folder in design/modules.toml. Every "
+        "listed module exists and is not a data type. The number of listed modules equals the "
+        "number in the paper. Modules of extensions are not counted.",
+        "The check cannot judge whether the list is correct.",
         "remove the module, mark a value type with @datatype, or change design/modules.toml.",
     ),
     Check(
         "module-used",
         "Each design module is part of a product",
-        "Every design module can be reached from a composition over the names in the code. Every "
-        "module that design/products.toml lists exists.",
-        "whether the product runs the code of the module; whether CMake builds the composition.",
+        "The names in the code lead from a composition to every design module. Every module that "
+        "design/products.toml lists exists.",
+        "The check does not detect whether the product runs the code of the module, or whether "
+        "CMake builds the composition.",
         "let a builder construct the module, or remove it.",
     ),
     Check(
         "module-data",
         "A data type has no behaviour",
         "No method of a data type has a condition, a switch or a loop.",
-        "a computation without condition and loop; a free function that works on the data.",
+        "The check does not find a computation without a condition and without a loop, or a free "
+        "function that works on the data.",
         "move the behaviour into a module.",
     ),
     Check(
         "pattern-known",
         "Known pattern applications",
         "Every @patternapp has an id and a pattern of design/applications.toml, a title, @why and "
-        "@changes, and is declared once, above its abstraction. Every application of the design "
-        "is declared. Every clause that a check decides is declared with its pattern and its "
-        "roles.",
+        "@changes. It is declared once, above its abstraction. Every application of the design is "
+        "declared. Every clause that a check decides is declared with its pattern and its roles.",
         _TEXT_BLIND,
         "correct the id or the pattern, or add the missing paragraph.",
     ),
     Check(
         "change-tuned",
         "Tuned constants are declared",
-        "A constant whose name or comment mentions control cycles or ticks is computed from "
-        "SystemConstants, or design/tuned.toml declares that it depends on it. The page of the "
-        "change lists the computed and the declared constants.",
-        "a value that depends on another constant, when its name and comment do not show this.",
+        "If the name or the comment of a constant mentions control cycles or ticks, the constant "
+        "depends on SystemConstants. The code then computes the constant from SystemConstants, or "
+        "design/tuned.toml declares this dependence. The page of the change lists the computed and "
+        "the declared constants.",
+        "The check does not find a value that depends on another constant if neither its name nor "
+        "its comment shows this.",
         "compute the value from the constant, or declare it in design/tuned.toml.",
     ),
     Check(
         "pattern-change",
         "Likely changes name existing parts",
-        "Every pattern has a recipe in design/changes.toml, which lists roles of the pattern: the "
-        "subclasses that it adds or alters, and their base classes. An entry for an application "
-        "names this application, modules with a role in it, and modules of extensions as "
-        "examples; all of them exist. Each name in backticks in a step exists.",
-        "whether the steps are sufficient; the extensions show this for some steps.",
+        "Every pattern has a recipe in design/changes.toml. The recipe lists roles of the pattern: "
+        "the subclasses that a change adds or alters, and their base classes. An entry for an "
+        "application names this application, modules with a role in it, and modules of extensions "
+        "as examples. All these parts exist. Each name in backticks in a step exists.",
+        "The check cannot judge whether the steps are sufficient. The extensions show this for "
+        "some steps.",
         "correct the name.",
     ),
     Check(
@@ -234,51 +248,57 @@ _FIXED = [
         "Likely changes are made",
         "Each application of a pattern has a folder of its name in changes/, which makes the "
         "likely change. The folder names a class that derives from a base class of the recipe, or "
-        "edits a module that the recipe alters. It names tests on the host and on the virtual "
-        "K64, and these tests exist. It states why it changes existing lines.",
-        "whether the change is likely, and whether its tests find a fault in it.",
-        "complete the kit as changes/README.md explains.",
+        "it edits a module that the recipe alters. The folder names tests on the host and on the "
+        "virtual K64, and these tests exist. If the change alters existing lines, the folder "
+        "states the reason.",
+        "The check cannot judge whether the change is likely, or whether the tests of the change "
+        "find a fault in it.",
+        "complete the folder of the change as changes/README.md explains.",
     ),
     Check(
         "pattern-role-unknown",
         "Known roles",
         "Every @role names an application that is declared, and a role of its pattern. The tag is "
-        "once above a module that the design binds to that role, or above a module of an "
-        "extension.",
-        "a class that has a role without a mark; the clauses of the pattern find some of these "
-        "classes.",
+        "written once. It is above a module that the design binds to that role, or above a module "
+        "of an extension.",
+        "The check does not find a class that has a role without a mark. The clauses of the "
+        "pattern find some of these classes.",
         "correct the application or the role, or change the design.",
     ),
     Check(
         "pattern-role-missing",
         "All roles bound",
         "Every module that the design binds to a role of a declared application has the @role.",
-        "a role that the design does not list; `pattern-role-required` finds it.",
+        "The check does not find a role that the design does not list. `pattern-role-required` "
+        "finds it.",
         "write the @role above the class.",
     ),
     Check(
         "pattern-role-required",
         "Every role of the pattern",
-        "Every application in design/applications.toml assigns each role of its pattern, and no "
-        "other, to modules that exist.",
-        "whether the module plays the role; the clauses of the pattern find some wrong modules.",
+        "Every application in design/applications.toml assigns each role of its pattern to modules "
+        "that exist. It assigns no other role.",
+        "The check cannot judge whether the module has the function of the role. The clauses of "
+        "the pattern find some wrong modules.",
         "bind the role, or correct the name of the module.",
     ),
     Check(
         "pattern-count",
         "As many applications as in the paper",
         "Each pattern has the number of applications that design/clauses.toml states.",
-        "applications of extensions; they add modules to the existing applications.",
+        "The check does not count applications of extensions. Extensions add modules to the "
+        "existing applications.",
         "correct the entries of design/applications.toml.",
     ),
     Check(
         "pattern-heir-unbound",
         "Every subclass has a role",
         "Every class that derives from an abstraction of an application has the role of a "
-        "subclass. A subclass of a State, a Strategy or an Abstract Class has this role in each of "
-        "its applications, unless the subclass extends a component or is an extended component. A "
-        "Command that is nested in a module is the body of a thread, and needs no role.",
-        "whether the role is right.",
+        "subclass. A subclass of a State, a Strategy or an Abstract Class has this role in each "
+        "application of the abstraction. The role is not needed if the subclass extends a "
+        "component or is an extended component. A Command that is nested in a module is the body "
+        "of a thread, and needs no role.",
+        "The check cannot judge whether the role is right.",
         "bind the subclass to a role, or derive it from another class.",
     ),
     Check(
@@ -286,48 +306,52 @@ _FIXED = [
         "Only allowed uses",
         "Every include, call and name of a class from one logic module in another is allowed in "
         "design/uses.toml.",
-        "a use only through a number, such as an address.",
+        "The check does not find a use only through a number, such as an address.",
         "remove the include or the call, or allow the use with a reason.",
     ),
     Check(
         "uses-extension",
         "Nothing depends on an extension",
-        "No file of src includes or calls an extension, and no file of src contains a number that "
-        "an extension adds to an enumeration. A product can therefore omit the extension. An "
-        "extension uses another extension only where design/uses.toml gives the reason.",
-        "the parts that the linker adds to the image of a product; tests of products check them.",
+        "No file of src includes or calls an extension. No file of src contains a number that an "
+        "extension adds to an enumeration. A product can therefore omit the extension. An "
+        "extension uses another extension only where design/uses.toml states the reason.",
+        "The check does not compare the parts that the linker adds to the image of a product. "
+        "Tests of the products check these parts.",
         "remove the include or the call: a composition of the extension binds it to the robot.",
     ),
     Check(
         "uses-board",
         "Drivers and virtual board are independent",
         "No file of sim/ or tests/ includes a file that is only for the K64. No file of "
-        "sim/emulator includes a file of the design, because a driver and its model must not "
-        "share a mistake. The "
-        "programs of "
-        "tests/k64/program and tests/usual_design/k64 are compositions of drivers, which run on "
-        "the virtual K64 itself. In src, `uses-allowed` shows the users of src/k64.",
-        "the same number, written wrongly in both places.",
+        "sim/emulator includes a file of the design, because a driver and its model must not share "
+        "a mistake. The programs of tests/k64/program and tests/usual_design/k64 are exceptions: "
+        "they are compositions of drivers that run on the virtual K64. For src, `uses-allowed` "
+        "shows the users of src/k64.",
+        "The check does not find a number that is wrong in the same way in the driver and in its "
+        "model.",
         "write the facts from the manual of the microcontroller, or test the image.",
     ),
     Check(
         "secret-registers",
         "A block of registers has owners",
         "A namespace of src/k64/registers.hpp is named only by the modules that own it in "
-        "design/register_owners.toml; each owner uses it, and no address is in two blocks. No "
-        "other place, and no linker script, defines a register, converts a number to an address, "
-        "names a volatile object, or passes a register to others. No offset leads from one block "
-        "to another. Only the drivers use instructions of the processor.",
-        "which channel or pin of a block an owner uses; an offset that is computed elsewhere; "
-        "the effect of a register on another block.",
+        "design/register_owners.toml. Each owner uses its namespace. No address is in two "
+        "namespaces. No other file and no linker script defines a register, converts a number to "
+        "an address, names a volatile object, or passes a register to other modules. No offset "
+        "leads from one block of registers to another block. Only the drivers use instructions of "
+        "the processor.",
+        "The check does not detect which channel or pin of a block an owner uses. It does not "
+        "follow an offset that other code computes, and it does not model the effect of a register "
+        "on another block.",
         "call an operation of the owner, or change the design.",
     ),
     Check(
         "board-finding",
         "Each finding of the virtual K64 has a test",
-        "Every finding in design/board_findings.toml is named in a test of tests/sim/emulator, and "
-        "that file declares every finding that a seeded fault of a driver caused.",
-        "whether the test causes the finding; its result shows this.",
+        "A test of tests/sim/emulator names every finding in design/board_findings.toml. If a "
+        "seeded fault of a driver caused a finding, this file declares the finding.",
+        "The check does not detect whether the test causes the finding. The result of the test "
+        "shows this.",
         "write a test that causes the finding, or declare the finding.",
     ),
     Check(
@@ -336,114 +360,119 @@ _FIXED = [
         "Every belief in design/board_beliefs.toml names a register of src/k64/registers.hpp, a "
         "file of sim/emulator that contains it, and a declared source. Every register of that "
         "file has a belief.",
-        "a value of a register that is not listed, and whether the source confirms the belief.",
-        "correct or add the entry, with its source.",
+        "The check does not find a value of a register that is not listed. It cannot judge whether "
+        "the source confirms the belief.",
+        "correct the entry or add it, with its source.",
     ),
     Check(
         "uses-cycle",
         "No cycles of uses",
-        "The uses between the top folders form no cycle; inside a top folder, all cycles are "
-        "declared "
-        "in design/uses.toml.",
-        "cycles between classes of one folder.",
+        "The uses between the top folders form no cycle. Inside a top folder, all cycles are "
+        "declared in design/uses.toml.",
+        "The check does not find cycles between classes of one folder.",
         "remove one of the uses, or declare the cycle in design/uses.toml with the pattern that "
         "causes it.",
     ),
     Check(
         "uses-unused",
         "No allowance without use",
-        "Every use that design/uses.toml allows occurs in the code and is allowed once. Every "
-        "declared cycle is a cycle within its folder.",
-        "whether the declared reason is good.",
+        "Every use that design/uses.toml allows occurs in the code, and is allowed only once. "
+        "Every declared cycle is a cycle of uses within its folder.",
+        "The check cannot judge whether the declared reason is good.",
         "remove the entry.",
     ),
     Check(
         "arch-module",
         "The architecture names modules that exist",
-        "Every module of an element, a group or a connection of design/architecture.toml exists, "
-        "and so does the element of every connector.",
-        "whether the element is refined into the right modules.",
+        "Every module that design/architecture.toml names in an element, a group or a connection "
+        "exists. The element of every connector exists too.",
+        "The check cannot judge whether the element is refined into the right modules.",
         "correct the name.",
     ),
     Check(
         "arch-code",
         "Connections of the high-level diagram are in the code",
-        "Calls lead from the first module to the second. They pass through a Command if the "
-        "connection is a command. A pipe has its writer in the first module, and its reader in "
-        "the second.",
-        "physical connections; connections that nobody declared.",
+        "The code has calls from the first module of a connection to the second module. If the "
+        "connection is a command, the calls pass through a Command. A pipe has its writer in the "
+        "first module and its reader in the second module.",
+        "The check does not find physical connections, or connections that nobody declared.",
         "correct the connection, or the code.",
     ),
     Check(
         "exec-declared",
         "Contexts, pipes and protections are declared",
         "Every handler in the table of vectors belongs to one context of design/execution.toml, "
-        "and a call enables its interrupt line. Each handler, body and shared member that the file "
-        "names exists. The lines of a context have its priority, and each pipe of the robot has "
-        "a name.",
-        "handlers of products that have other interrupts.",
+        "and a call enables its interrupt line. Each handler, thread body and shared member that "
+        "the file names exists. The lines of a context have its priority, and each pipe of the "
+        "robot has a name.",
+        "The check does not read handlers of products that have other interrupts.",
         "correct the entry, or declare the missing part.",
     ),
     Check(
         "exec-isr",
         "No interrupt calls a forbidden method",
-        "No method with @isr{no} is reached from the handler of an interrupt, and no method with "
-        "@isr{yes} calls a method with @isr{no}. Calls of an abstraction reach the objects that "
-        "the "
-        "builders passed.",
-        "calls through pointers to functions; methods without @isr; whether @isr{yes} is true.",
+        "The handler of an interrupt never reaches a method with @isr{no}. A method with @isr{yes} "
+        "never calls a method with @isr{no}. The check follows calls of an abstraction to the "
+        "objects that the builders passed.",
+        "The check does not follow calls through pointers to functions. It does not find methods "
+        "without @isr, and it cannot judge whether @isr{yes} is true.",
         "let a thread call the method, or make it safe and write @isr{yes}.",
     ),
     Check(
         "exec-float",
         "No floating point in an interrupt",
-        "No function that the handler of an interrupt reaches has a floating-point number.",
-        "functions of the toolchain; calls through pointers to functions.",
+        "A function that the handler of an interrupt reaches has no floating-point number.",
+        "The check does not read functions of the toolchain, and does not follow calls through "
+        "pointers to functions.",
         "compute with integers.",
     ),
     Check(
         "exec-loop",
         "Each loop is bounded",
-        "A loop is a `for` with a condition. design/justified.toml names each function with "
-        "another kind of loop, and the reason why this loop ends, or why it is endless.",
-        "whether the condition of a `for` becomes false.",
-        "count the rounds in the head of the loop, or state in design/justified.toml why it ends.",
+        "Each loop is a `for` with a condition. For each function with another kind of loop, "
+        "design/justified.toml states why this loop ends, or why it is endless.",
+        "The check does not prove that the condition of a `for` becomes false.",
+        "count the iterations in the head of the loop, or state in design/justified.toml why the "
+        "loop ends.",
     ),
     Check(
         "exec-heap",
         "No heap in the source",
-        "No file of src and extensions has new, delete, malloc or free, or includes a header of "
-        "the standard library whose types allocate memory.",
-        "a library that allocates inside; the symbols of the image show that.",
+        "No file of src and extensions has new, delete, malloc or free. No such file includes a "
+        "header of the standard library whose types allocate memory.",
+        "The check does not find a library that allocates memory inside. The symbols of the image "
+        "show such a library.",
         "use an array or a std::optional of a fixed size.",
     ),
     Check(
         "exec-shared",
         "Shared data of contexts is protected",
-        "A member that one context changes and another context uses is a Pipe, or has its "
-        "protection in design/execution.toml. A member that is declared as atomic is atomic. "
-        "Each use of a member that is declared as masked is under an InterruptLock. One context "
-        "writes a pipe, and one context reads it.",
-        "changes through parameters that are references and in the standard library; whether the "
-        "protection is sufficient; two threads of one kind.",
+        "A member that one context changes and another context uses is a Pipe, or "
+        "design/execution.toml declares its protection. A member that is declared as atomic is "
+        "atomic. Each use of a member that is declared as masked is under an InterruptLock. One "
+        "context writes a pipe, and one context reads it.",
+        "The check does not find changes through parameters that are references, or changes in the "
+        "standard library. It cannot judge whether the protection is sufficient. It does not "
+        "compare two threads of one kind.",
         "put a Pipe between the contexts, or declare the protection in design/execution.toml.",
     ),
     Check(
         "stack-call",
         "Each indirect call of the image is known",
-        "Each call through a pointer that the compiler lists is a call of a virtual method whose "
-        "objects the builders passed, or is declared in design/stack.toml.",
-        "images with extensions; an image that was not built from the present sources.",
+        "The compiler lists the calls of the image through a pointer. Each of these calls is a "
+        "call of a virtual method whose objects the builders passed, or design/stack.toml declares "
+        "the call.",
+        "The check does not read images with extensions, or an image that was not built from the "
+        "present sources.",
         "call an object that a builder passes, or declare the call in design/stack.toml.",
     ),
     Check(
         "stack-recursion",
         "No function of the image calls itself",
-        "No function calls itself, directly or through functions of its file, and no chain of "
-        "calls "
-        "from a handler enters a function twice. A chain of decorators "
-        "passes at most once through each Concrete Decorator of its application.",
-        "a decorator that wraps another object of the same class.",
+        "No function calls itself, directly or through functions of its file. No chain of calls "
+        "from a handler enters a function twice. A chain of decorators passes at most once through "
+        "each Concrete Decorator of its application.",
+        "The check does not find a decorator that wraps another object of the same class.",
         "write a loop with a bound.",
     ),
     Check(
@@ -451,68 +480,70 @@ _FIXED = [
         "The stack is large enough for the worst case",
         "The sum of the deepest chains of calls of all priorities fits into the stack. Each frame "
         "has a bound. No run in closed loop used more than this sum.",
-        "the words that the hardware stores for a fault in a fault handler.",
+        "The check does not count the words that the hardware stores when a fault occurs in a "
+        "fault handler.",
         "raise stackSize in the linker script, or shorten the deepest chain.",
     ),
     Check(
         "time-bound",
         "Each loop of the image has a bound",
-        "Each loop and each copy of unknown size that a handler of the image reaches has a bound: "
-        "the constant in its head, or a declared number next to it. Each indirect call is "
-        "known.",
-        "whether a declared bound is right; loops that run only before the first interrupt.",
+        "Each loop that a handler of the image reaches has a bound. Each copy of unknown size that "
+        "a handler reaches has a bound too. The bound is the constant in the head of the loop, or "
+        "a declared number next to the loop or copy. The target of each indirect call is known.",
+        "The check cannot judge whether a declared bound is right. It does not read loops that run "
+        "only before the first interrupt.",
         "write the bound above the loop.",
     ),
     Check(
         "time-seen",
         "No run needs more time than the bound",
-        "The bound of the control cycle is at least the longest time to the report in the runs of "
-        "the bench, and the longest time to the end of the main thread in the published random "
-        "drives. The time of each path in its recording is at most the bound of the path.",
-        "interrupts that come more often than in design/times.toml.",
-        "correct the bound that is too small: the bound of a loop, or a number in "
+        "Two measured times are at most the bound of the control cycle. These times are the "
+        "longest time to the report in the runs of the bench, and the longest time to the end of "
+        "the main thread in the published random drives. The recorded time of each path is at most "
+        "the bound of the path.",
+        "The check does not find interrupts that occur more often than design/times.toml states.",
+        "correct the bound that is too small. It is the bound of a loop, or a number in "
         "design/times.toml.",
     ),
     Check(
         "fsm-declared",
         "State machines name existing parts",
         "Every application of the State pattern has a machine in design/fsm. Its states are the "
-        "Concrete States of the application. Each event refers to an operation of the State. Each "
-        "transition refers to states, an event and at least one requirement that exist. A method "
-        "of one of its two states serves the requirement. Each event is used, and guards "
-        "distinguish the transitions of a state at the same event. A number with a unit equals "
-        "a number of a requirement.",
-        "the meaning of guards and actions.",
+        "Concrete States of the application. Each event refers to an operation of the State. The "
+        "states, the event and the requirement of each transition exist. A method of one of the "
+        "two states serves the requirement. Each event is used. If a state has several transitions "
+        "at the same event, guards distinguish these transitions. A number with a unit in a "
+        "transition equals a number of its requirement.",
+        "The check cannot judge the meaning of guards and actions.",
         "correct the entry, or declare the machine.",
     ),
     Check(
         "fsm-code",
         "Declared transitions agree with the code",
-        "The bodies of the states change to each successor as often as the machine declares, in "
-        "the same operation. The check follows the calls of the operation that assigns the "
-        "Context's state, back to the states. It follows each successor to the object that the "
-        "builder passed. The "
-        "builder begins with the initial state, and an operation that always changes the state "
-        "has no transition that stays. If an operation has a single transition, this transition "
-        "has a guard exactly when the code makes it "
-        "conditional. Before each change the code evaluates the conditions "
-        "that [guards] states for the guard. Before the change, the operations of a state also "
-        "call the methods that [actions] states for their actions. They call no other methods of "
-        "[actions].",
-        "whether the name of a guard or an action fits the code; whether a "
-        "condition must be true or false; states that extensions add.",
+        "In each operation, the bodies of the states change to each successor as often as the "
+        "machine declares. The check follows the calls of the operation that assigns the Context's "
+        "state, back to the states. It follows each successor to the object that the builder "
+        "passed. The builder begins with the initial state. If an operation always changes the "
+        "state, no transition of this operation stays in the state. If an operation has a single "
+        "transition, this transition has a guard exactly when the code makes the change "
+        "conditional. Before each change, the code evaluates the conditions that [guards] states "
+        "for the guard. Before the change, the operations of a state also call the methods that "
+        "[actions] states for their actions. They call no other methods of [actions].",
+        "The check cannot judge whether the name of a guard or of an action fits the code. It does "
+        "not detect whether a condition must be true or false. It does not read states that "
+        "extensions add.",
         "correct the code, or the transition in design/fsm.",
     ),
     Check(
         "fsm-seen",
         "Each transition is made in a test",
-        "In the recorded calls of a test that passed on the host, the Context calls the operation "
-        "of the state, and the next call of a state fits only the successor. Each requirement "
-        "that a transition names has a test that makes the transition. No test makes a change "
-        "that is not declared.",
-        "which guard kept a state; a change after which the test calls no state. The check "
-        "compares nothing while results are stale.",
-        "test the transition through its Context, in a test of its requirement, or correct the "
+        "In the recorded calls of a passed test on the host, the Context calls the operation of "
+        "the state. The next call of a state in these calls fits only the successor. For each "
+        "requirement that a transition names, a test of the requirement makes the transition. No "
+        "test makes a change that is not declared.",
+        "The check does not detect which guard prevented a change of the state. It does not find a "
+        "change after which the test calls no state. It compares nothing while results are stale.",
+        "make the transition through its Context in a test of its requirement, or correct the "
         "machine.",
     ),
     Check(
@@ -520,8 +551,8 @@ _FIXED = [
         "The model of the proofs matches the machines and the code",
         "Every machine of design/fsm has its step, its guards and its events in the composition "
         "design/proofs/robot.pml. Each hand-written step of the composition lists methods that "
-        "exist, and each of its numbers equals the constant that it names.",
-        "whether a step behaves like its methods.",
+        "exist. Each number of a step equals the constant that the step names.",
+        "The check does not prove that a step behaves like its methods.",
         "correct the composition, or the names of the code in it.",
     ),
     Check(
@@ -529,132 +560,139 @@ _FIXED = [
         "Properties formalise requirements that exist",
         "Each property of design/proofs/properties.toml names a requirement that exists, and its "
         "formula uses only names that the observer of the composition sets.",
-        "whether the formula, its sentence and its requirement mean the same.",
+        "The check cannot judge whether the formula, its sentence and its requirement mean the "
+        "same.",
         "correct the property.",
     ),
     Check(
         "proof-proven",
         "Each property is proven",
-        "Spin explored every state of the model, and found no sequence of events that violates "
-        "the property.",
-        "a proof of an older design: the check compares nothing until Spin ran on the present "
-        "design.",
+        "Spin explored every state of the model and found no sequence of events that violates the "
+        "property.",
+        "The check does not accept a proof of an older design. It compares nothing until Spin ran "
+        "on the present design.",
         "correct the design, or the formula; the page Proofs shows the counterexample.",
     ),
     Check(
         "uses-apart",
         "Controllers and sensors are independent",
-        "Modules that design/uses.toml separates neither name one another nor include each other's "
-        "header. No controller names a sensor, and no sensor names a controller.",
-        "a third module that gives a controller a sensor, or a sensor a controller.",
+        "If design/uses.toml separates two modules, neither module names the other module or "
+        "includes its header. No controller names a sensor, and no sensor names a controller.",
+        "The check does not find a third module that passes a sensor to a controller, or a "
+        "controller to a sensor.",
         "pass the value through a pipe.",
     ),
     Check(
         "module-file",
         "Every file belongs to a module",
         "Every file below src and extensions belongs to a module, contains data types, belongs to "
-        "a composition, or is listed as shared in design/modules.toml. No function or class next "
-        "to a module can be used without this module. All variables belong to objects.",
-        "the length of a file.",
+        "a composition, or is listed as shared in design/modules.toml. Other files cannot use a "
+        "function or class next to a module without this module. All variables belong to objects.",
+        "The check does not limit the length of a file.",
         "make the code a private part of a module, a separate module, or a @datatype.",
     ),
     Check(
         "module-preprocessor",
         "No macro, no condition",
         "The preprocessor only includes named files, so every product compiles the same text.",
-        "the files that the build leaves out of a product; the tests of the products check them.",
+        "The check does not find the files that the build leaves out of a product. The tests of "
+        "the products check these files.",
         "use a constant, a template, or another module that the build chooses.",
     ),
     Check(
         "secret-open",
         "No access except through the interface",
-        "No module has public variables, a friend outside itself, or an operation "
-        "that returns a reference through which a caller can change a number of the module. No "
-        "source "
+        "No module has public variables or a friend that is not nested in the module. No operation "
+        "returns a reference through which a caller can change a number of the module. No source "
         "file declares a name that another file defines.",
-        "an operation that returns an object or a record of the module, such as a part of a "
-        "builder.",
+        "The check does not find an operation that returns an object or a record of the module, "
+        "such as a part of a builder.",
         "make the data private and add an operation to the module.",
     ),
     Check(
         "secret-hidden",
         "Hidden names stay inside",
-        "Only the module uses a header, class, function or constant that its @hides names. If a "
-        "logic module hides the name, only files of its folder use it. No other constant has the "
-        "value of a hidden constant and a similar name.",
-        "a copy of the same fact with a different name.",
+        "If a module names a header, class, function or constant in @hides, only this module uses "
+        "it. If a logic module hides the name, only files of its folder use it. If a constant is "
+        "hidden, no other constant has the same value and a similar name.",
+        "The check does not find a copy of the same fact with a different name.",
         "call an operation of the module instead.",
     ),
     Check(
         "tree-missing",
         "Each requirement has a tree",
         "Every requirement has a tree of invocations in design/trees.",
-        "whether the tree shows the intended calls.",
+        "The check cannot judge whether the tree shows the intended calls.",
         "write the tree of the requirement in design/trees.",
     ),
     Check(
         "tree-node",
         "Trees name existing methods",
-        "Every tree belongs to a requirement, and every node is a method that its class has or "
+        "Every tree belongs to a requirement. Every node is a method that its class has or "
         "inherits. A requirement has one tree.",
-        "overloads: methods of one name are one node.",
+        "The check does not distinguish overloads. Methods with one name are one node.",
         "correct the name in the tree.",
     ),
     Check(
         "tree-static",
         "Each edge of a tree is a possible call",
-        "The body of each parent has a call that can reach the child; a call of a virtual method "
+        "The body of each parent has a call that can reach the child. A call of a virtual method "
         "reaches every method that overrides it.",
-        "whether the call is ever executed; calls through pointers to functions.",
+        "The check does not detect whether the call is ever executed. It does not follow calls "
+        "through pointers to functions.",
         "restore the call in the code, or change the tree.",
     ),
     Check(
         "tree-order",
         "The order and the number of calls match the tree",
-        "The body of each parent makes the calls in the order of the tree. One statement without a "
-        "condition calls a node without a mark. The mark ? means a call under a condition, or "
+        "The body of each parent makes the calls in the order of the tree. If a node has no mark, "
+        "one statement without a condition calls it. The mark ? means a call under a condition, or "
         "after a condition that may return. The mark * means a call in a loop or by several "
         "statements.",
-        "which condition guards the call; the order of calls in different turns of a loop.",
+        "The check does not detect which condition guards the call, or the order of calls in "
+        "different iterations of a loop.",
         "restore the code, or correct the order or the mark in the tree.",
     ),
     Check(
         "tree-dynamic",
         "Each tree was executed",
-        "The tree is contained in the recorded calls of a test that passed and that verifies the "
-        "requirement: each child within the call of its parent, in order.",
-        "operations that the platform implements, such as operations of a port, because they are "
-        "not recorded. The check compares nothing while results are stale.",
-        "correct the tree, or test the requirement so that the calls are made.",
+        "A test that verifies the requirement passed, and its recorded calls contain the tree. "
+        "Each child is called within the call of its parent, and in order.",
+        "Operations that the platform implements, such as operations of a port, are not recorded. "
+        "The check compares nothing while results are stale.",
+        "correct the tree, or make the calls in a test of the requirement.",
     ),
     Check(
         "req-text",
         "Requirements are complete",
-        "Every requirement has a unique id, a sentence with a shall, @rationale, @source, and "
-        "a @priority: high, medium or low.",
-        "whether the sentence is clear and can be verified.",
+        "Every requirement has a unique id, a sentence with a shall, @rationale, @source and "
+        "@priority. The priority is high, medium or low.",
+        "The check cannot judge whether the sentence is clear and can be verified.",
         "write the missing part.",
     ),
     Check(
         "req-attribute",
         "Requirements have level, product and method",
-        "Every requirement has one @level: system, software or driver; a @product: all, or names "
-        "of products that exist; and one @method of verification: test, analysis, measurement or "
-        "inspection. A requirement with the method test is named in the @verifies of a test. A "
-        "measurement and an analysis have @evidence, or a test with a measurement.",
-        "whether the method suits the requirement; parts that a requirement without @partly "
-        "leaves unverified.",
+        "Every requirement has one @level: system, software or driver. It has a @product: all, or "
+        "names of products that exist. It has one @method of verification: test, analysis, "
+        "measurement or inspection. If the method is test, the @verifies of a test names the "
+        "requirement. If the method is measurement or analysis, the requirement has @evidence or a "
+        "test with a measurement.",
+        "The check cannot judge whether the method suits the requirement. It does not find parts "
+        "that remain unverified although the requirement has no @partly.",
         "write the attribute, or correct its value.",
     ),
     Check(
         "req-number",
         "Numbers of requirements agree with the code",
-        "Each number with a unit in a requirement, in digits or as a word, is linked with a "
-        "constant in design/requirement_numbers.toml, and the constant has this value. The file "
-        "lists the other numbers with the reason why there is no constant.",
-        "numbers whose unit is not in the list; whether the linked constant determines the "
-        "property of the sentence.",
-        "correct the constant or the requirement, or name the constant in the file.",
+        "Each number with a unit in a requirement is linked with a constant in "
+        "design/requirement_numbers.toml. The number is in digits or written as a word. The "
+        "constant has this value. The file lists the other numbers, with the reason why the code "
+        "has no constant for them.",
+        "The check does not find numbers whose unit is not in its list of units. It cannot judge "
+        "whether the linked constant causes the property that the sentence demands.",
+        "correct the constant or the requirement, or name the constant in "
+        "design/requirement_numbers.toml.",
     ),
     Check(
         "req-source",
@@ -664,30 +702,33 @@ _FIXED = [
         "design/safety_case.toml and in a @goal of the requirement. The name of a protocol is a "
         "heading of docs/protocol.rst. The name of a data sheet is in design/safety_case.toml. A "
         "decision has its text.",
-        "whether the source supports the requirement; only a reader can judge that.",
+        "The check cannot judge whether the source supports the requirement. Only a reader can "
+        "judge this.",
         "write the source in this form.",
     ),
     Check(
         "req-satisfied",
         "Each requirement is satisfied",
         "Every requirement is named in the @satisfies of a method.",
-        "whether the method fulfils the requirement; the tests show this.",
+        "The check does not detect whether the method fulfils the requirement. The tests show "
+        "this.",
         "tag the method that does the work with @satisfies.",
     ),
     Check(
         "req-verified",
         "Each requirement is verified",
         "Every requirement is named in the @verifies of a test.",
-        "whether the test is strict enough.",
+        "The check cannot judge whether the test is strict enough.",
         "write a test for the requirement, or tag the existing test with @verifies.",
     ),
     Check(
         "req-method",
         "Each public method serves a requirement",
-        "Every public method of a design module is tagged with @satisfies, or has a node in a "
-        "tree, or overrides such a method, or such a method overrides it. A constructor serves "
-        "the requirements of its module.  Other methods are justified in design/justified.toml.",
-        "whether the method is needed for the requirement.",
+        "Each public method of a design module fulfils one of four conditions. It is tagged with "
+        "@satisfies, has a node in a tree, overrides a method with a tag or a node, or is "
+        "overridden by such a method. A constructor serves the requirements of its module. Other "
+        "methods are justified in design/justified.toml.",
+        "The check cannot judge whether the requirement needs the method.",
         "tag the method with @satisfies, use it in a tree, remove it, or justify it in "
         "design/justified.toml.",
     ),
@@ -695,28 +736,29 @@ _FIXED = [
         "req-caller",
         "Each public method has a caller",
         "Code of the firmware calls every public method of a design module, or the method that it "
-        "overrides. A builder calls each step and uses each part. Other methods are justified in "
-        "design/justified.toml.",
-        "whether the caller runs: a call in dead code is accepted.",
+        "overrides. A builder calls each step and uses each part. Methods without a caller are "
+        "justified in design/justified.toml.",
+        "The check does not detect whether the caller runs. It accepts a call in dead code.",
         "call the method, remove it, or justify it in design/justified.toml.",
     ),
     Check(
         "req-test",
         "Each test verifies a requirement",
         "Every test in C++ is tagged with @verifies, or justified in design/justified.toml. The "
-        "tools recognise its macro. No test is disabled, and no test of a requirement skips "
-        "itself.",
-        "whether the test tests the requirement; mutants show this.",
+        "tools recognise the macro of every test. No test is disabled, and no test of a "
+        "requirement skips itself.",
+        "The check does not detect whether the test tests the requirement. Mutation tests show "
+        "this.",
         "tag the test with @verifies, remove it, or justify it in design/justified.toml.",
     ),
     Check(
         "req-justified",
         "Justifications are needed",
         "Every name in design/justified.toml is a method, a test or a line that needs a "
-        "justification. "
-        "Every entry of design/mutants.toml quotes a line of its method; after a mutation test of "
-        "all mutants of these sources, no test finds its changes.",
-        "whether the reason is good.",
+        "justification. Every entry of design/mutants.toml quotes a line of its method. After all "
+        "mutants of these sources were tried, no test had found the changes that these entries "
+        "list.",
+        "The check cannot judge whether the reason is good.",
         "remove the entry, or correct its names.",
     ),
     Check(
@@ -724,106 +766,111 @@ _FIXED = [
         "Measured requirements are met",
         "Each @evidence of a requirement names a metric that was measured in this run and meets "
         "its bound. A bound has the form at most, at least or exactly.",
-        "whether the metric shows the property that the requirement demands.",
-        "run ./wr test to measure it; if the value is beyond its bound, correct the code.",
+        "The check cannot judge whether the metric shows the property that the requirement "
+        "demands.",
+        "run ./wr test to measure the metric; if the value is beyond its bound, correct the code.",
     ),
     Check(
         "req-passed",
         "Verifying tests ran and passed",
-        "Every test that verifies a requirement ran in the last test run and passed, and every "
-        "other test ran. The build of the tests names every folder with tests.",
-        "results are not compared while they are stale.",
+        "Every test that verifies a requirement ran in the last test run and passed. Every other "
+        "test ran. The build of the tests names every folder with tests.",
+        "The check does not compare results while they are stale.",
         "correct the code or the test, then run ./wr test.",
     ),
     Check(
         "req-unknown",
         "Tags name requirements that exist",
         "Every @satisfies and @verifies names one requirement of requirements/.",
-        "a tag with the wrong existing id.",
+        "The check does not find a tag with the id of a wrong requirement that exists.",
         "correct the id.",
     ),
     Check(
         "req-name",
         "A test named after a requirement verifies it",
         "A test whose name begins with an id, such as FR41_, has the @verifies for that id.",
-        "tests without an id in the name.",
+        "The check does not read tests without an id in the name.",
         "write the @verifies above the test, or rename it.",
     ),
     Check(
         "req-stale",
         "Results belong to the present sources",
-        "The last test run used exactly the present sources. The build of the image whose size and "
-        "stack are compared also used these sources.",
-        "no known case, because it compares contents, not dates.",
+        "The last test run used exactly the present sources. The check compares the size and the "
+        "stack use of the image; the build of this image also used the present sources.",
+        "The check has no known limits, because it compares contents and not dates.",
         "run ./wr test.",
     ),
     Check(
         "req-line",
         "Each line serves a requirement",
-        "Each line of a method of the design is executed by a passing test of a requirement that "
-        "the method serves: the tree of the requirement contains the method, the method has its "
-        "tag, or a caller of the method serves it. Other lines are justified in "
+        "A passing test of a requirement executes each line of a method of the design, and the "
+        "method serves this requirement. A method serves a requirement in three cases: the tree of "
+        "the requirement contains the method, the method has the tag, or a caller of the method "
+        "serves the requirement. Other lines are justified in design/justified.toml.",
+        "The check does not read the drivers of the K64; the page of the virtual K64 lists their "
+        "lines. It does not detect whether the test checks the effect of the line.",
+        "execute the line in a test of its requirement, remove it, or justify it in "
         "design/justified.toml.",
-        "the drivers of the K64, whose lines the page of the virtual K64 lists; whether the test "
-        "checks the effect of the line.",
-        "test the line for its requirement, remove it, or justify it in design/justified.toml.",
     ),
     Check(
         "hazard-name",
         "The safety case names existing parts",
-        "Each hazard has an id HZ-n, each safety goal SG-n, each assumption of use AU-n; the "
-        "goals, assumptions and safe states that an entry of design/safety_case.toml names are "
-        "declared there.",
-        "hazards that nobody found.",
+        "Each hazard has an id HZ-n, each safety goal an id SG-n, and each assumption of use an id "
+        "AU-n. If an entry of design/safety_case.toml names a goal, an assumption or a safe state, "
+        "this file declares it.",
+        "The check does not find hazards that nobody found.",
         "correct the name.",
     ),
     Check(
         "hazard-covered",
         "Each hazard is covered",
-        "Every hazard has a safety goal or an assumption of use, and its severity, exposure and "
+        "Every hazard has a safety goal or an assumption of use. Its severity, exposure and "
         "avoidance have a level in the risk graph.",
-        "whether the estimates are right, and whether the goal is sufficient.",
+        "The check cannot judge whether the estimates are right, or whether the goal is "
+        "sufficient.",
         "name a goal or an assumption, or complete the estimates.",
     ),
     Check(
         "hazard-goal",
         "Each safety goal is complete",
-        "Every safety goal is named by a hazard, lists requirements and names a safe state.",
-        "whether the requirements are sufficient to reach the goal.",
+        "A hazard names every safety goal. Every safety goal lists requirements and names a safe "
+        "state.",
+        "The check cannot judge whether the requirements are sufficient to reach the goal.",
         "complete the goal in design/safety_case.toml.",
     ),
     Check(
         "hazard-time",
         "Times of goals are derived",
         "The fault-tolerant time of each goal is the value of its formula, rounded down by at most "
-        "10 %, and the reaction of the firmware is not longer.",
-        "whether distances and energies in the formula fit the robot; whether the tests measure "
-        "this reaction.",
-        "correct the time or the formula, or make the firmware react sooner.",
+        "10 %. The reaction time of the firmware is at most this time.",
+        "The check cannot judge whether the distances and energies in the formula fit the robot, "
+        "or whether the tests measure this reaction.",
+        "correct the time or the formula, or shorten the reaction time of the firmware.",
     ),
     Check(
         "hazard-requirement",
         "Goals and requirements name each other",
         "Each goal lists the requirements that name it in @goal. Each listed requirement exists "
         "and has the @goal.",
-        "whether the requirement serves the goal. A goal whose requirements are not all verified "
-        "is not a finding: its page shows it as open.",
+        "The check cannot judge whether the requirement serves the goal. It reports nothing if "
+        "some requirements of a goal are not verified. The page of the goal then shows the goal as "
+        "open.",
         "add the missing link.",
     ),
     Check(
         "hazard-scenario",
         "Fault scenarios have goals and passed",
-        "Every file of sim/scenario/safety names a safety goal that lists it. A test plays it, and "
-        "passed on each target for which the test is built. Every scenario that a goal lists "
-        "exists. A result that is older than the sources is not counted as passed.",
-        "faults without a scenario.",
+        "Every file of sim/scenario/safety names a safety goal that lists it. A test plays the "
+        "scenario, and passed on each target for which the test is built. Every scenario that a "
+        "goal lists exists. A result that is older than the sources is not counted as passed.",
+        "The check does not find faults without a scenario.",
         "complete the links, play the scenario in a test, or correct the failure.",
     ),
     Check(
         "hazard-assumption",
         "Each assumption of use covers a hazard",
         "A hazard names every assumption of use.",
-        "whether people follow it.",
+        "The check cannot judge whether people follow the assumption.",
         "name the assumption in a hazard, or remove it.",
     ),
     Check(
@@ -831,7 +878,7 @@ _FIXED = [
         "Safety has priority",
         "The priority of a requirement is at least the priority that design/safety_case.toml "
         "derives from the level of its safety goals.",
-        "requirements without a goal.",
+        "The check does not read requirements without a goal.",
         "raise the priority.",
     ),
     Check(
@@ -839,7 +886,8 @@ _FIXED = [
         "A requirement is as in its baseline",
         "These texts of each requirement are unchanged since its baseline: the requirement, its "
         "invocation tree, its transitions of state machines, its safety goals and their hazards.",
-        "whether the texts are right, which a review answers; changes of line breaks.",
+        "The check cannot judge whether the texts are right. A review answers this question. It "
+        "does not find changes of line breaks.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
@@ -848,7 +896,8 @@ _FIXED = [
         "These texts are unchanged since the baseline: the specifications of the methods that "
         "satisfy a requirement, the bodies of these methods and of the methods in its tree, and "
         "the constants of their files.",
-        "comments in a body, formatting, and names of local variables.",
+        "The check does not find changes of comments in a body, of formatting, or of names of "
+        "local variables.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
@@ -856,70 +905,74 @@ _FIXED = [
         "Verifying tests are as in the baseline",
         "These texts are unchanged since the baseline: the tests that verify a requirement, their "
         "fixtures, parameters and helpers, and the scenarios that the tests play.",
-        "the simulator, and tests in Python; comments and formatting.",
+        "The check does not compare the simulator, tests in Python, comments and formatting.",
         "run ./wr review with the id of the requirement, or with --baseline and the id.",
     ),
     Check(
         "suspect-design",
         "Reasons and code without a requirement are as in the baseline",
         "These texts are unchanged since the baseline: the sentences in the files of design/ and "
-        "of changes/, such as reasons, deviations, steps and answers, and the bodies and "
-        "specifications that no requirement names.",
-        "whether the texts are right; the pages of docs/.",
+        "changes/, and the bodies and specifications that no requirement names. Examples of such "
+        "sentences are reasons, deviations, steps and answers.",
+        "The check cannot judge whether the texts are right. It does not compare the pages of "
+        "docs/.",
         "compare the text with the code, then run ./wr review --baseline design.",
     ),
     Check(
         "req-review",
         "A record of a review is a review",
         "Each record in requirements/reviews.toml names a person with an address. According to "
-        "git, this person wrote no line of the texts. The record has a remark, and an answer to "
-        "each question.",
-        "whether the reviewer was careful. A requirement without a review is not a finding: its "
-        "page "
-        "shows that.",
+        "git, this person wrote no line of the reviewed texts. The record has a remark and an "
+        "answer to each question.",
+        "The check cannot judge whether the reviewer was careful. It reports nothing for a "
+        "requirement without a review. The page of the requirement shows that the review is "
+        "missing.",
         "remove the record, and let another person run ./wr review with the id.",
     ),
     Check(
         "paper-complete",
         "The concordance with the paper is complete",
         "Every picture, table, section and named element of the paper that design/paper.toml lists "
-        "has one entry in design/concordance.toml. The entry names its counterpart, or the reason "
-        "why it has none. Entries name each arrow of the high-level diagram.",
-        "an element that is missing in the list, which was written by hand from the paper.",
+        "has one entry in design/concordance.toml. The entry names the counterpart of the element, "
+        "or the reason why there is none. Entries name each arrow of the high-level diagram.",
+        "The check does not find an element that is missing in the list. The list was written by "
+        "hand from the paper.",
         "write the entry in design/concordance.toml, or correct its kind or name.",
     ),
     Check(
         "paper-statement",
         "Each statement of the paper has an answer",
-        "Each entry of design/statements.toml names a place of the paper, and its answer exists. "
-        "Each requirement whose source is a place of the paper answers a statement of the paper.",
-        "whether the list contains every statement of the paper, and whether an answer is good: a "
-        "person compares them with the paper.",
+        "Each entry of design/statements.toml names a place of the paper. The answer of each entry "
+        "exists. Each requirement whose source is a place of the paper answers a statement of the "
+        "paper.",
+        "The check does not detect whether the list contains every statement of the paper, or "
+        "whether an answer is good. A person compares the list with the paper.",
         "correct the entry, or add the statement to design/statements.toml.",
     ),
     Check(
         "paper-stale",
         "The concordance names existing parts",
         "The entries of design/concordance.toml and the backticks in their texts name only "
-        "existing modules, methods, applications, state machines, requirements, checks and "
-        "pages. A count of modules or applications, and the value of a constant, equal the values "
-        "in the code.",
-        "whether the paper means this part; only a reader can judge that.",
-        "name the part that replaced it.",
+        "existing modules, methods, applications, state machines, requirements, checks and pages. "
+        "A count of modules or of applications equals the count in the code, and the value of a "
+        "constant equals the value in the code.",
+        "The check cannot judge whether the paper means this part. Only a reader can judge this.",
+        "name the part that replaced the missing part.",
     ),
     Check(
         "paper-alias",
         "Each name that differs from the paper has a reason",
-        "A module, method or state has an alias with a reason if, and only if, its name differs "
-        "from the name in the paper. For an application, this is its title.",
-        "whether the reason is good.",
+        "If the name of a module, method or state differs from the name in the paper, the entry "
+        "has an alias with a reason. If the names are equal, the entry has no alias. The name of "
+        "an application is its title.",
+        "The check cannot judge whether the reason is good.",
         "state why the name differs, or use the name of the paper.",
     ),
     Check(
         "doc-diagram",
         "Every diagram can be drawn",
         "PlantUML draws each diagram of the model without an error.",
-        "whether the diagram is easy to read.",
+        "The check cannot judge whether the diagram is easy to read.",
         "correct the source of the diagram.",
     ),
     Check(
@@ -927,41 +980,41 @@ _FIXED = [
         "Numbers of the protocol agree with the code",
         "Each value of an enumeration in design/frames.toml has the number of the enumerator of "
         "the same name in the firmware.",
-        "fields, their types and their limits; the tests compare them.",
-        "correct the number; never give a new meaning to a number on the line.",
+        "The check does not compare fields, their types and their limits. The tests compare them.",
+        "correct the number, and never use a number of the protocol for a new meaning.",
     ),
     Check(
         "doc-example",
         "Worked examples of the protocol are consistent",
         "For each example in docs/protocol_examples.txt, the body determines the check sum and the "
         "bytes on the line.",
-        "whether the body has the described content; tests of the firmware and of the client "
-        "decode it.",
+        "The check does not detect whether the body has the described content. Tests of the "
+        "firmware and of the client decode the body.",
         "run tests/python/client/examples.py, which writes the examples.",
     ),
     Check(
         "link-doc",
         "Links of hand-written pages",
-        "Every reference in docs/ has a target. Every path of a file in a page of docs/, the "
-        "README or a text of design/ exists. Each command of ./wr with its options, each "
-        "product, each test program, each used pin and each key that a page or the README names "
-        "exists.",
-        "whether the link has the right target.",
+        "Every reference in docs/ has a target. Every path of a file in a page of docs/, in the "
+        "README or in a text of design/ exists. Each command of ./wr that a page or the README "
+        "names exists with its options. The products, test programs, used pins and keys that these "
+        "texts name exist too.",
+        "The check cannot judge whether the link has the right target.",
         "correct the target.",
     ),
     Check(
         "link-site",
         "Links of the site",
-        "Every link of the site, also in diagrams, has a target page and anchor. Every click of "
-        "design/questions.toml has a target page.",
-        "links to other sites.",
+        "Every link of the site has a target page and anchor. This includes the links in diagrams. "
+        "Every click of design/questions.toml has a target page.",
+        "The check does not follow links to other sites.",
         "correct the source of the page.",
     ),
 ]
 
 
 def _clauses() -> list[Check]:
-    # The model reports the error of the file.
+    # The reader of the model reports errors of this file.
     entries = Entries(CLAUSES.parents[1]).tables(
         CLAUSES, "clause", {"id": str, "pattern": str, "says": str, "fix": str}, {"about": list}
     )
@@ -970,7 +1023,7 @@ def _clauses() -> list[Check]:
             entry["id"],
             f"{entry['pattern']}: {entry['id'].split('-', 2)[2].replace('-', ' ')}",
             f"In every application of {entry['pattern']}: {entry['says']}",
-            "the intent: the check compares only the shape of the code.",
+            "The check cannot judge the intent. It compares only the shape of the code.",
             f"{entry['fix']}.",
         )
         for entry, _ in entries

@@ -1,6 +1,6 @@
-"""req-*, suspect-*: each requirement is satisfied by code and verified by tests that passed.
+"""req-* and suspect-*: code satisfies each requirement, and passed tests verify it.
 
-Its texts are as in its baseline, and each review is valid.
+The texts of each requirement are unchanged since its baseline, and each review is valid.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ DISABLED, SKIPS = "DISABLED_", "GTEST_SKIP("
 PRIORITIES = ("high", "medium", "low")
 LEVELS = ("system", "software", "driver")
 _VERBS = {"method": "satisfies", "test": "verifies"}
-# The kinds of texts of each link.
+# The kinds of texts on which each link depends.
 _LINKS = {
     **dict.fromkeys(("requirement", "tree", "goal", "transition"), "requirement"),
     **dict.fromkeys(("method", "body", "constants"), "method"),
@@ -77,7 +77,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _texts(model: Model) -> Iterator[Finding]:
-    """A requirement is one sentence with a shall, and has a rationale."""
+    """Finds requirements that are not one sentence with a shall, or have no rationale."""
     for requirement in model.requirements.values():
         parts = {
             "sentence with 'shall'": " shall " in requirement.text,
@@ -91,7 +91,7 @@ def _texts(model: Model) -> Iterator[Finding]:
 
 
 def _attributes(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Level, product and method of verification have known values that fit the requirement."""
+    """Finds requirements whose level, product or method of verification has a wrong value."""
     for requirement in model.requirements.values():
         wrong = []
         if requirement.level not in LEVELS:
@@ -118,7 +118,7 @@ def _has_way(requirement: Requirement) -> bool:
 
 
 def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each source is a reference to something that exists."""
+    """Finds sources that are not a reference to something that exists."""
     protocol = facts.root / "docs" / "protocol.rst"
     names = {
         "paper": {place.id for place in model.paper_places},
@@ -130,7 +130,10 @@ def _sources(model: Model, facts: Facts) -> Iterator[Finding]:
         for source in requirement.sources:
             if not source.kind:
                 text = f"the source of {requirement.id} has no kind: {source.name}"
-                fix = f"begin it with one of: {', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
+                fix = (
+                    "begin the source with one of: "
+                    f"{', '.join(f'{kind}:' for kind in SOURCE_KINDS)}"
+                )
             elif source.kind in names and source.name not in names[source.kind]:
                 named = f"{source.kind}: {source.name}"
                 text = f"{requirement.id} has the source {named}, which does not exist"
@@ -204,7 +207,7 @@ def _unneeded(model: Model) -> Iterator[Finding]:
 
 
 def _equivalents(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds entries of design/mutants.toml that name a missing line or a missing mutant."""
+    """Finds entries of design/mutants.toml that name a line or a mutant that does not exist."""
     bodies: dict[tuple[str, str], list[BodyFact]] = {}
     for body in facts.syntax.bodies:
         bodies.setdefault((body.place.file, body.id), []).append(body)
@@ -234,7 +237,7 @@ def _lines_of(root: Path, body: BodyFact) -> list[str]:
 
 
 def _spare(item: Justified) -> Sequence[str]:
-    """Returns the names without a use. A path is in use if any of its parts is in use."""
+    """Returns the names that are not in use. A path is in use if any of its parts is in use."""
     if not item.covers:
         return item.names
     return [name for name in item.names if "/" not in name and name not in item.covers]
@@ -259,16 +262,16 @@ def _is_tested_on(model: Model, binding: str, requirement: Requirement) -> bool:
 
 
 def _first_place(model: Model, concerns: Callable[[Requirement], bool]) -> Place:
-    """Returns the place of the first requirement that a finding concerns. The results themselves
-    have no place in a source.
+    """Returns the place of the first requirement that a finding concerns. Results have no place in
+    a source.
     """
     ordered = sorted(model.requirements.values(), key=lambda one: not concerns(one))
     return ordered[0].place if ordered else Place("requirements", 1)
 
 
 def _old_image(model: Model, facts: Facts) -> list[Finding]:
-    """Finds an image that is older than the sources. The checks of the image and of its stack then
-    do not run.
+    """Finds an image that is older than the sources. The checks of the image and of its stack do
+    not run for such an image.
     """
     if not (facts.root / TOTALS).exists() or read_image(facts.root) is not None:
         return []
@@ -292,8 +295,9 @@ def unmet(
 ) -> Iterator[Finding]:
     """Finds evidence that is missing or beyond its bound.
 
-    ``others`` are the findings of the other checks. Evidence that counts these findings, or that is
-    not measured because results are stale, is not reported again.
+    ``others`` are the findings of the other checks. Some evidence counts these findings. Other
+    evidence is not measured because results are stale. Both kinds of evidence are not reported
+    again.
     """
     checks = {finding.check for finding in others}
     for requirement in model.requirements.values():
@@ -305,7 +309,7 @@ def unmet(
 
 
 def _is_reported(evidence: Evidence, value: float | None, checks: set[str]) -> bool:
-    """Returns whether findings of other checks state that the evidence does not hold."""
+    """Returns whether findings of other checks state that the evidence does not meet its bound."""
     if value is None:
         known = bool(evidence.relation) and not evidence.figure.startswith(CHECKS)
         return known and "req-stale" in checks
@@ -348,7 +352,7 @@ def _unbuilt(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _built(folder: Path, words: set[str]) -> bool:
-    """Returns whether the folder, or a folder above it, is named."""
+    """Returns whether the build of the tests names the folder, or a folder above it."""
     above = [folder, *folder.parents]
     return any(str(folder.relative_to("tests")) in words for folder in above if folder.parts[1:])
 
@@ -367,7 +371,8 @@ def _unknown(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each tag names a requirement that exists. A text after the id would be ignored."""
+    """Finds tags that do not name exactly one requirement that exists. Doxygen would ignore a text
+    after the id."""
     for comment in facts.comments.below(TAGGED):
         for tag in comment.tags:
             if tag.name in _VERBS.values():
@@ -382,7 +387,7 @@ def _tagged(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _twice(facts: Facts) -> Iterator[Finding]:
-    """Each requirement has a unique id."""
+    """Finds ids that more than one requirement has."""
     seen: set[str] = set()
     for comment in facts.comments.below(("requirements",)):
         for tag in comment.of("requirement"):
@@ -393,7 +398,8 @@ def _twice(facts: Facts) -> Iterator[Finding]:
 
 
 def _tags(model: Model) -> Iterator[Finding]:
-    """A test with the id of a requirement in its name verifies this requirement."""
+    """Finds tests whose name contains the id of a requirement, and that do not verify this
+    requirement."""
     for test in model.tests.values():
         match = re.match(r"(N?FR)_?(\d+)_", test.name)
         if match is None:
@@ -408,7 +414,8 @@ def _tags(model: Model) -> Iterator[Finding]:
 
 
 def _lines(model: Model) -> Iterator[Finding]:
-    """Each line of a method is executed by tests of its requirements, or justified."""
+    """Finds lines of a method that no test of its requirements executes, and that are not
+    justified."""
     if model.stale_on(HOST):
         return
     for gap in model.line_gaps:
@@ -425,7 +432,8 @@ def _listed(lines: Sequence[int]) -> str:
 
 
 def _suspects(model: Model) -> Iterator[Finding]:
-    """Returns one finding for each changed text, with all requirements that depend on the text."""
+    """Returns one finding for each changed text. The finding names all requirements that depend on
+    the text."""
     asking: dict[Suspicion, list[str]] = {}
     for requirement in model.requirements.values():
         for suspicion in requirement.suspicions:
@@ -439,8 +447,8 @@ def _suspects(model: Model) -> Iterator[Finding]:
             suspicion.place,
             f"suspect-{_LINKS[suspicion.kind]}",
             text,
-            f"review it: ./wr review {ids[0]}; or accept the change without a review: ./wr review "
-            f"--baseline {' '.join(ids)}",
+            f"review the text: ./wr review {ids[0]}; or accept the change without a review: ./wr "
+            f"review --baseline {' '.join(ids)}",
         )
     for suspicion in model.suspicions:
         text = f"{NAMES_OF_TEXTS[suspicion.kind].format(suspicion.name)} {suspicion.text}"
@@ -451,11 +459,12 @@ def _suspects(model: Model) -> Iterator[Finding]:
 
 
 def _reviews(model: Model) -> Iterator[Finding]:
-    """A valid review is by a person who wrote none of the texts, and has all answers."""
+    """Finds reviews that are not valid. A valid review is by a person who wrote none of the texts,
+    and answers all questions."""
     for requirement in model.requirements.values():
         for review in requirement.reviews:
             for objection in review.objections:
-                text = f"the record for {requirement.id} is no review: {objection}"
+                text = f"the record for {requirement.id} is not a valid review: {objection}"
                 yield Finding(review.place, "req-review", text)
 
 

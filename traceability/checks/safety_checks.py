@@ -36,7 +36,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _names(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each id has the form of its kind, and each named part exists."""
+    """Finds ids without the form of their kind, and names of parts that do not exist."""
     case = model.safety
     kinds = (("HZ", case.hazards), ("SG", case.goals), ("AU", case.assumptions))
     for prefix, items in kinds:
@@ -70,11 +70,12 @@ def _unknown(facts: Facts, item: Hazard | SafetyGoal, name: str) -> Finding:
 
 
 def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each hazard has a goal or an assumption, and a place in the risk graph."""
+    """Finds hazards without a goal and without an assumption, and hazards without a place in the
+    risk graph."""
     for hazard in model.safety.hazards.values():
         if not hazard.goals and not hazard.assumptions:
             text = f"{hazard.id} has no safety goal and no assumption of use"
-            fix = "name the goal that averts it, or the assumption that covers it"
+            fix = "name the goal that prevents it, or the assumption that covers it"
             yield Finding(_at(facts, hazard), "hazard-covered", text)
         if not hazard.level:
             risk = f"{hazard.severity}, {hazard.exposure}, {hazard.avoidance}"
@@ -84,7 +85,7 @@ def _hazards(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each goal has a hazard, requirements and a safe state."""
+    """Finds goals without a hazard, without requirements or without a safe state."""
     for goal in model.safety.goals.values():
         parts = {
             "hazard": (goal.hazards, "name it in the goals of a hazard, or remove it"),
@@ -97,13 +98,17 @@ def _goals(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _times(model: Model, facts: Facts) -> Iterator[Finding]:
-    """The time of a goal follows from its formula, and the firmware reacts within this time."""
+    """Finds goals whose time does not follow from the formula, or is shorter than the reaction time
+    of the firmware."""
     for goal in model.safety.goals.values():
         if goal.computed is None:
             text = f"the formula of {goal.id} has no value: {goal.formula}"
             yield Finding(_at(facts, goal), "hazard-time", text)
         elif goal.time > goal.computed + 1e-9 or goal.time < 0.9 * goal.computed:
-            text = f"{goal.id} has {goal.time:g} s, but its formula gives {goal.computed:.3g} s"
+            text = (
+                f"the time of {goal.id} is {goal.time:g} s, but its formula gives "
+                f"{goal.computed:.3g} s"
+            )
             yield Finding(_at(facts, goal), "hazard-time", text)
         if goal.reaction > goal.time:
             needed, allowed = f"{goal.reaction:g} s", f"{goal.time:g} s"
@@ -112,7 +117,8 @@ def _times(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """If a goal has no exceptions, its scenarios accept no reaction after the time of the goal."""
+    """Finds scenarios that accept a reaction after the time of their goal, although the goal has no
+    exceptions."""
     for goal in model.safety.goals.values():
         for scenario in () if goal.exceptions else scenarios_of(model, goal):
             for line, bound in scenario.bounds.items():
@@ -124,7 +130,7 @@ def _bounds(model: Model, _facts: Facts) -> Iterator[Finding]:
 
 
 def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Each goal lists the requirements that name it."""
+    """Finds requirements that name a goal that does not list them."""
     for requirement in model.requirements.values():
         for name in requirement.goals:
             goal = model.safety.goals.get(name)
@@ -138,7 +144,7 @@ def _requirements(model: Model, _facts: Facts) -> Iterator[Finding]:
 
 
 def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each requirement that a goal lists exists and names the goal."""
+    """Finds listed requirements that do not exist or do not name the goal."""
     for goal in model.safety.goals.values():
         for name in goal.requirements:
             requirement = model.requirements.get(name)
@@ -154,7 +160,7 @@ def _listed_requirements(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """Each fault scenario names a goal that lists it, and passed in this run."""
+    """Finds fault scenarios that name no goal that lists them, or that did not pass in this run."""
     for scenario in model.safety.scenarios.values():
         where, check = scenario.place, "hazard-scenario"
         if not scenario.goals:
@@ -179,7 +185,7 @@ def _scenarios(model: Model, _facts: Facts) -> Iterator[Finding]:
 
 
 def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each scenario that a goal lists exists and names the goal."""
+    """Finds listed scenarios that do not exist or do not name the goal."""
     for goal in model.safety.goals.values():
         for name in goal.scenarios:
             scenario = model.safety.scenarios.get(name)
@@ -196,7 +202,7 @@ def _listed_scenarios(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Each assumption covers a hazard."""
+    """Finds assumptions that cover no hazard."""
     for assumption in model.safety.assumptions.values():
         if not assumption.hazards:
             text = f"{assumption.id} covers no hazard"
@@ -204,7 +210,7 @@ def _assumptions(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _priorities(model: Model, _facts: Facts) -> Iterator[Finding]:
-    """A requirement is at least as important as the goals that it serves."""
+    """Finds requirements whose priority is lower than the goals demand that they serve."""
     case = model.safety
     for requirement in model.requirements.values():
         demanded = [

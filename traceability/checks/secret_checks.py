@@ -25,7 +25,7 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _open(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds public data and friends: both allow access that is not in the interface."""
+    """Finds public data and friends. Both allow access that the interface does not contain."""
     for module in model.modules.values():
         if module.datatype:
             continue
@@ -37,13 +37,13 @@ def _open(model: Model, facts: Facts) -> Iterator[Finding]:
     for friend in facts.syntax.friends:
         module_, other = friend.by.split("::")[0], friend.target.split("::")[0]
         if module_ != other:
-            text = f"{module_} shows its friend {other} its hidden members"
-            fix = "remove the friend: let it use the interface"
+            text = f"{module_} makes {other} a friend, so {other} can use its hidden members"
+            fix = "remove the friend, and let the class use the interface"
             yield Finding(friend.place, "secret-open", text, fix)
 
 
 def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds an operation that returns a reference through which a caller can change the module."""
+    """Finds an operation that returns a reference, if a caller can change the module through it."""
     results: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         results.setdefault(flow.into, []).extend(flow.sources)
@@ -65,7 +65,8 @@ def _given_out(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _declared_again(facts: Facts) -> Iterator[Finding]:
-    """Finds a name of another file that a source file declares; the linker defines some names."""
+    """Finds a source file that declares a name of another file. Some of these names are defined by
+    the linker."""
     scripts = files_below(facts.root, DESIGN, (".ld",))
     linked = " ".join(path.read_text(encoding="utf-8") for path in scripts)
     for name, place in facts.syntax.declared_again.items():
@@ -81,7 +82,7 @@ def _declared_again(facts: Facts) -> Iterator[Finding]:
 
 @dataclass
 class Hidden:
-    """A hidden name, and the files of a module or of a folder that may use it."""
+    """A hidden name, with the files of a module or of a folder that may use it."""
 
     name: str
     owner: str
@@ -121,7 +122,8 @@ def _declared(model: Model) -> Iterator[Hidden]:
 
 
 def _uses(name: str, facts: Facts) -> list[Place] | None:
-    """Returns the places where a header, class or member is named; None when it does not exist."""
+    """Returns the places that name a header, class or member. Returns None when it does not
+    exist."""
     if name.endswith(".hpp"):
         headers = [f"{folder}/{name}" for folder in DESIGN if (facts.root / folder / name).exists()]
         includes = [include.place for include in facts.syntax.includes if include.target in headers]
@@ -142,7 +144,7 @@ def _uses(name: str, facts: Facts) -> list[Place] | None:
 
 
 def _standard(name: str, root: Path) -> list[Place] | None:
-    """Returns the places at which a header of the library is included."""
+    """Returns the places that include a header of the library."""
     places = [
         place
         for place, line in lines_below(root, DESIGN, (".cpp", ".hpp"))
@@ -152,7 +154,8 @@ def _standard(name: str, root: Path) -> list[Place] | None:
 
 
 def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds the value of a hidden constant in another file under a similar name."""
+    """Finds a constant in another file that has the value of a hidden constant and a similar
+    name."""
     values = {(value.place.file, value.place.line): value for value in facts.syntax.values}
     for hidden in _declared(model):
         numbers = {each.number for each in facts.syntax.values if each.name == hidden.name}
@@ -165,7 +168,8 @@ def _copied(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _is_similar(name: str, other: str) -> bool:
-    """Returns whether all words of a name occur in another name, as in kGroup and kSampleGroup."""
+    """Returns whether all words of one name occur in the other name, as in kGroup and
+    kSampleGroup."""
     words, others = (
         set(re.findall(r"[A-Z][a-z]*|\d+", part.rpartition("::")[2])) for part in (name, other)
     )

@@ -1,4 +1,4 @@
-"""stack-*: the largest stack use of the image is computed, and fits into the stack."""
+"""stack-*: the largest stack use of the image is computed, and is not larger than the stack."""
 
 from __future__ import annotations
 
@@ -22,7 +22,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _self_calls(facts: Facts) -> Iterator[Finding]:
-    """Finds recursion within a source file; used while the image is older than the sources."""
+    """Finds recursion within a source file. This check is used while the image is older than the
+    sources."""
     calls: dict[str, dict[str, set[str]]] = {}
     for body in facts.syntax.bodies:
         own = calls.setdefault(body.place.file, {}).setdefault(body.id, set())
@@ -34,8 +35,8 @@ def _self_calls(facts: Facts) -> Iterator[Finding]:
 
 
 def _reached(function: str, calls: dict[str, set[str]]) -> set[str]:
-    """Returns the functions that a function calls, directly or through other functions of its
-    file."""
+    """Returns the functions that a function calls. Calls through other functions of its file are
+    included."""
     reached: set[str] = set()
     work = [function]
     while work:
@@ -51,8 +52,8 @@ def _calls(proof: StackProof) -> Iterator[Finding]:
         yield Finding(place, "stack-call", f"the target of this call in {function} is unknown")
     if proof.untold:
         count, first = len(proof.untold), min(proof.untold)
-        text = f"the compiler reported no stack use of {count} functions, such as {first}"
-        fix = "remove build/k64 and build again, without a cache of compilations"
+        text = f"the compiler reported no stack use for {count} functions, such as {first}"
+        fix = "remove build/k64 and build again without a compiler cache"
         yield Finding(SCRIPT, "stack-call", text, fix)
 
 
@@ -73,12 +74,15 @@ def _bound(proof: StackProof) -> Iterator[Finding]:
         calls = [call for level in proof.levels for call in level.chain]
         largest = max(calls, key=lambda call: call.bytes)
         text = (
-            f"the stack has {proof.limit} bytes, but {proof.total} may be needed; in the deepest "
-            f"chains {largest.name} has the largest frame, {largest.bytes} bytes"
+            f"the stack has {proof.limit} bytes, but the program may need {proof.total} bytes; in "
+            f"the deepest chains {largest.name} has the largest frame, {largest.bytes} bytes"
         )
         fix = "make this frame smaller, or raise stackSize in this file"
         yield Finding(SCRIPT, "stack-bound", text)
     if proof.seen is not None and proof.seen > proof.total:
-        text = f"a run used {proof.seen} bytes of the stack, more than the proven {proof.total}"
-        fix = "find the call that the proof misses"
+        text = (
+            f"a run used {proof.seen} bytes of the stack, more than the computed {proof.total} "
+            "bytes"
+        )
+        fix = "find the call that the computation does not contain"
         yield Finding(SCRIPT, "stack-bound", text, fix)

@@ -21,7 +21,8 @@ _WITH_UNIT = re.compile(
     r"(?<![\w.])\d[\d.]*\s*(?:[mu]?s|mm?|m?[VA]|%|rpm|cycles|degrees?|steps/s)(?!\w)"
 )
 _ALIKE = (
-    "another transition of this state has the same event, and no guard distinguishes the two",
+    "another transition of this state has the same event, and no guard distinguishes the two "
+    "transitions",
     "remove one of the two transitions, or write a different guard for each",
 )
 
@@ -55,7 +56,7 @@ def _machines_missing(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding]:
-    """The names in a machine."""
+    """Finds names in a machine that do not exist."""
 
     def finding(text: str, fix: str, name: str, step: Transition | None = None) -> Finding:
         place = facts.declared.entries.line_in(step.place if step else machine.place, name)
@@ -63,15 +64,19 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
 
     declared = facts.declared.applications.get(machine.application)
     if declared is None or declared.pattern != "State":
-        text = f"{machine.id} is not an application of the State pattern: {machine.application}"
+        text = (
+            f"{machine.id} names the application {machine.application}, which is not an "
+            "application of the State pattern"
+        )
         return [finding(text, "correct the application", "application")]
     findings: list[Finding] = []
     states = set(declared.roles.get("Concrete State", []))
     for name in sorted(states ^ set(machine.states.values())):
         text = (
-            f"{machine.id} has no state for {name}, a Concrete State of {declared.id}"
+            f"{machine.id} has no state for {name}, which is a Concrete State of {declared.id}"
             if name in states
-            else f"{machine.id} has the state {name}, which is no Concrete State of {declared.id}"
+            else f"{machine.id} has the state {name}, which is not a Concrete State of "
+            f"{declared.id}"
         )
         findings.append(finding(text, "correct the states of the machine", f'"{name}"'))
     base = declared.roles.get("State", [""])[0]
@@ -118,7 +123,8 @@ def _declared(machine: StateMachine, model: Model, facts: Facts) -> list[Finding
 def _asked_for(
     step: Transition, machine: StateMachine, model: Model, facts: Facts
 ) -> list[tuple[str, str, str]]:
-    """Yields the faults of the requirements of a transition: text, fix and word."""
+    """Yields the faults of the requirements of a transition. A fault has a text, a fix and the word
+    at its place."""
     requirements = [
         model.requirements[name] for name in step.requirements if name in model.requirements
     ]
@@ -131,9 +137,9 @@ def _asked_for(
     family = ends.union(*(facts.classes[end].bases for end in ends if end in facts.classes))
     problems += [
         (
-            f"no method of {' or '.join(sorted(ends))} serves {requirement.id}, which shall demand "
+            f"no method of {' or '.join(sorted(ends))} serves {requirement.id}, which must demand "
             f"{words(step)}",
-            "name the requirement that demands it, or tag the method",
+            "name the requirement that demands the transition, or tag the method",
             requirement.id,
         )
         for requirement in requirements
@@ -142,7 +148,7 @@ def _asked_for(
     fix = "write the number of the requirement"
     return problems + [
         (
-            f"the number '{figure[0]}' of {words(step)} is in none of its requirements",
+            f"no requirement of {words(step)} states the number '{figure[0]}'",
             fix,
             figure[0],
         )
@@ -163,7 +169,8 @@ def _serving(requirement: Requirement) -> list[str]:
 
 
 def _like_another(step: Transition, number: int, machine: StateMachine) -> bool:
-    """Returns whether a transition has the same state and event as another transition."""
+    """Returns whether another transition has the same state and the same event as this
+    transition."""
     others = [
         (other.guard, place)
         for place, other in enumerate(machine.transitions)
@@ -198,7 +205,7 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
     if code.initial == {machine.initial}:
         return
     given = ", ".join(sorted(code.initial)) or "no state"
-    text = f"{code.composition} begins with {given}, but the machine with {machine.initial}"
+    text = f"{code.composition} begins with {given}, but the machine begins with {machine.initial}"
     fix = "correct 'initial', or give the first state to the Context"
     place = facts.declared.entries.line_in(machine.place, "initial")
     yield Finding(place, "fsm-code", text, fix)
@@ -207,8 +214,8 @@ def _initial(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
 def _operation(
     machine: StateMachine, code: MachineCode, state: str, operation: str
 ) -> Iterator[Finding]:
-    """Compares the changes in one operation of a state with the rows. For each target, the number
-    of changes and rows must be equal."""
+    """Compares the changes in one operation of a state with the rows. Each target must have as many
+    changes as rows."""
     rows = [
         step
         for step in machine.transitions
@@ -232,10 +239,10 @@ def _operation(
 
 
 def _differs(row: Transition, change: Change) -> bool:
-    """Returns whether a change has a condition and its row has none, or the reverse.
+    """Returns whether either the change or its row has a condition, but not both.
 
-    The time of an event is also a condition; a guard on another machine is a condition of the
-    caller.
+    The time of an event also counts as a condition. A guard on another machine is a condition of
+    the caller, and does not count.
     """
     if row.guard.startswith("in "):
         return False
@@ -256,10 +263,12 @@ def _asked(machine: StateMachine, row: Transition) -> set[str]:
 
 
 def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> set[str]:
-    """Returns the conditions of the guards of a change, and of earlier guards of the operation."""
+    """Returns the conditions of the guards of a change, and of the operation's guards before it."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
-    before += [other for other in changes if other.place == change.place]  # a call with two targets
+    before += [
+        other for other in changes if other.place == change.place
+    ]  # The other change is a target of the same call.
     evaluated = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
         made = matching(machine, row, code)
@@ -311,7 +320,8 @@ def _actions(machine: StateMachine, code: MachineCode, facts: Facts) -> Iterator
 
 
 def _before(changes: list[Change], bodies: list[BodyFact]) -> set[str]:
-    """Returns the calls that can precede a change: the calls above it in the same function."""
+    """Returns the calls that can precede a change. They are above the change in the same
+    function."""
     return {
         call.target
         for change in changes
@@ -361,7 +371,7 @@ def _seen(machine: StateMachine) -> Iterator[Finding]:
 
 
 def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Finding]:
-    """The tests of the requirement of a transition make this transition."""
+    """Finds transitions that no test of their requirement makes."""
     for step in machine.transitions:
         for name in step.requirements:
             if step.tests and set(model.requirements[name].verified_by).isdisjoint(step.tests):
@@ -370,7 +380,7 @@ def _shown(machine: StateMachine, model: Model, facts: Facts) -> Iterator[Findin
 
 
 def _not_asked(text: str, requirements: list[Requirement]) -> list[re.Match[str]]:
-    """Returns the numbers with a unit in a text that none of the requirements has."""
+    """Returns the numbers with a unit in a text that none of the requirements states."""
     numbers = {
         re.sub(r"\s+", " ", number) for r in requirements for number in _WITH_UNIT.findall(r.text)
     }

@@ -1,4 +1,4 @@
-"""time-*: the longest time of the image is computed, and no run needed more."""
+"""time-*: the longest time of the image is computed, and no run needed more time."""
 
 from __future__ import annotations
 
@@ -47,5 +47,5 @@ def _loops(proof: TimeProof) -> Iterator[Finding]:
 def _seen(proof: TimeProof, what: str, seen_ms: float | None, bound_ms: float) -> Iterator[Finding]:
     if not proof.proven or seen_ms is None or seen_ms <= bound_ms:
         return
-    text = f"{what} took {seen_ms:.3f} ms, more than the bound of {bound_ms:.3f} ms"
+    text = f"{what} took {seen_ms:.3f} ms, which is more than the bound of {bound_ms:.3f} ms"
     yield Finding(DECLARATION, "time-seen", text)

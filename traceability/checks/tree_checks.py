@@ -1,4 +1,4 @@
-"""tree-*: the intended invocations are possible and were executed."""
+"""tree-*: the intended invocations are possible, and tests executed them."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[F
             yield Finding(
                 _body_place(node, facts),
                 "tree-static",
-                f"{node.label} never {verb} {child.label}, but the tree of "
-                f"{requirement.id} contains the call ({tree})",
+                f"{node.label} never {verb} {child.label}, but the tree of {requirement.id} "
+                f"contains the call ({tree})",
             )
         elif child.reachable:
             yield from _order(node, child, requirement, facts)
@@ -64,7 +64,8 @@ def _edges(node: TreeNode, requirement: Requirement, facts: Facts) -> Iterator[F
 def _order(
     node: TreeNode, child: TreeNode, requirement: Requirement, facts: Facts
 ) -> Iterator[Finding]:
-    """The code makes the call as often as in the tree, and after the previous call."""
+    """Checks that the code makes the call as often as the tree states, and after the previous
+    call."""
     tree = f"tree of {requirement.id}, {child.place.file}:{child.place.line}"
     texts = []
     if child.often_in_code is not None and child.often_in_code != child.often:
@@ -95,10 +96,11 @@ def _executed(requirement: Requirement, model: Model) -> Iterator[Finding]:
         return
     if requirement.runs:
         return
-    # If no passed test has a recording, no node is measured, and the finding is at the root.
+    # If no passed test has a recording, no node is measured. The place of the finding is then the
+    # root.
     failed = next((node for node in nodes if node.ran is False), requirement.tree)
     text = (
-        f"no passing test of {requirement.id} made the call of {failed.label} at this place of "
-        "the tree"
+        f"no passing test of {requirement.id} made the call of {failed.label} at this place of the "
+        "tree"
     )
     yield Finding(failed.place, "tree-dynamic", text)

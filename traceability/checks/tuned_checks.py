@@ -1,4 +1,4 @@
-"""change-tuned: constants that depend on another constant are declared."""
+"""change-tuned: if a constant depends on another constant, the design declares it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ WRITTEN = re.compile(
     r"(?://(.*))?$"
 )
 REMARK = re.compile(r"^\s*//(.*)$")
-# Words that show that a value depends on a constant, in the name or in the comment of the value.
+# Words in the name or in the comment of a value that show that the value depends on a constant.
 SIGNS = {
     "SystemConstants::cyclePeriod": re.compile(r"(?<!duty )\b[Cc]ycles?\b|[a-z]Cycles?\b"),
     "SystemConstants::tickPeriod": re.compile(r"\bticks?\b|Ticks?\b"),
@@ -26,7 +26,7 @@ DECLARATIONS = "design/tuned.toml"
 
 @dataclass
 class Written:
-    """A constant of a file, with its name and the comment next to and above it."""
+    """A constant of a file, with its name and with the comments next to it and above it."""
 
     name: str
     code: str
@@ -72,7 +72,7 @@ def _read_by(constant: Written) -> set[str]:
 
 
 def _undeclared(model: Model, facts: Facts, constants: dict[str, Written]) -> Iterator[Finding]:
-    """Finds values that seem to depend on a constant, and are neither computed from it nor
+    """Finds values that seem to depend on a constant, but are neither computed from it nor
     declared."""
     computed = {(fact.name, fact.target) for fact in facts.syntax.initial}
     declared = {(name, item.to) for item in model.tuned for name in item.constants}

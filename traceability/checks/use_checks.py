@@ -1,4 +1,4 @@
-"""uses-*: logic modules use only the modules that the design allows, without cycles."""
+"""uses-*: a logic module uses only modules that the design allows, and the uses form no cycle."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def check(model: Model, facts: Facts) -> Iterator[Finding]:
 
 
 def _board(root: Path) -> Iterator[Finding]:
-    """Simulators and tests include no driver, and the virtual K64 includes no file of the
-    firmware."""
+    """Finds simulators and tests that include a driver. Also finds files of the virtual K64 that
+    include a file of the firmware."""
     for path in files_below(root, ("sim", "tests"), (".cpp", ".hpp", ".h")):
         file = str(path.relative_to(root))
         for include in includes_of(root, file):
@@ -42,8 +42,8 @@ def _board(root: Path) -> Iterator[Finding]:
             elif file.startswith(VIRTUAL_BOARD) and include.target.startswith(OF_FIRMWARE):
                 text = f"the virtual K64 includes {include.target} of the firmware"
                 fix = (
-                    "write the facts from the manual of the microcontroller, so that both do not "
-                    "share a mistake"
+                    "write the facts from the manual of the microcontroller; otherwise the driver "
+                    "and its model can share a mistake"
                 )
             else:
                 continue
@@ -69,9 +69,10 @@ def _forbidden(model: Model) -> Iterator[Finding]:
 
 
 def _extensions(model: Model) -> Iterator[Finding]:
-    """The robot never names an extension; an extension may name the extensions that it needs."""
-    # An extension may use another extension if the design has the reason. The robot never uses an
-    # extension.
+    """Finds files of the robot that name an extension. An extension may name the extensions that it
+    needs."""
+    # An extension may use another extension if the design states the reason. The robot never uses
+    # an extension.
     builds_on = {(use.source, use.target) for use in model.allowed_uses if is_extension(use.source)}
     for use in model.uses:
         if (
@@ -85,7 +86,7 @@ def _extensions(model: Model) -> Iterator[Finding]:
 
 
 def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
-    """Finds the number of an extension's enumeration value that src also contains."""
+    """Finds a number in src that an extension adds to an enumeration."""
     numbers = facts.syntax.enum_numbers
     added = {
         (fact.kind, fact.number): fact.place for fact in numbers if is_extension(fact.place.file)
@@ -106,7 +107,7 @@ def _numbers_of_extensions(facts: Facts) -> Iterator[Finding]:
 
 
 def _extension(logic: str) -> list[str]:
-    """Returns the extension of a logic module; modules of the robot have none."""
+    """Returns the extension of a logic module. Modules of the robot have no extension."""
     return logic.split("/")[:2] if is_extension(logic) else []
 
 
@@ -130,7 +131,7 @@ def _allowed_twice(model: Model) -> Iterator[Finding]:
 
 
 def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
-    """Finds cycles of allowed uses. A use that is not allowed is already a finding."""
+    """Finds cycles of allowed uses. Another check reports a use that is not allowed."""
     declared = {frozenset(cycle.modules) for cycle in facts.declared.cycles}
     for use in uses:
         top, other = use.source.split("/")[0], use.target.split("/")[0]
@@ -145,11 +146,11 @@ def _cycles(uses: list[Use], facts: Facts) -> Iterator[Finding]:
             members = {m for m in loop if use.source in _reached(graph, m)}
             if not any(members <= cycle for cycle in declared):
                 names = ", ".join(sorted(members))
-                yield _finding(use, f"undeclared cycle of {names}")
+                yield _finding(use, f"no entry declares the cycle of {names}")
 
 
 def _apart(facts: Facts) -> Iterator[Finding]:
-    """Finds pairs of separated modules in which a module names the other module."""
+    """Finds pairs of modules that the design separates, although one module names the other."""
     pairs = {
         (user, other): rule
         for rule in facts.declared.apart
@@ -185,7 +186,7 @@ def _apart(facts: Facts) -> Iterator[Finding]:
 
 
 def _idle_cycles(model: Model, facts: Facts) -> Iterator[Finding]:
-    """Finds a declared cycle that the uses do not form."""
+    """Finds a declared cycle that no uses form."""
     graph = _graph(model.uses, depth=9)
     for cycle in facts.declared.cycles:
         for module in cycle.modules:
@@ -216,7 +217,7 @@ def _graph(uses: Iterable[Use], depth: int) -> dict[str, set[str]]:
 
 
 def _reached(graph: dict[str, set[str]], start: str) -> set[str]:
-    """Returns the start and all that it uses, directly or not."""
+    """Returns the start and all modules that it uses, directly or through other modules."""
     reached, work = {start}, [start]
     while work:
         for target in graph.get(work.pop(), set()):

@@ -1,1 +1,1 @@
-"""Files for other programs: the model with its schema, the verification, the metrics."""
+"""Files for other programs: the model with its schema, the verification and the metrics."""

@@ -13,7 +13,7 @@ NAME = "tests.xml"
 
 
 def junit_text(model: Model, _report: Report) -> str:
-    """Returns one suite for each target; a test has a property ``requirement`` for each of its
+    """Returns one suite for each target. A test has a property ``requirement`` for each of its
     requirements.
     """
     top = ET.Element("testsuites", name="weeding_robot")

@@ -30,7 +30,7 @@ PLAIN: dict[type, str] = {str: "string", int: "integer", float: "number", bool: 
 
 
 def model_text(model: Model, report: Report) -> str:
-    """Returns the model with the verdicts as JSON. Places, names and texts equal those on the
+    """Returns the model with the verdicts as JSON. Places, names and texts are the same as on the
     pages.
     """
 
@@ -102,7 +102,7 @@ def _type(kind: Any, definitions: dict[str, Any]) -> dict[str, Any]:
     if isinstance(kind, type) and dataclasses.is_dataclass(kind):
         name = kind.__name__
         if name not in definitions:
-            definitions[name] = {}  # a class may contain objects of the same class
+            definitions[name] = {}  # A class may contain objects of the same class.
             definitions[name] = _class(kind, definitions)
         return {"$ref": f"#/$defs/{name}"}
     return _composed(kind, [_type(argument, definitions) for argument in typing.get_args(kind)])

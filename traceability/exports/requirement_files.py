@@ -23,7 +23,7 @@ from traceability.model.report import Report
 
 CSV, NEEDS, REQIF = "requirements.csv", "needs.json", "requirements.reqif"
 PROJECT = "weeding_robot"
-# ReqIF demands dates. This date is fixed, so that equal models give equal files.
+# ReqIF demands dates. This date is fixed because equal models must result in equal files.
 EPOCH = "1970-01-01T00:00:00+00:00"
 NAMESPACE = "http://www.omg.org/spec/ReqIF/20110401/reqif.xsd"
 NEED_TYPES = {REQUIREMENT: "req", TEST: "test", METHOD: "impl"}
@@ -61,8 +61,8 @@ def csv_text(model: Model, report: Report) -> str:
 
 
 def needs_text(model: Model, report: Report) -> str:
-    """Returns the needs of sphinx-needs. A test has the link ``verifies``, a method has
-    ``satisfies``.
+    """Returns the needs of sphinx-needs. A test has the link ``verifies``, and a method has the
+    link ``satisfies``.
     """
     needs = {item.id: _need(item) for item in trace_items(model, report)}
     version = {"needs": needs, "needs_amount": len(needs), "filters": {}, "filters_amount": 0}
@@ -92,8 +92,8 @@ def _need(item: TraceItem) -> dict[str, object]:
 
 
 def reqif_text(model: Model, report: Report) -> str:
-    """Returns ReqIF 1.0.1: an object for each item, a relation for each link, chapters for
-    sections.
+    """Returns ReqIF 1.0.1. Each item is an object, each link is a relation, and each section is a
+    chapter.
     """
     items = trace_items(model, report)
     top = ET.Element("REQ-IF", xmlns=NAMESPACE)
@@ -181,14 +181,14 @@ def _add_values(objects: ET.Element, kind: str, name: str, values: dict[str, str
     made = _named(objects, "SPEC-OBJECT", _id(kind, name), LONG_NAME=name)
     _child(_child(made, "TYPE"), "SPEC-OBJECT-TYPE-REF").text = f"type-{kind}"
     attributes = _child(made, "VALUES")
-    for attribute in filter(values.get, ATTRIBUTES[kind]):  # StrictDoc rejects an empty value
+    for attribute in filter(values.get, ATTRIBUTES[kind]):  # StrictDoc rejects an empty value.
         value = _child(attributes, "ATTRIBUTE-VALUE-STRING", THE_VALUE=values[attribute])
         reference = _child(_child(value, "DEFINITION"), "ATTRIBUTE-DEFINITION-STRING-REF")
         reference.text = _attribute(kind, attribute)
 
 
 def _sections(items: list[TraceItem]) -> Iterable[tuple[str, list[TraceItem]]]:
-    """Returns the requirements of each section, in their order; a section may occur twice."""
+    """Returns the requirements of each section in their order. A section may occur twice."""
     requirements = [item for item in items if item.kind == REQUIREMENT]
     for number, (section, group) in enumerate(
         groupby(requirements, lambda item: item.values["section"]), 1

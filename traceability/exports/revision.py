@@ -1,4 +1,4 @@
-"""The state of a revision in few words, and the differences between two revisions."""
+"""A summary of the state of a revision, and the differences between two revisions."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from traceability.reading.results import read_record
 from traceability.reading.traces import nodes_of
 
 FOLDER = Path("build/revisions")
-WORDS = 8  # words of context around a change of a text
+WORDS = 8  # number of unchanged words that are shown around a change of a text
 
 
 @dataclass(frozen=True)
 class RequirementState:
-    """A requirement of a revision; ``state`` is empty if no step measured it."""
+    """A requirement of a revision. ``state`` is empty if no step measured it."""
 
     text: str
     rationale: str
     state: str
-    tree: tuple[str, ...]  # labels of its nodes, in their order
+    tree: tuple[str, ...]  # labels of the nodes of its tree, in their order
     tests: tuple[str, ...]
     methods: tuple[str, ...]
     reviews: tuple[str, ...]
@@ -39,8 +39,12 @@ class Revision:
     commit: str
     requirements: Mapping[str, RequirementState]
     modules: Mapping[str, str]  # name -> header
-    findings: Mapping[str, int] | None = None  # check -> number; None: not checked with results
-    sizes: Mapping[str, dict[str, int]] = field(default_factory=dict)  # product -> bytes of each
+    findings: Mapping[str, int] | None = (
+        None  # check -> number of findings; None if the check did not run with results
+    )
+    sizes: Mapping[str, dict[str, int]] = field(
+        default_factory=dict
+    )  # product -> bytes of flash and of RAM
     metrics: Mapping[str, float | None] = field(default_factory=dict)
 
 
@@ -50,7 +54,8 @@ class Revision:
 def revision_of(
     model: Model, commit: str, report: Report | None, metrics: Mapping[str, Any]
 ) -> Revision:
-    """Returns the revision of a model; without a report, it has only the facts of the sources."""
+    """Returns the revision of a model. Without a report, the revision has only the facts of the
+    sources."""
     counts: dict[str, int] = {}
     for finding in report.findings if report else []:
         counts[finding.check] = counts.get(finding.check, 0) + 1
@@ -142,7 +147,7 @@ def _of_requirements(first: Revision, second: Revision) -> Iterator[Difference]:
 
 
 def changed_words(old: str, new: str) -> str:
-    """Returns the words that changed, between [-removed-] and {+added+}, with some words around
+    """Returns the changed words as [-removed-] and {+added+}, with some unchanged words around
     them.
     """
     before, after = old.split(), new.split()
@@ -180,8 +185,8 @@ def _numbers(
     second: Mapping[str, float | None],
     missing: float | None = None,
 ) -> list[Difference]:
-    """Compares numbers. A value that only one revision has is ``missing`` in the other revision.
-    ``None`` means that a number was not measured.
+    """Compares numbers. If only one revision has a value, the value of the other revision is
+    ``missing``. ``None`` means that a number was not measured.
     """
     changed = []
     for name in sorted(first.keys() | second.keys()):

@@ -1,4 +1,4 @@
-"""The findings of all checks, in SARIF 2.1.0, for editors and for the pages of a repository."""
+"""The findings of all checks in SARIF 2.1.0, for editors and for the web pages of a repository."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def sarif_text(model: Model, report: Report) -> str:
 
 
 def sarif(model: Model, report: Report) -> dict[str, Any]:
-    """Returns the findings. Every check is a rule, even without a finding."""
+    """Returns the findings. Every check is a rule, even if it has no finding."""
     numbers = {check.id: number for number, check in enumerate(CHECKS)}
     driver = {
         "name": "weeding_robot",

@@ -1,5 +1,5 @@
-"""The files for other tools: their names, their descriptions, and the function that makes each
-file."""
+"""The files for other tools, with their names, their descriptions and the functions that make
+them."""
 
 from __future__ import annotations
 

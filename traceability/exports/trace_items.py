@@ -23,19 +23,19 @@ class TraceItem:
     file: str
     line: int
     values: dict[str, str] = field(default_factory=dict)  # further attributes
-    links: Sequence[str] = ()  # requirements that a test verifies, or a method satisfies
+    links: Sequence[str] = ()  # requirements that a test verifies or a method satisfies
 
     @property
     def place(self) -> str:
         return f"{self.file}:{self.line}" if self.file else ""
 
 
-# The attributes of a requirement besides its text; empty for a method or a test.
+# The attributes of a requirement besides its text. They are empty for a method or a test.
 VALUES = ("section", "rationale", "source", "priority", "level", "method", "products", "goals")
 
 
 def trace_items(model: Model, report: Report) -> list[TraceItem]:
-    """Returns requirements first, then the tests and the methods that are linked to them."""
+    """Returns the requirements first, and then the tests and methods that are linked to them."""
     return [*_requirements(model, report), *_tests(model), *_methods(model)]
 
 

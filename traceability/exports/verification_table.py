@@ -32,7 +32,8 @@ class ReviewResult:
 
 @dataclass(frozen=True)
 class CheckedNode:
-    """A call of a tree: whether the code can make it, and by target whether a test made it."""
+    """A call of a tree. It states whether the code can make the call, and for each target whether a
+    test made it."""
 
     node: str
     reachable: bool | None
@@ -41,7 +42,7 @@ class CheckedNode:
 
 @dataclass(frozen=True)
 class Measurement:
-    """A metric with its bound and its measured value; null when it was not measured."""
+    """A metric with its bound and its measured value. The value is null if it was not measured."""
 
     figure: str
     relation: str
@@ -54,9 +55,10 @@ class Measurement:
 
 @dataclass(frozen=True)
 class VerifiedRequirement:
-    """A requirement with its verdict and the results that lead to it.
+    """A requirement with its verdict and the results that lead to the verdict.
 
-    ``tests`` contains the results of each test by target, ``coverage`` the methods by target.
+    ``tests`` contains the results of each test by target. ``coverage`` contains the methods by
+    target.
     """
 
     id: str

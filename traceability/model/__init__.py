@@ -1,1 +1,2 @@
-"""The model: it joins the readings, and derives trees, states and coverage from them."""
+"""The model: it combines the results of the readers, and derives trees, states and coverage from
+them."""

@@ -8,7 +8,7 @@ from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Connection
 
-POST = "ControlThread::post"  # a thread executes its body later
+POST = "ControlThread::post"  # A thread executes the body of this call later.
 BODIES = "field ControlThread::body_"
 
 
@@ -33,7 +33,8 @@ def is_outside(connection: Connection) -> bool:
 
 
 def pipe_between(model: Model, connection: Connection) -> list[str]:
-    """Returns the methods that write and read a pipe of the two modules."""
+    """Returns the method that writes a pipe in the first module, and the method that reads it in
+    the second module."""
     for pipe in model.pipes:
         writers = [writer for writer in pipe.writers if writer.startswith(f"{connection.source}::")]
         readers = [reader for reader in pipe.readers if reader.startswith(f"{connection.target}::")]
@@ -64,8 +65,8 @@ def calls_between(facts: Facts, connection: Connection) -> list[str]:
 
 
 def called(facts: Facts, method: str) -> list[str]:
-    """Returns the calls of a method. A post leads to the body that its module passed to the
-    thread."""
+    """Returns the methods that a method calls. A post leads to the body that its module passed to
+    the thread."""
     methods = [
         target
         for body in facts.references.own_bodies(method)

@@ -1,4 +1,4 @@
-"""Puts the model together from its sources."""
+"""Builds the model from its sources."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ DRIVERS = f"{SRC}/k64/"
 
 
 class Built(NamedTuple):
-    """The model for pages and exports, and the facts behind it for the checks."""
+    """The model for pages and exports, and the facts of the sources for the checks."""
 
     model: Model
     facts: Facts
@@ -208,7 +208,8 @@ def _logic_modules(model: Model, facts: Facts) -> dict[str, LogicModule]:
 
 
 def _places(facts: Facts) -> list[Place]:
-    """Returns the places of classes and functions: a folder may contain no class."""
+    """Returns the places of classes and functions. Both are needed because a folder may contain no
+    class."""
     classes = [fact.place for fact in facts.syntax.classes]
     return classes + [body.place for body in facts.syntax.bodies]
 
@@ -281,7 +282,8 @@ def _modules(facts: Facts) -> dict[str, Module]:
 
 
 def _for_heirs_only(fact: ClassFact) -> bool:
-    """Returns whether only subclasses can be constructed: all its constructors are protected."""
+    """Returns whether only subclasses can be constructed. This is so if all constructors are
+    protected."""
     made = [m.access for m in fact.methods if m.kind == "constructor" and not m.deleted]
     return bool(made) and set(made) == {"protected"}
 
@@ -315,7 +317,8 @@ def _method(fact: MethodFact, facts: Facts) -> Method:
 
 
 def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
-    """Returns the body of this overload if the class contains it, else the first body."""
+    """Returns the body of this overload if the class contains it. Otherwise, returns the first
+    body."""
     for body in bodies:
         if body.place.file == fact.place.file and body.place.line == fact.place.line:
             return body
@@ -323,7 +326,7 @@ def _body_of(fact: MethodFact, bodies: list[BodyFact]) -> BodyFact | None:
 
 
 def _specified(method: Method, modules: dict[str, Module]) -> Method:
-    """Returns the method. If it has no specification, it gets the inherited specification."""
+    """Returns the method with its own specification, or else with the inherited specification."""
     upper = None if method.documented else method.overrides
     while upper is not None:
         owner = modules.get(upper.rsplit("::", 1)[0])
@@ -353,7 +356,7 @@ def _specified(method: Method, modules: dict[str, Module]) -> Method:
 
 def _with_calls(model: Model, facts: Facts) -> Model:
     functions: dict[str, Function] = {}
-    made: dict[tuple[str, str, int], list[Call]] = {}  # method, place of its body
+    made: dict[tuple[str, str, int], list[Call]] = {}  # method and place of its body
     callers: dict[str, dict[str, None]] = {}
     for body in facts.syntax.bodies:
         calls = [
@@ -388,7 +391,7 @@ def _with_calls(model: Model, facts: Facts) -> Model:
 
 
 def _constants(facts: Facts) -> dict[str, Constant]:
-    """Returns the constants by their names, without names that have several numbers."""
+    """Returns the constants by their names. A name with several different numbers is left out."""
     by_name: dict[str, list[Constant]] = {}
     for fact in facts.syntax.values:
         if fact.place.file.startswith(tuple(f"{name}/" for name in DESIGN)):
@@ -401,11 +404,12 @@ def _constants(facts: Facts) -> dict[str, Constant]:
     }
 
 
-Named = dict[str, dict[str, None]]  # module -> others, in order
+Named = dict[str, dict[str, None]]  # module -> other modules, in order
 
 
 def _users(model: Model, facts: Facts) -> tuple[Named, Named]:
-    """Returns the modules that each module names, and the modules that name it."""
+    """Returns two maps: the modules that each module names, and the modules that name each
+    module."""
     uses: Named = {}
     used_by: Named = {}
     for named in facts.syntax.names:
@@ -488,13 +492,14 @@ def _requirement(part: Comment, sections: dict[str, str]) -> Requirement:
 
 
 def logic_of(file: str) -> str:
-    """Returns the id of the logic module of a file: its folder, without ``src/``."""
+    """Returns the id of the logic module of a file. The id is the folder of the file, without
+    ``src/``."""
     return str(Path(file).parent).removeprefix(f"{SRC}/")
 
 
 def _uses(model: Model, facts: Facts) -> list[Use]:
     use_places: dict[tuple[str, str], list[Place]] = {}
-    # place of the first call or name, if there is no include
+    # If there is no include, this is the place of a call or name.
     others: dict[tuple[str, str], Place] = {}
     folders = {fact.name: logic_of(fact.place.file) for fact in facts.syntax.classes}
     for include in facts.syntax.includes:
@@ -520,7 +525,7 @@ def _uses(model: Model, facts: Facts) -> list[Use]:
 
 
 def _declared_in(call: CallFact, facts: Facts) -> str:
-    """Returns the file of a function outside classes; a declaration next to the call does not
+    """Returns the file of a function outside classes. A declaration next to the call does not
     count.
     """
     written = {body.place.file for body in facts.bodies.get(call.target, [])}
@@ -567,7 +572,7 @@ def _covered(module: Module, coverage: Coverage) -> Module:
 
 
 def _board_lines(model: Model, coverage: Coverage) -> dict[str, dict[int, bool]] | None:
-    """Returns the lines of the drivers, which this machine does not run."""
+    """Returns the lines of the drivers. Only the virtual K64 runs them."""
     if model.stale_on(VIRTUAL_K64) or not coverage.recordings:
         return None
     covered = coverage.all

@@ -1,4 +1,4 @@
-"""Sentences of the design and facts of pages that no check can compare with the code."""
+"""Sentences of the design and facts of pages. No check can compare them with the code."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 
 from traceability.schema import Place
 
-# Goals and hazards are texts of the requirements that serve them.
+# A goal or hazard belongs to the texts of the requirements that serve it.
 OF_REQUIREMENTS = ("design/safety_case.toml goal.", "design/safety_case.toml hazard.")
 LABELS = ("id", "name", "pattern", "place", "ask", "register", "object", "kind", "method")
 LISTS = ("names", "methods", "members", "modules", "classes", "paths")
@@ -19,12 +19,12 @@ PAGES = (("docs", "*.rst"), ("", "README.md"))
 TITLE = re.compile(r"^(?:#+ (.+)|(.+)\n[=\-~]{3,})$", re.MULTILINE)
 # A number, a pin, a name in a role of Sphinx, or a word in backticks.
 FACT = re.compile(r"(?<![\w.])-?\d[\w.]*|\bPT[A-E]\d+|:\w+:`[^`]+`|``[^`]+``|(?<!`)`[^`]+`(?!`)")
-WORDS = 3  # a shorter text is a name, which checks compare with the code
+WORDS = 3  # A text with fewer words is a name. Other checks compare names with the code.
 
 
 def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Returns name, place and text of each sentence in the files of the design and of the
-    changes."""
+    """Returns the name, the place and the text of each sentence in the files of the design and of
+    the changes."""
     files = [*(root / "design").glob("*.toml"), *(root / "changes").glob("*/change.toml")]
     for path in sorted(files):
         file = str(path.relative_to(root))
@@ -32,16 +32,16 @@ def reasons(root: Path) -> Iterator[tuple[str, Place, str]]:
         try:
             content = tomllib.loads(source)
         except tomllib.TOMLDecodeError:
-            continue  # the check of the file reports this error
+            continue  # The check of the file reports this error.
         for name, text in _sentences(content):
             if not f"{file} {name}".startswith(OF_REQUIREMENTS):
                 yield f"{file} {name}", Place(file, _line_of(text, source)), text
 
 
 def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, str]]:
-    """Yields the texts below a table, each with the names of the tables that lead to it.
+    """Yields the texts below a table. Each text has the names of the tables that contain it.
 
-    The numbers of an entry belong to its texts, which give the reason for them.
+    The numbers of an entry belong to its texts, because the texts state the reason for the numbers.
     """
     numbers = [f"{key} = {value}" for key, value in table.items() if _is_number(value)]
     for key, value in table.items():
@@ -63,7 +63,8 @@ def _sentences(table: Mapping[str, Any], above: str = "") -> Iterator[tuple[str,
 
 
 def _label(item: Mapping[str, Any]) -> str:
-    """Returns the name of an entry: its id, or the first of the names that it lists."""
+    """Returns the name of an entry. The name is the id of the entry, or the first of the names that
+    the entry lists."""
     names = [item[key] for key in LABELS if isinstance(item.get(key), str)]
     lists = [item[key] for key in LISTS if isinstance(item.get(key), list)]
     names += [str(listed[0]) for listed in lists if listed]
@@ -85,8 +86,8 @@ def _line_of(text: str, source: str) -> int:
 
 
 def page_facts(root: Path) -> Iterator[tuple[str, Place, str]]:
-    """Returns name, place and facts of each section of a page. Facts are numbers, pins and names,
-    in order.
+    """Returns the name, the place and the facts of each section of a page. Facts are numbers, pins
+    and names, in their order.
 
     Other words of a section may change freely.
     """

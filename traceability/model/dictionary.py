@@ -1,6 +1,7 @@
 """The data dictionary: the parts of each value type, and the fields of the messages.
 
-A writer of a part assigns it or names it in an initialiser list; a reader uses its name elsewhere.
+A writer of a part assigns the part or names it in an initialiser list. A reader uses the name of
+the part elsewhere.
 """
 
 from __future__ import annotations
@@ -51,20 +52,21 @@ def parts_of(name: str, facts: Facts) -> list[FieldFact]:
 
 
 def unit_text(kind: str, model: Model) -> str:
-    """Returns the description of the value type that a type uses; the description contains the
+    """Returns the description of the value type that a type uses. The description contains the
     unit."""
     named = [model.modules[word] for word in re.findall(r"\w+", kind) if word in model.modules]
     return named[-1].brief if named else ""
 
 
 def module_of(body: BodyFact, model: Model) -> str:
-    """Returns the module of a body; a free function belongs to the module of its file."""
+    """Returns the module of a body. A free function belongs to the module of its file."""
     owner = body.owner.split("::")[0] or Path(body.place.file).stem
     return owner if owner in model.modules else ""
 
 
 def part_users(model: Model, facts: Facts) -> dict[str, tuple[set[str], set[str]]]:
-    """Returns for each ``Type::part`` the modules that write it, and the modules that read it."""
+    """Returns the modules that write each ``Type::part``, and the modules that read each
+    ``Type::part``."""
     users: dict[str, tuple[set[str], set[str]]] = {}
     for body in facts.syntax.bodies:
         name = module_of(body, model)
@@ -83,7 +85,7 @@ def message_fields(model: Model, facts: Facts) -> list[MessageField]:
     parts = parts_of(FIELDS, facts)
     widths: dict[str, str] = {}
     users: dict[tuple[str, str], dict[str, None]] = {}  # field, "write" or "read" -> modules
-    tables: dict[str, list[str]] = {}  # a member that contains names of fields -> the names
+    tables: dict[str, list[str]] = {}  # member that contains names of fields -> these names
     for flow in facts.syntax.flows:
         tables.setdefault(flow.into, []).extend(flow.sources)
     for body in facts.syntax.bodies:

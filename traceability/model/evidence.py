@@ -1,4 +1,5 @@
-"""Evidence of requirements that no call fulfils. A tool measures its metrics in this run."""
+"""Evidence of requirements that no call fulfils. A tool measures the metrics of this evidence in
+each run."""
 
 from __future__ import annotations
 
@@ -16,7 +17,8 @@ CHECKS = "checks."
 
 
 def read_evidence(text: str, place: Place) -> Evidence:
-    """Reads ``coverage.line at least 98 %``: metric, relation, bound and unit."""
+    """Reads an evidence such as ``coverage.line at least 98 %``: its metric, relation, bound and
+    unit."""
     match = WRITTEN.fullmatch(text)
     if match is None:
         return Evidence(text, "", 0, "", place)
@@ -26,8 +28,8 @@ def read_evidence(text: str, place: Place) -> Evidence:
 def measured_values(
     model: Model, figures: Mapping[str, Any], findings: Iterable[Finding], checks: Collection[str]
 ) -> dict[str, float | None]:
-    """Returns the value of the metric of each evidence in this run; ``None`` if it was not
-    measured.
+    """Returns the value of the metric of each evidence in this run. The value is ``None`` if it was
+    not measured.
     """
     counts = Counter(finding.check for finding in findings)
     values: dict[str, float | None] = {}
@@ -43,7 +45,8 @@ def measured_values(
 
 
 def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
-    """Returns a metric by its key. ``bench.scenarios.max_ms`` is the maximum of all scenarios."""
+    """Returns a metric by its key. A key such as ``bench.scenarios.max_ms`` returns the maximum of
+    all scenarios."""
     value = figures.get(name)
     if value is None:
         above, _, part = name.rpartition(".")
@@ -56,7 +59,8 @@ def figure_of(figures: Mapping[str, Any], name: str) -> float | None:
 
 
 def reasons(evidence: Evidence, value: float | None) -> list[str]:
-    """Returns the reason why the evidence does not verify its requirement; empty when it does."""
+    """Returns the reason why the evidence does not verify its requirement. The reason is empty when
+    the evidence verifies it."""
     if not evidence.relation:
         return [f"its evidence cannot be read: {evidence.figure}"]
     if value is None:

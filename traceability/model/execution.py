@@ -1,8 +1,9 @@
-"""The execution contexts, the methods that each of them executes, and the members that two contexts
+"""The execution contexts, the methods that each context executes, and the members that two contexts
 share.
 
-A context is a handler that the hardware calls, or the command that a thread executes. Its methods
-are found in the syntax tree. A call of an abstraction reaches the objects that the builders passed.
+A context is a handler that the hardware calls, or the command that a thread executes. The syntax
+tree shows the methods of a context. A call of an abstraction reaches the objects that the builders
+passed.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ START = "start"
 THREAD = "thread"
 INTERRUPT = "interrupt"
 DISPATCH = "Command::execute"  # operation that the handler of a thread executes
-ENABLE = "K64Thread::enable"  # line, priority
+ENABLE = "K64Thread::enable"  # line and priority
 
 
 @dataclass
@@ -59,7 +60,8 @@ def with_execution(model: Model, facts: Facts) -> Model:
 
 
 def first_methods(context: ExecutionContext, reached: dict[str, str], model: Model) -> list[str]:
-    """Returns the methods of modules with which a context begins. Builders only pass the module."""
+    """Returns the methods of modules with which a context begins. Builders are left out,
+    because they only pass a module on."""
     if context.body:
         return [context.body]
     begin = [m for m, caller in reached.items() if caller in context.handlers]
@@ -68,8 +70,8 @@ def first_methods(context: ExecutionContext, reached: dict[str, str], model: Mod
 
 
 def handler_lines(facts: Facts) -> dict[str, list[int]]:
-    """Returns the interrupt lines of each handler, from the table of vectors. A table of lines may
-    begin with a constant; the other lines follow it.
+    """Returns the interrupt lines of each handler, from the table of vectors. A constant may name
+    the first line of a table. The other lines follow it.
     """
     lines: dict[str, list[int]] = {}
     for constant, handlers in _vectors(facts).items():
@@ -79,7 +81,7 @@ def handler_lines(facts: Facts) -> dict[str, list[int]]:
 
 
 def _vectors(facts: Facts) -> dict[str, list[str]]:
-    """Returns the handlers of the line that a constant names, and of the lines after it."""
+    """Returns the handlers of the line that a constant names and of the lines after it."""
     table: dict[str, list[str]] = {}
     for flow in facts.syntax.flows:
         if flow.into in facts.syntax.constants and flow.into.endswith("Line"):
@@ -101,11 +103,12 @@ def silent_lines(facts: Facts) -> dict[int, str]:
 
 
 def line_priorities(facts: Facts) -> dict[int, str]:
-    """Returns the constant of the priority of each interrupt line, from the calls that enable the
-    lines.
+    """Returns the constant of the priority of each interrupt line. The calls that enable the lines
+    contain it.
     """
     priorities = _enabling(facts)
-    for lines in handler_lines(facts).values():  # a counted line has the priority of its constant
+    # A loop enables lines that no constant names. They have the constant of the nearest lower line.
+    for lines in handler_lines(facts).values():
         for line in lines:
             below = [first for first in priorities if first <= line]
             if line not in priorities and below:
@@ -136,8 +139,8 @@ def _enabling(facts: Facts) -> dict[int, str]:
 
 
 def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
-    """Returns each pipe of the robot, with the methods that write and read it, and their
-    contexts.
+    """Returns each pipe of the robot with the methods that write and read it, and with the contexts
+    of these methods.
     """
     members = {
         member.name
@@ -169,8 +172,8 @@ def pipes_of(model: Model, facts: Facts, code: Code) -> list[SharedPipe]:
 
 
 def users_of(user: BodyFact, pipe: Object, model: Model, facts: Facts) -> list[str]:
-    """Returns the method itself; for a function outside classes, the methods that call it with the
-    pipe.
+    """Returns the method itself. For a function outside classes, returns the methods that pass the
+    pipe to it.
     """
     if user.owner.split("::")[0] in model.modules:
         return [user.id]
@@ -189,7 +192,7 @@ def contexts_of(method: str, code: Code) -> list[str]:
 
 
 def place_of(name: str, facts: Facts) -> tuple[Place, str]:
-    """Returns the place at which an object is declared, and its type."""
+    """Returns the place that declares an object, and the type of the object."""
     fact = facts.syntax.variables.get(name)
     if fact is None:
         owner, _, member = name.rpartition("::")
@@ -203,9 +206,10 @@ def place_of(name: str, facts: Facts) -> tuple[Place, str]:
 
 
 def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]:
-    """Returns the members that a context changes and another context uses.
+    """Returns the members that one context changes and another context uses.
 
-    Values inside a member count as the member; a reference is set only once, at the start.
+    Values inside a member count as the member. References are left out, because only the start sets
+    them.
     """
     fields = {
         f"{fact.name}::{member.name}": member
@@ -219,7 +223,7 @@ def shared_members(model: Model, facts: Facts, code: Code) -> list[SharedMember]
         for method in reached:
             owner, _, short = method.rpartition("::")
             if short == owner.rpartition("::")[2]:
-                continue  # a constructor: no other context can reach the object yet
+                continue  # In a constructor, no other context can reach the object yet.
             for body in facts.references.own_bodies(method):
                 for member, changed in body.touches.items():
                     users = touched.setdefault(member, {})
@@ -251,7 +255,7 @@ def shared_member(
     if declared is not None:
         protection, why = declared.protection, declared.why
     elif any(kind == PIPE for kind in fact.classes):
-        protection, why = "pipe", "One writer, one reader, no lock."
+        protection, why = "pipe", "There is one writer and one reader, and no lock."
     else:
         protection, why = "", ""
     return SharedMember(
@@ -267,7 +271,7 @@ def shared_member(
 
 
 def way_to(method: str, reached: dict[str, str]) -> list[str]:
-    """Returns the calls that lead to a method, from the handler."""
+    """Returns the calls that lead from the handler to a method."""
     way = [method]
     while reached.get(way[0]):
         way.insert(0, reached[way[0]])

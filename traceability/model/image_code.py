@@ -1,4 +1,4 @@
-"""The code of the image of the robot, which is read once for all proofs."""
+"""The code of the image of the robot. It is read once for all proofs."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def read_program(elf: Path) -> Program:
 
 @dataclass(frozen=True)
 class ImageCode:
-    """The functions of an image: the reports of the compiler, and the instructions."""
+    """The functions of an image. They combine the reports of the compiler with the instructions."""
 
     elf: Path
     graph: dict[str, Function]
@@ -52,7 +52,8 @@ class ImageCode:
 
 
 def read_image_code(root: Path) -> ImageCode | None:
-    """Returns the code; nothing when the image was not built from the present sources."""
+    """Returns the code of the image. Returns nothing if the present sources did not build the
+    image."""
     elf = root / BUILD / f"{PRODUCT}.elf"
     if read_image(root) is None or not elf.exists():
         return None

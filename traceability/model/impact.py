@@ -18,7 +18,8 @@ from traceability.schema import Requirement
 
 @dataclass
 class Reached:
-    """An affected element, the number of uses between it and the change, and the reason."""
+    """An affected element, with the number of uses between the change and the element, and with the
+    reason."""
 
     id: str
     distance: int
@@ -35,8 +36,8 @@ class Impact:
     patterns: list[Reached] = field(default_factory=list)
     tests: list[Reached] = field(default_factory=list)
     goals: list[Reached] = field(default_factory=list)  # safety goals
-    python_tests: list[Reached] = field(default_factory=list)  # files of tests
-    unfollowed: list[str] = field(default_factory=list)  # changed files without a known effect
+    python_tests: list[Reached] = field(default_factory=list)  # files that contain tests
+    unfollowed: list[str] = field(default_factory=list)  # changed files whose effect is not known
 
     def is_empty(self) -> bool:
         return not (self.modules or self.requirements or self.tests)
@@ -63,7 +64,8 @@ class Impacts:
         }
 
     def _next(self, name: str) -> dict[str, str]:
-        """Returns the modules that a change of a module may affect directly, with the reason."""
+        """Returns the modules that a change of a module may affect directly, each with the
+        reason."""
         module = self.model.modules[name]
         reasons: dict[str, str] = {}
         for heir in module.heirs:
@@ -86,7 +88,8 @@ class Impacts:
         return self.model.modules[name].bases if name in self.model.modules else []
 
     def _calls(self, owner: str, method: str) -> bool:
-        """Returns whether a module calls this method, and not only its abstraction."""
+        """Returns whether a module calls this method itself. A call of its abstraction does not
+        count."""
         calls = (call for method in self.model.modules[owner].methods for call in method.calls)
         return any(call.target == method for call in calls)
 
@@ -167,7 +170,7 @@ class Impacts:
     def _from(self, impact: Impact, start: dict[str, str]) -> Impact:
         modules = set(start) & set(self.model.modules)
         impact.modules = [Reached(name, 0, why) for name, why in start.items() if name in modules]
-        for reached in impact.modules:  # the loop appends to this list
+        for reached in impact.modules:  # The loop appends to this list.
             for name, why in sorted(self.affected.get(reached.id, {}).items()):
                 if name not in modules:
                     modules.add(name)
@@ -222,6 +225,6 @@ class Impacts:
 
 
 def record_reached(reached: dict[str, Reached], name: str, distance: int, why: str) -> None:
-    """Records an affected element. The first reason is kept, because it has the shortest
-    distance."""
+    """Records an affected element. If the element is already recorded, the first reason remains,
+    because it has the shortest distance."""
     reached.setdefault(name, Reached(name, distance, why))

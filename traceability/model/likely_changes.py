@@ -1,9 +1,9 @@
-"""The likely changes that each application of a pattern absorbs, and the modules that they do not
-affect.
+"""The likely changes that each application of a pattern absorbs, and the modules that these changes
+do not affect.
 
-The additions of a change are declared for each pattern in ``design/changes.toml``. The modules that
-it edits, and the requirements and tests that it affects, are read from the code. A new class must
-be registered only at the places that name the present classes.
+``design/changes.toml`` declares the additions of a change for each pattern. The code shows the
+modules that the change edits, and the requirements and tests that it affects. A new class must be
+registered only at the places that name the existing classes.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ def _change(
 
 
 def _bound(application: PatternApplication, roles: list[str]) -> list[str]:
-    """Returns the modules of the design that play a given role."""
+    """Returns the modules of the design that have a given role."""
     modules = [binding.module for binding in application.roles if binding.role in roles]
     return list(dict.fromkeys(modules))
 
@@ -65,7 +65,7 @@ def _designed(model: Model) -> list[str]:
 
 
 def _naming(model: Model, present: list[str]) -> list[str]:
-    """Returns the other modules that name a present part. They must also name the new part."""
+    """Returns the other modules that name an existing part. They must also name the new part."""
     kin = {base for name in present if name in model.modules for base in model.modules[name].bases}
     modules = {
         user
@@ -78,8 +78,8 @@ def _naming(model: Model, present: list[str]) -> list[str]:
 
 
 def _requirements(model: Model, modules: dict[str, None]) -> list[str]:
-    """Returns requirements that a method of the modules satisfies, or whose tree contains such
-    a method."""
+    """Returns the requirements that the modules serve. A method of the modules satisfies the
+    requirement, or is in its tree."""
     return [
         requirement.id
         for requirement in model.requirements.values()

@@ -1,8 +1,8 @@
-"""The maximum cost of a path through a function, as a linear program (HiGHS).
+"""The maximum cost of a path through a function, computed as a linear program (HiGHS).
 
-The variable of each edge between two blocks is the number of times that a path uses it: the
-implicit path enumeration of Li and Malik. Its value may be a fraction, which can only increase the
-bound.
+The program has a variable for each edge between two blocks. The variable is the number of times
+that a path uses the edge. This method is the implicit path enumeration of Li and Malik. The
+variable may be a fraction, which can only increase the bound.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from traceability.reading.machine_code import REFILL, Code, Loop
 
 @dataclass(frozen=True)
 class FlowFact:
-    """The upper limit of a weighted sum of executions of blocks."""
+    """The upper limit of a weighted sum of the executions of blocks."""
 
     factors: Mapping[int | str, int]  # block, or callee with a separate count -> factor
     most: int
@@ -26,18 +26,20 @@ class FlowFact:
 
 @dataclass
 class Problem:
-    """The paths of a function as a linear program: a variable for each edge between blocks."""
+    """The paths of a function as a linear program with a variable for each edge between blocks."""
 
     code: Code
     cost: Mapping[int, int]  # cost of each block
     rounds: Iterable[tuple[Loop, Bound]]
-    counted: Sequence[tuple[int, int]]  # block, and the greatest number of its executions
+    counted: Sequence[tuple[int, int]]  # block -> the greatest number of its executions
     facts: Iterable[FlowFact] = field(default_factory=list)
-    apart: Mapping[str, int] = field(default_factory=dict)  # counted callee -> its cost
+    apart: Mapping[str, int] = field(
+        default_factory=dict
+    )  # callee with a separate count -> its cost
 
     def solve(self) -> int | None:
-        """Returns the greatest cost of a path; nothing when it has no bound, or no path has an
-        end.
+        """Returns the greatest cost of a path. Returns nothing when the cost has no bound, or when
+        no path has an end.
         """
         solver = highspy.Highs()  # type: ignore[no-untyped-call]  # highspy has no types
         solver.silent()
@@ -66,7 +68,7 @@ class Problem:
             inside = [ways[begin, loop.head] for begin in loop.back]
             outside = [v for (b, e), v in ways.items() if e == loop.head and b not in loop.back]
             entries = [v for (b, e), v in ways.items() if e in loop.blocks and b not in loop.blocks]
-            # A loop with its condition at the end has a round before its first jump back.
+            # A loop with its condition at the end makes one iteration before its first jump back.
             first = solver.qsum(outside) if self._ends_with_condition(loop) else 0
             entered = 1 if bound.in_all else solver.qsum(entries)
             solver.addConstr(solver.qsum(inside) + first <= bound.rounds * entered)
@@ -91,10 +93,10 @@ class Problem:
         return round(solver.getObjectiveValue() + 0.4999)
 
     def _ends_with_condition(self, loop: Loop) -> bool:
-        """Returns whether each round ends with the condition of the loop, unless it leaves the loop
-        early.
+        """Returns whether each iteration ends with the condition of the loop. An iteration
+        may also leave the loop early.
 
-        A block that is never executed, such as the end of an assertion, does not leave the loop.
+        A block that is never executed, such as the end of an assertion, is not an exit of the loop.
         """
         never = {start for start, most in self.counted if most == 0}
 

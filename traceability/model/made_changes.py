@@ -1,4 +1,5 @@
-"""The likely changes that a kit or an extension makes, with the results of their tests."""
+"""The likely changes that a folder of changes/ or an extension makes, with the results of their
+tests."""
 
 from __future__ import annotations
 
@@ -15,7 +16,7 @@ def made(
     record: KitRecord | None,
     examples: Mapping[str, list[str]],
 ) -> dict[str, MadeChange]:
-    """Returns for each application the change that was made."""
+    """Returns the change that was made for each application."""
     return {
         name: _made(model, kit, record, kit.classes or examples.get(name, []))
         for name, kit in kits.items()
@@ -78,7 +79,7 @@ def proven(change: MadeChange | None) -> bool:
 
 def unproven(change: MadeChange) -> str:
     """Returns the reason why a change is not proven. The reason is empty when all tests of the
-    change passed in this build, with at least one test on each target.
+    change passed in this build and each target has at least one test.
     """
     results = {test.result for test in change.tests}
     missing = sorted({HOST, VIRTUAL_K64} - {test.target for test in change.tests})
@@ -86,4 +87,4 @@ def unproven(change: MadeChange) -> str:
         return f"{failed[0]} did not pass"
     if None in results:
         return "its tests did not run with the present sources: run ./wr test"
-    return f"it has no test on this target: {', '.join(missing)}" if missing else ""
+    return f"the change has no test on this target: {', '.join(missing)}" if missing else ""

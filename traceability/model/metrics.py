@@ -27,7 +27,7 @@ from traceability.schema import HOST, Clause, Proofs, Requirement, SafetyCase
 from traceability.sources import file_hash, files_below
 
 METHODS = ("test", "analysis", "measurement", "inspection")  # methods of verification
-OF_OTHER_STEPS = (  # metrics that are null before a step measures them
+OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("coverage.line", "coverage.branch", "firmware.flash_bytes"),
     *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
     *("bench.scenarios", "bench.image_sha256", "sim.real_time_factor"),
@@ -60,7 +60,8 @@ def read_measured(root: Path, model: Model) -> dict[str, Any]:
 
 
 def sizes(root: Path) -> dict[str, int]:
-    """Returns the lines of the Python tools, of their tests, and of the tables of the design."""
+    """Returns the number of lines of the Python tools, of their tests, and of the tables of the
+    design."""
     parts = {
         "tools.python_lines": (("traceability", "site", "tools"), ".py"),
         "tools.python_test_lines": (("tests/python",), ".py"),
@@ -73,7 +74,8 @@ def sizes(root: Path) -> dict[str, int]:
 
 
 def changes(model: Model) -> dict[str, Any]:
-    """Returns the likely changes that were made, once their tests ran with the present sources."""
+    """Returns the number of likely changes that were made, if their tests ran with the present
+    sources."""
     made = [change.made for change in model.changes.values()]
     ran = all(test.result for change in made if change for test in change.tests)
     return {"changes.proven": sum(map(proven, made))} if ran else {}
@@ -88,7 +90,8 @@ def coverage(root: Path) -> dict[str, Any]:
 
 
 def drift(model: Model) -> dict[str, Any]:
-    """Returns the seeded faults, when they were seeded in the present state of the project."""
+    """Returns the numbers of the seeded faults, if the faults were seeded in the present state of
+    the project."""
     if model.outcomes is None:
         return {}
     return {
@@ -98,7 +101,7 @@ def drift(model: Model) -> dict[str, Any]:
 
 
 def image(root: Path) -> dict[str, Any]:
-    """Returns the bytes of the image, when it was built from the present sources."""
+    """Returns the bytes of the image, if the present sources built the image."""
     record = read_image(root)
     if record is None:
         return {}
@@ -106,7 +109,8 @@ def image(root: Path) -> dict[str, Any]:
 
 
 def forbidden(model: Model) -> dict[str, Any]:
-    """Counts forbidden features of the images, and modules that do not belong to the product."""
+    """Counts the forbidden features of the images, and the modules that do not belong to their
+    product."""
     products = model.products
     if products is None:
         return {}
@@ -198,8 +202,8 @@ def recorded_metric(proofs: Proofs) -> dict[str, Any]:
 
 
 def _proven_times(model: Model) -> dict[str, Any]:
-    """Returns the bounds with noise and of the paths, and the ratios of the bounds to the longest
-    runs.
+    """Returns the bounds with noise, the bounds of the paths, and the ratios of the bounds to the
+    longest runs.
     """
     proof = model.times if model.times and model.times.proven else None
     drives = model.campaigns.get(LOADS)
@@ -246,8 +250,8 @@ def safety(case: SafetyCase, report: Report, *, fresh: bool) -> dict[str, Any]:
 
 
 def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
-    """Returns the verification of each requirement, and the number of requirements that a person
-    has reviewed.
+    """Returns the number of requirements for each method of verification, and the number of
+    requirements that a person has reviewed.
     """
     listed = list(requirements)
     counts = Counter(item.method for item in listed)
@@ -259,6 +263,6 @@ def methods(requirements: Iterable[Requirement]) -> dict[str, Any]:
 
 
 def _executed(files: Mapping[str, dict[int, bool]] | None) -> float | None:
-    """Returns the share of the executed lines in per cent, with one digit."""
+    """Returns the share of executed lines in per cent, with one decimal place."""
     hits = [hit for lines in (files or {}).values() for hit in lines.values()]
     return round(100 * sum(hits) / len(hits), 1) if hits else None

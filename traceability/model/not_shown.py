@@ -1,4 +1,4 @@
-"""The limits of a build's evidence, so that no page claims more than was done."""
+"""The limits of a build's evidence. With them, no page claims more than was done."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class NotShown:
     """A limit of this build, and the page with the details."""
 
     text: str
-    page: str  # id of the navigation
+    page: str  # id of the page in the navigation
 
 
 def not_shown(model: Model, report: Report) -> list[NotShown]:
@@ -45,7 +45,7 @@ def not_shown(model: Model, report: Report) -> list[NotShown]:
 
 
 def by_method(model: Model, report: Report) -> str:
-    """Returns the methods of verification, in words."""
+    """Returns the number of verified requirements for each method of verification, in words."""
     words = {"test": "by tests", "analysis": "by analysis", "measurement": "by measurement"}
     states = report.requirements
     counts = {
@@ -89,19 +89,21 @@ def _verdicts(model: Model, report: Report) -> Iterator[tuple[str, str]]:
     partly = [requirement.id for requirement in requirements if requirement.partly]
     if partly:
         yield (
-            f"Partly verified requirements, whose pages give the reason: {', '.join(partly)}.",
+            "These requirements are only partly verified, and their pages state the reason: "
+            f"{', '.join(partly)}.",
             "requirements",
         )
     goals = [name for name, verdict in report.goals.items() if verdict.state != "verified"]
     if goals:
-        yield f"Safety goals that are not verified: {', '.join(goals)}.", "safety"
+        yield f"These safety goals are not verified: {', '.join(goals)}.", "safety"
     short = sum(
         requirement.tree is not None and len(nodes_of(requirement.tree)) == 1
         for requirement in requirements
     )
     if short:
         yield (
-            f"{_count(short, 'tree')} of one node show that a method ran, but no sequence.",
+            f"{_count(short, 'tree')} of one node show that a method ran, but show no sequence of "
+            "calls.",
             "trees",
         )
 
@@ -116,8 +118,8 @@ def _targets(model: Model, requirements: list[Requirement]) -> Iterator[tuple[st
     only_host = sum(targets == {HOST} for targets in passed.values())
     if only_host:
         yield (
-            f"The tests of {_count(only_host, 'requirement')} run on the host only, "
-            f"not on the {VIRTUAL_K64}.",
+            f"The tests of {_count(only_host, 'requirement')} run only on the host, and not on the "
+            f"{VIRTUAL_K64}.",
             "requirements",
         )
 
@@ -127,14 +129,15 @@ def _times(model: Model) -> Iterator[tuple[str, str]]:
     if slow:
         yield (
             f"The control cycle misses its target in {len(slow)} of "
-            f"{_count(len(PAPER), 'scenario')}: 1/{SHARE} of the paper's time, with a slow flash.",
+            f"{_count(len(PAPER), 'scenario')}. The target is 1/{SHARE} of the paper's time, with "
+            "a slow flash.",
             "bench",
         )
 
 
 def _share(model: Model, name: str, paper: Paper) -> float:
-    """Returns the average or the longest measured time relative to its target, whichever is
-    worse.
+    """Returns the ratio of the measured time to its target. It is the greater of the ratios of the
+    average and of the longest time.
     """
     measured = (model.bench or {}).get(name)
     if measured is None:
@@ -147,7 +150,7 @@ def _proofs(model: Model) -> Iterator[tuple[str, str]]:
     recorded = model.proofs.recorded
     if recorded:
         yield (
-            f"This build did not repeat {_count(len(recorded), 'proof')} of the state machines: a "
+            f"This build did not repeat {_count(len(recorded), 'proof')} of the state machines. A "
             f"run at commit {recorded[0].recorded[:7]} proved the same models.",
             "proofs",
         )

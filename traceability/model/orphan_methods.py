@@ -9,13 +9,14 @@ from traceability.model.design_model import Model
 from traceability.reading.traces import nodes_of
 from traceability.schema import Justified, Method, Module, Test
 
-JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # the checks compare these entries with the code
+JUSTIFIED_BY_CHECKS = ("uncalled", "loop")  # The checks compare these entries with the code.
 
 
 def serving_methods(model: Model) -> set[str]:
-    """Returns the methods that are tagged with a requirement or are in a tree, and related methods.
+    """Returns the methods that serve a requirement. They have a tag, are in a tree, or are related
+    to such a method.
 
-    An operation of an abstraction serves the requirements of the methods that override it; a
+    An operation of an abstraction serves the requirements of the methods that override it. A
     constructor serves the requirements of its module.
     """
     methods = {item.id: item for module in model.modules.values() for item in module.methods}

@@ -1,4 +1,4 @@
-"""The price of each application of a pattern: the virtual calls that the image still has."""
+"""The cost of each application of a pattern: the virtual calls that remain in the image."""
 
 from __future__ import annotations
 
@@ -16,16 +16,18 @@ from traceability.schema import PatternPrice, Place
 
 SCENARIO = "steps_and_steering"
 MEASURED = Path("build/bench") / f"{PRODUCT}-{SCENARIO}-{MANUAL}.json"
-OF_A_CALL = 3  # instructions: load the table, load its entry, branch
-BYTES_OF_A_CALL = 6  # bytes of these instructions, in their short forms
+# A virtual call has these additional instructions: load the table, load its entry, and branch.
+OF_A_CALL = 3
+BYTES_OF_A_CALL = 6  # bytes of these instructions in their short forms
 
-Site = tuple[int, set[str]]  # address of the call, and the classes that it can reach
+Site = tuple[int, set[str]]  # address of the call -> the classes that the call can reach
 
 
 def prices(
     root: Path, model: Model, facts: Facts, image: ImageCode | None
 ) -> dict[str, PatternPrice]:
-    """Returns the price of each application; empty if the bench has not run with these sources."""
+    """Returns the cost of each application. The result is empty if the bench has not run with the
+    present sources."""
     measured = read_json(root / MEASURED)
     if image is None or model.bench is None or not isinstance(measured, dict):
         return {}

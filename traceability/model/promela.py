@@ -1,8 +1,8 @@
-"""The state machines of the design as Promela, the language of the model checker Spin.
+"""The state machines of the design in Promela, the language of the model checker Spin.
 
-Each machine of ``design/fsm`` becomes a variable for its state, and a step that executes the first
-transition at an event whose guard is true. The guards are inputs: ``design/proofs/robot.pml`` sets
-the guards, calls the steps and reads the actions.
+Each machine of ``design/fsm`` becomes a variable for its state, and a step. At an event, the step
+executes the first transition whose guard is true. The guards are inputs:
+``design/proofs/robot.pml`` sets the guards, calls the steps and reads the actions.
 """
 
 from __future__ import annotations
@@ -20,13 +20,16 @@ HEAD = """\
 // Generated from design/fsm. Event 0 sets the initial state.
 #define machine_reset 0
 """
-OBSERVED, OBSERVED_END = "// ---- observed", "// ---- environment"  # lines around the variables
+OBSERVED, OBSERVED_END = (
+    "// ---- observed",
+    "// ---- environment",
+)  # the lines before and after the variables
 WORD = re.compile(r"[a-z_]\w*")
 SIGNS = {"<": " below ", ">": " above ", "=": " is "}
 
 
 def slug(text: str) -> str:
-    """Returns a text as a part of a name."""
+    """Returns a text in a form that can be a part of a name."""
     for sign, word in SIGNS.items():
         text = text.replace(sign, word)
     return re.sub(r"\W+", "_", text).strip("_")
@@ -37,7 +40,7 @@ def name_of(machine: StateMachine) -> str:
 
 
 def guards_of(machine: StateMachine) -> list[str]:
-    """Returns the variables of the guards: the inputs of the process."""
+    """Returns the variables of the guards. They are the inputs of the process."""
     guards = dict.fromkeys(step.guard for step in machine.transitions if step.guard)
     return [f"{name_of(machine)}_if_{slug(guard)}" for guard in guards]
 
@@ -45,8 +48,8 @@ def guards_of(machine: StateMachine) -> list[str]:
 def whole(
     machines: Mapping[str, StateMachine], composition: str, proof: ProofProperty | None = None
 ) -> str:
-    """Returns the model that Spin reads: the machines, the composition, and one property. The state
-    space contains no observing variables that the property does not need.
+    """Returns the model that Spin reads: the machines, the composition and one property. An
+    observing variable that the property does not need is not in the state space.
     """
     claim = f"ltl {proof.name} {{ {' '.join(proof.formula.split())} }}\n" if proof else ""
     text = without(composition, proof.formula) if proof else composition
@@ -54,7 +57,7 @@ def whole(
 
 
 def observed(composition: str) -> dict[str, set[str]]:
-    """Returns each observed name, and the variables that determine its value."""
+    """Returns each observed name with the variables that determine its value."""
     body = composition.partition("inline observe() {")[2].partition("\n}")[0]
     values = re.findall(r"^    (\w+) = ([^;]+);", body, re.MULTILINE)
     return {name: set(WORD.findall(value)) for name, value in values}
@@ -113,7 +116,7 @@ def _grouped(machine: StateMachine) -> dict[tuple[str, str], list[Transition]]:
 
 
 def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list[str]:
-    """Returns the transitions of a state at an event: the guards are evaluated from top to
+    """Returns the transitions of a state at an event. Their guards are evaluated from top to
     bottom.
     """
     name, first = name_of(machine), steps[0]
@@ -136,7 +139,7 @@ def _choice(machine: StateMachine, steps: list[Transition], indent: str) -> list
 
 
 def proofs_of(root: Path, declared: Declared) -> Proofs:
-    """Returns the properties, with their results and the model for which they are proven."""
+    """Returns the properties, with their results and with the model that the proof is valid for."""
     path = root / COMPOSITION
     if not path.exists():
         return Proofs()

@@ -1,4 +1,4 @@
-"""The report: the results of this run. They are never written back into the model."""
+"""The report: the results of this run. No step writes them into the model."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from traceability.schema import Clause, Finding
 
 @dataclass(frozen=True)
 class Verdict:
-    """The state of a requirement or of a safety goal, and the reason why it is not verified.
+    """The state of a requirement or of a safety goal, with the reason why it is not verified.
 
-    A requirement: "verified", "partly", "suspect", "failed", "stale" or "unverified". A goal:
-    "verified", "open" or "failed".
+    The state of a requirement is "verified", "partly", "suspect", "failed", "stale" or
+    "unverified". The state of a goal is "verified", "open" or "failed".
     """
 
     state: str
@@ -22,7 +22,8 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Report:
-    """Findings, verdicts and measured values, each by the id or name of its subject."""
+    """The findings, verdicts and measured values of a run, each by the id or name of its
+    subject."""
 
     findings: Sequence[Finding] = ()
     requirements: Mapping[str, Verdict] = field(default_factory=dict)
@@ -30,4 +31,6 @@ class Report:
     # Fault scenario -> "verified", "failed", "stale" or "unverified".
     scenarios: Mapping[str, str] = field(default_factory=dict)
     clauses: Mapping[str, Sequence[Clause]] = field(default_factory=dict)  # application -> clauses
-    measured: Mapping[str, float | None] = field(default_factory=dict)  # by metric of an evidence
+    measured: Mapping[str, float | None] = field(
+        default_factory=dict
+    )  # key: the metric of an evidence

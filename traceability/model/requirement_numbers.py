@@ -1,4 +1,5 @@
-"""The numbers with a unit in requirements, and the constants of the code with these numbers."""
+"""The numbers with a unit in requirements, and the constants of the code that have these
+numbers."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from traceability.reading.ast_facts import ConstantFact
 
 _ELEVEN = "two three four five six seven eight nine ten eleven twelve"
 WORDS = {word: number for number, word in enumerate(_ELEVEN.split(" "), 2)}
-# Unit -> its quantity, and its factor to the unit of comparison.
+# Unit -> its quantity, and its factor to the unit in which quantities are compared.
 UNITS = {
     "us": ("time", Fraction(1)),
     "ms": ("time", Fraction(1000)),
@@ -47,12 +48,12 @@ _STATED = re.compile(
 
 @dataclass(frozen=True)
 class Quantity:
-    kind: str  # "" of a plain number
+    kind: str  # "" for a plain number
     amount: Fraction
 
 
 def stated_numbers(text: str) -> dict[str, Quantity]:
-    """Returns each number with a unit in a text, as in ``200 ms``."""
+    """Returns each number with a unit in a text, such as ``200 ms``."""
     quantities: dict[str, Quantity] = {}
     for match in _STATED.finditer(re.sub(r"\s+", " ", text)):
         unit = match["unit"] or match["later"]
@@ -69,7 +70,8 @@ def quantity_of(constant: ConstantFact) -> Quantity:
 
 
 def is_same(stated: Quantity, constant: Quantity) -> bool:
-    """Compares two quantities. A constant without a unit has the unit of the text."""
+    """Returns whether two quantities are equal. A constant without a unit has the unit of the
+    text."""
     if constant.kind:
         return stated == constant
     scales = {scale for kind, scale in UNITS.values() if kind == stated.kind}

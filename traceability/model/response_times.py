@@ -1,7 +1,7 @@
-"""Upper bounds of the response times of the robot: of each interrupt, of the control cycle, and of
-paths from an input to its effect.
+"""Upper bounds of the response times of each interrupt, of the control cycle, and of the paths from
+an input to its effect.
 
-A response time includes each interrupt as often as it can occur before the response.
+A response time includes each interrupt as often as the interrupt can occur before the response.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from traceability.schema import VIRTUAL_K64, ExecutionContext, PathBound, TimeBo
 from traceability.schema import Place as SourcePlace
 
 DECLARED_IN = Path("design/times.toml")
-# cycles of the hardware for an interrupt, including the change to the next interrupt
+# cycles that the hardware needs for an interrupt, including the change to the next interrupt
 ENTRY_AND_EXIT = 12 + 10 + 6
 # following one
 RETRY = 12  # cycles of a loop with LDREX and STREX, which an interrupt can repeat
@@ -40,8 +40,8 @@ NANOSECONDS = 1_000_000  # nanoseconds in a millisecond
 def prove_times(
     root: Path, model: Model, facts: Facts, image: ImageCode | None
 ) -> TimeProof | None:
-    """Returns the bounds of the image of the robot; nothing when it was not built from these
-    sources.
+    """Returns the bounds of the image of the robot. Returns nothing if the present sources did not
+    build the image.
     """
     if image is None or not (root / DECLARED_IN).exists():
         return None
@@ -111,7 +111,7 @@ def declared_times(
 def _flows(
     declared: Iterable[Mapping[str, Any]], bounds: Bounds
 ) -> tuple[dict[str, list[Inequality]], list[str]]:
-    """Returns the facts about each method, and the methods with a fact that cannot be read."""
+    """Returns the facts about each method, and the methods for which a fact cannot be read."""
     flows: dict[str, list[Inequality]] = {}
     wrong = []
     for entry in declared:
@@ -130,14 +130,14 @@ def _of_context(
     arrivals: Mapping[str, Mapping[str, Any]],
     activations: Iterable[Iterable[str]],
 ) -> TimeBound | None:
-    """Returns the sum over the handlers of a thread, which all run in a cycle; else the longest
-    handler.
+    """Returns the bound of a context. For a thread, this is the sum over its handlers, because all
+    of them run in a cycle. For an interrupt, it is the longest handler.
 
     Each activation of a cycle names the methods that it does not call.
     """
     arrival = arrivals.get(context.id)
     if arrival and not arrival["entries"]:
-        return None  # the handler ends the firmware
+        return None  # The handler ends the firmware.
     handlers = [handler for handler in context.handlers if handler in times.codes]
     cycles = []
     for without in activations:
@@ -160,7 +160,7 @@ def _of_context(
 
 
 def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
-    """Returns the contexts, each interrupt with its response time: from its request to the end of
+    """Returns the contexts. Each interrupt has its response time, from its request to the end of
     its handler. The time includes all work of the same and of higher priorities in between.
     """
     all_bounds = list(contexts)
@@ -174,8 +174,8 @@ def with_responses(contexts: Iterable[TimeBound]) -> list[TimeBound]:
 
 
 def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
-    """Returns cycles from the clock pulse to the end of the main thread, with all interrupts in
-    this time.
+    """Returns the cycles from the clock pulse to the end of the main thread, including all
+    interrupts in this time.
     """
     all_bounds = list(contexts)
     own = sum(bound.cycles for bound in all_bounds if bound.entries is None)
@@ -184,7 +184,7 @@ def cycle_response(contexts: Iterable[TimeBound], *, noise: bool) -> float:
 
 
 def _waits(contexts: Sequence[TimeBound], *, noise: bool) -> dict[str, float]:
-    """Returns the cycles for which an interrupt of each context may wait for its handler."""
+    """Returns for each interrupt the longest time that it may wait for its handler [cycle]."""
     waits: dict[str, float] = {bound.context: 0 for bound in contexts if bound.entries is not None}
     for _ in range(MOST_ROUNDS):
         now = {
@@ -213,7 +213,7 @@ def _response(
     own = bound.cycles + sum(other.cycles for other in above if other.entries is None)
     interrupts = [other for other in above if other.entries is not None]
     if noise and bound.context == TICK_TIMER:
-        # No input gets more edges before the handler of the tick permits them.
+        # Until the handler of the tick runs, no input gets more edges than this.
         limited = [other for other in interrupts if other.noise is not None]
         own += sum((other.noise or 0) * (other.cycles + RETRY) for other in limited)
         interrupts = [other for other in interrupts if other.noise is None]
@@ -223,8 +223,8 @@ def _response(
 def _busy(
     own: int, interrupts: Sequence[TimeBound], waits: Mapping[str, float], *, noise: bool
 ) -> float:
-    """Returns the cycles until a context has executed a number of its cycles, with all interrupts
-    in this time.
+    """Returns the time that a context needs for a number of its own cycles, including all
+    interrupts in this time [cycle].
     """
     cycles = own
     for _ in range(MOST_ROUNDS):
@@ -238,7 +238,8 @@ def _busy(
 
 
 def _entries(bound: TimeBound, cycles: float, waits: Mapping[str, float], *, noise: bool) -> int:
-    """Returns the entries of an interrupt in a time, including requests that wait at its beginning.
+    """Returns the entries of an interrupt in a time. Requests that wait at its beginning are
+    included.
 
     With noise, an input can have new edges after each tick in this time. The handler of the first
     edge may be late.
@@ -257,8 +258,8 @@ def _paths(
     cycle_ms: float,
     bounds: Bounds,
 ) -> list[PathBound]:
-    """Returns the paths from an input to its effect: the sum of the parts, and the time of a
-    recording.
+    """Returns the paths from an input to its effect. Each path has the sum of its parts and the
+    time of its recording.
     """
     recordings = read_recordings(root) or {}
     chains = {chain.name: chain for chain in declared_chains(root)}
@@ -293,7 +294,7 @@ def _seen_of(chain: Chain, recording: Any) -> float | None:
 
 
 def _seen(root: Path, model: Model) -> float | None:
-    """Returns the longest time to the report, in the runs of the bench and in tests of the image
+    """Returns the longest time to the report in the runs of the bench and in tests of the image
     [ms].
     """
     runs = [run for scenario in (model.bench or {}).values() for run in scenario.runs.values()]

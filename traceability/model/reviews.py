@@ -1,4 +1,4 @@
-"""The changes since the baseline of a requirement, and its reviews.
+"""The changes of the texts of a requirement since its baseline, and its reviews.
 
 The baseline contains a hash of each text on which the verdict of a requirement depends. A different
 hash shows a change. A review is the judgement of a person who wrote none of these texts. Git stores
@@ -52,7 +52,7 @@ BASELINE_HEADING = """\
 REVIEWS_HEADING = """\
 # Reviews by persons other than the authors of the texts. Written by ./wr review ID.
 """
-# The name of each kind of text in messages.
+# The names of the kinds of texts, as messages use them.
 NAMES_OF_TEXTS = {
     "requirement": "its text",
     "tree": "its tree",
@@ -69,7 +69,7 @@ NAMES_OF_TEXTS = {
     "function": "{}",
 }
 KINDS = tuple(NAMES_OF_TEXTS)
-DESIGN = "design"  # replaces the id for texts that belong to no requirement
+DESIGN = "design"  # used instead of an id for texts that belong to no requirement
 OF_DESIGN = ("reason", "facts", "function")
 LINKS = "links"  # requirement -> its texts
 NEEDS: Keys = {
@@ -84,11 +84,11 @@ NEEDS: Keys = {
 }
 DATE = r"\d{4}-[01]\d-[0-3]\d"
 QUESTIONS = {
-    "text": "Is the requirement clear, complete, and free of contradiction with the other "
-    "requirements?",
+    "text": "Is the requirement clear and complete, and does it contradict no other requirement?",
     "reasons": "Are its rationale, source, safety goals and hazards right?",
-    "methods": "Do the specifications and the bodies of its methods do what it demands?",
-    "tree": "Does the tree show the calls that matter, in the right order?",
+    "methods": "Do the specifications and the bodies of its methods do what the requirement "
+    "demands?",
+    "tree": "Does the tree show the important calls in the right order?",
     "tests": "Would the tests fail if the requirement were not met, on each side of each limit?",
     "oracles": (
         "Are fixtures, expected values and scenarios right, according to a source outside the code?"
@@ -100,7 +100,8 @@ LEAST_REMARK = 20  # characters
 
 @dataclass(frozen=True)
 class LinkText:
-    """A text on which a link of a requirement depends. Its place has the last line, if known."""
+    """A text on which a link of a requirement depends. The last line of its place is set if it is
+    known."""
 
     kind: str  # see NAMES_OF_TEXTS
     name: str
@@ -125,7 +126,7 @@ class LinkTexts:
         self.support = SupportFiles(facts.root)
 
     def of(self, requirement: Requirement) -> list[LinkText]:
-        """Returns all texts of a requirement, as they are now."""
+        """Returns all present texts of a requirement."""
         return [
             *self._own(requirement),
             *(text for name in requirement.goals for text in self._goal(name)),
@@ -152,7 +153,7 @@ class LinkTexts:
         ]
 
     def _uncovered(self, covered: set[str]) -> Iterator[tuple[Place, int, str]]:
-        """Yields place, last line, and name with text of each body and specification."""
+        """Yields the place, the last line, the name and the text of each body and specification."""
         for body in self.facts.syntax.bodies:
             own = body.place.file.startswith(tuple(f"{top}/" for top in SOURCES))
             if own and f"body {body.id}" not in covered:
@@ -267,7 +268,8 @@ class LinkTexts:
 
 
 def _effect(machine: StateMachine, step: Transition) -> str:
-    """Returns guard and action of a transition, with their conditions and calls in the code."""
+    """Returns the guard and the action of a transition, with their conditions and calls in the
+    code."""
     conditions = machine.guards.get(step.guard or step.event, ())
     called = machine.actions.get(step.action, ())
     return f"{step.guard} = {', '.join(conditions)} / {step.action} = {', '.join(called)}"
@@ -281,7 +283,7 @@ def _offset(text: str, line: int) -> int:
 
 
 def state_of(texts: Iterable[LinkText]) -> str:
-    """Returns a hash of all texts. A review is valid as long as the hash does not change."""
+    """Returns a hash of all texts. A review is valid until this hash changes."""
     return hash_of_text(" ".join(sorted(f"{text.kind} {text.name} {text.hash}" for text in texts)))
 
 
@@ -295,7 +297,8 @@ def read_baseline(root: Path, entries: Entries | None = None) -> Baseline:
 
 
 def write_baseline(root: Path, texts: Mapping[str, list[LinkText]], ids: Iterable[str]) -> None:
-    """Replaces the texts of some requirements, and keeps the texts of the other ids."""
+    """Replaces the texts of some requirements in the baseline. The texts of the other requirements
+    remain."""
     before = read_baseline(root)
     links = {name: before.links[name] for name in (*ids, DESIGN) if name in before.links}
     links |= {name: [text.key for text in listed] for name, listed in texts.items()}
@@ -331,7 +334,7 @@ def read_reviews(root: Path, entries: Entries | None = None) -> list[Review]:
 
 
 def add_review(root: Path, review: Review) -> None:
-    """Appends a review."""
+    """Appends a review to the file of reviews."""
     path = root / REVIEWS
     before = path.read_text(encoding="utf-8") if path.exists() else REVIEWS_HEADING
     keys = [name for name in NEEDS if name != "answers"]
@@ -347,9 +350,9 @@ def _order(name: str) -> tuple[str, int]:
 
 
 def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterator[str]:
-    """Yields the reason why a record is not a valid review of these texts."""
+    """Yields the reasons why a record is not a valid review of these texts."""
     if len(review.reviewer.split()) < 2 or "@" not in review.email:
-        yield "a review needs the first and the last name of a person, and an address"
+        yield "a review needs the first and last name of a person, and an address"
     if len(review.remark.strip()) < LEAST_REMARK:
         yield f"a review needs a remark of at least {LEAST_REMARK} characters"
     for question in QUESTIONS:
@@ -364,8 +367,7 @@ def objections(root: Path, review: Review, texts: Iterable[LinkText]) -> Iterato
 
 
 def authors(root: Path, place: Place) -> set[str]:
-    """Returns names and addresses of the authors of the lines in lower case, as git records
-    them."""
+    """Returns the names and addresses, in lower case, that git records as authors of the lines."""
     lines = ["-L", f"{place.line},{place.end}"] if place.end else []
     command = ["git", "-C", str(root), "blame", "-w", "--line-porcelain", *lines, "--", place.file]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -400,7 +402,7 @@ def with_reviews(model: Model, facts: Facts) -> Model:
 
 
 def judged(root: Path, review: Review, texts: list[LinkText]) -> Review:
-    """Returns a record, and whether it is a valid review."""
+    """Returns a record, with the result whether it is a valid review."""
     current = review.state == state_of(texts)
     return replace(review, current=current, objections=list(objections(root, review, texts)))
 
@@ -422,7 +424,7 @@ def suspicions(
 
 def _removed(kind: str, name: str, requirement: Requirement, model: Model) -> tuple[Place, str]:
     """Returns the earlier place of a text, and the reason why the requirement no longer depends on
-    it.
+    the text.
     """
     module = model.modules.get(name.split("::", maxsplit=1)[0])
     methods = [text for text in module.methods if text.id == name] if module else []
@@ -450,7 +452,8 @@ def _changed(
 def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> Iterator[Suspicion]:
     """Yields the texts without a requirement that differ from the baseline.
 
-    A text that a requirement has gained or lost is a finding of the requirement.
+    If a text now belongs to a requirement, or belonged to one before, the check of the requirement
+    reports it.
     """
     linked = set(baseline.links[DESIGN])
     if not linked and texts:
@@ -468,6 +471,7 @@ def _of_design(baseline: Baseline, texts: list[LinkText], covered: set[str]) -> 
 
 
 def _is_in(keys: Container[str], name: str) -> bool:
-    """Returns whether the body, the specification or the constants of this name are in the keys."""
+    """Returns whether the keys contain the body, the specification or the constants of this
+    name."""
     code, _, file = name.rpartition(" in ")
     return any(key in keys for key in (f"body {code}", f"method {code}", f"constants {file}"))

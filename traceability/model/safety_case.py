@@ -1,4 +1,4 @@
-"""Adds the safety case to the model, and computes the verdicts of its goals in this run."""
+"""The safety case of the model, and the verdicts of its goals in this run."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ from traceability.schema import (
 
 
 def safety_of(model: Model, facts: Facts) -> SafetyCase:
-    """Returns the case with the tests that play its scenarios, and the counts of git. A
-    parameterised test that names the folder may play each scenario in it. Its results show the
-    played scenarios."""
+    """Returns the case with the tests that play its scenarios, and with the counts of git. A
+    parameterised test that names the folder may play each scenario in the folder. Its results show
+    the scenarios that it played."""
     case = facts.declared.safety
     if not case.goals:
         return case
@@ -49,13 +49,15 @@ def safety_of(model: Model, facts: Facts) -> SafetyCase:
 
 
 def _playing(path: Path) -> str:
-    """Returns the text of a file of tests that may play scenarios; empty for another file."""
+    """Returns the text of a file of tests that may play scenarios. The text is empty for another
+    file."""
     text = path.read_text(encoding="utf-8") if path.exists() else ""
     return text if "scenario" in text.lower() else ""
 
 
 def plays(scenario: str, case: str, body: str, runs: Iterable[str]) -> bool:
-    """Returns whether a test names a scenario in its body, or has a test instance with its name."""
+    """Returns whether the body of a test names a scenario, or whether an instance of the test has
+    its name."""
     named = re.search(rf'"(?:[\w/.]*/)?{re.escape(scenario)}(?:\.scenario)?"', body)
     return named is not None or any(run.endswith(f".{case}_{scenario}") for run in runs)
 
@@ -102,8 +104,8 @@ def scenario_state(model: Model, scenario: FaultScenario) -> str:
 
 
 def own_result(scenario: FaultScenario, test: Test, run: BindingResult) -> str | None:
-    """Returns the result of the test instance that plays a scenario, or of the whole test if no
-    instance plays it.
+    """Returns the result of the test instance that plays a scenario. If no instance plays it,
+    returns the result of the whole test.
     """
     end = f".{test.name}_{scenario.name}"
     own = [result for name, result in run.instances.items() if name.endswith(end)]
@@ -136,6 +138,6 @@ def _reasons(model: Model, goal: SafetyGoal, states: Mapping[str, str]) -> Itera
 STATES = {
     "failed": "failed",
     "stale": "verified by results that are older than the sources",
-    "suspect": "suspect: a text of its verdict changed since the baseline",
+    "suspect": "suspect: a text on which its verdict depends changed since the baseline",
     "unverified": "not verified in this run",
 }

@@ -1,9 +1,9 @@
 """The largest stack use of the image, computed from all calls of functions that a context may
 execute.
 
-Frames and calls are read from the reports of the compiler. An indirect call reaches the methods of
-the objects that the builders passed, according to the model. A chain of decorators passes once
-through each Concrete Decorator of its application; no other method occurs twice in a chain.
+The reports of the compiler contain the frames and the calls. An indirect call reaches the methods
+of the objects that the builders passed, according to the model. A chain of decorators passes once
+through each Concrete Decorator of its application. No other method occurs twice in a chain.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from traceability.schema import Place, StackCall, StackContext, StackProof
 
 DECLARED = Path("design/stack.toml")
 RUN_OF_THREAD = "ControlThread::run"
-# ARMv7-M ARM, B1.5.6: the frame that the hardware stores at an entry, and a word for its alignment.
+# ARMv7-M ARM, B1.5.6: the frame that the hardware stores at an entry, and one word that aligns it.
 FRAME = 32 + 4
 FRAME_WITH_FLOATS = 104 + 4
 
@@ -37,10 +37,12 @@ FRAME_WITH_FLOATS = 104 + 4
 @dataclass
 class Declared:
     faults: list[str] = field(default_factory=list)
-    calls: dict[str, str] = field(default_factory=dict)  # function -> pattern of symbols
-    # Class of a chain -> number of its objects.
+    calls: dict[str, str] = field(
+        default_factory=dict
+    )  # function -> pattern of the symbols that it calls
+    # Class of a chain of objects -> number of its objects.
     entries: dict[str, int] = field(default_factory=dict)
-    # Class of a chain of known order -> the classes that its object wraps.
+    # Class of a chain with a known order -> the classes of the objects that its object wraps.
     inner: dict[str, frozenset[str]] = field(default_factory=dict)
 
 
@@ -65,8 +67,8 @@ def read_declared(root: Path) -> Declared:
 
 
 def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> StackProof | None:
-    """Returns the proof for the image of the robot; nothing when it was not built from these
-    sources.
+    """Returns the proof for the image of the robot. Returns nothing if the present sources did not
+    build the image.
     """
     if image is None or not model.contexts:
         return None
@@ -78,7 +80,7 @@ def prove(root: Path, model: Model, facts: Facts, image: ImageCode | None) -> St
 
 
 def most_entries(model: Model, declared: Declared) -> dict[str, int]:
-    """Returns the maximum number of nested calls of each method of a chain of objects."""
+    """Returns the greatest number of nested calls of each method of a chain of objects."""
     entries = {
         method.id: most
         for name, most in declared.entries.items()
@@ -121,7 +123,7 @@ class Prover:
         self.unresolved: list[tuple[str, Place]] = []
         self.cycles: list[list[str]] = []
         self.untold: list[str] = []
-        self.body = ""  # the command of the present thread
+        self.body = ""  # the command that the present thread executes
 
     def prove(self, frame: int) -> StackProof:
         for context in self.model.contexts.values():
@@ -187,7 +189,7 @@ class Prover:
         return cache[key]
 
     def is_full(self, symbol: str, entered: Mapping[str, int]) -> bool:
-        """Returns whether the chain has no further object whose method can be called."""
+        """Returns whether the chain contains no further object whose method could be called."""
         method = short_name(self.graph[symbol].name)
         if method not in self.most:
             return False

@@ -1,8 +1,8 @@
-"""State machines: the changes that the code can make, and the changes that the tests make.
+"""The state machines, with the changes that the code can make and the changes that the tests make.
 
-A machine is declared in ``design/fsm``. Its states are the Concrete States of an application of the
-State pattern. This module finds the changes in the bodies of the states, and in the recorded calls
-of the tests.
+``design/fsm`` declares a machine. Its states are the Concrete States of an application of the State
+pattern. This module finds the changes in the bodies of the states and in the recorded calls of the
+tests.
 """
 
 from __future__ import annotations
@@ -25,18 +25,22 @@ class Change:
 
     source: str  # name of the state
     operation: str
-    target: str  # "" when the code does not show the state
+    target: str  # "" when the code does not show the new state
     place: Place
-    path: tuple[str, ...]  # methods of the state between its operation and the change
+    path: tuple[
+        str, ...
+    ]  # methods of the state that are called between its operation and the change
     sometimes: bool
     asked: list[str] = field(default_factory=list)  # operands of the conditions before the change
 
 
 @dataclass
 class MachineCode:
-    """A machine, as read from the syntax tree."""
+    """The facts about a machine in the syntax tree."""
 
-    holders: dict[str, str] = field(default_factory=dict)  # Context -> its method that changes
+    holders: dict[str, str] = field(
+        default_factory=dict
+    )  # Context -> its method that changes the state
     # Operations that the Context may call on a state.
     operations: list[str] = field(default_factory=list)
     runs: dict[str, dict[str, str]] = field(default_factory=dict)  # state -> operation -> method
@@ -48,7 +52,7 @@ class MachineCode:
         return [c for c in self.changes if (c.source, c.operation) == (source, operation)]
 
     def stays(self, source: str, operation: str) -> bool:
-        """Returns whether the state can remain when the operation runs."""
+        """Returns whether an operation can end without a change of the state."""
         return all(change.sometimes for change in self.of(source, operation))
 
 
@@ -79,8 +83,8 @@ def read_machine(machine: StateMachine, facts: Facts) -> MachineCode:
 
 
 def _holders(base: str, contexts: list[str], facts: Facts) -> dict[str, str]:
-    """Returns the Contexts with a member that refers to the State, and the method that assigns
-    it.
+    """Returns the Contexts with a member that refers to the State, and the method that assigns this
+    member.
     """
     holders: dict[str, str] = {}
     for context in contexts:
@@ -111,7 +115,7 @@ def _composition(machine: StateMachine, facts: Facts) -> str:
 
 
 class _Changes:
-    """Follows the operations of a state to the changes that they make."""
+    """Finds the changes that the operations of a state make."""
 
     def __init__(
         self,
@@ -128,7 +132,7 @@ class _Changes:
         self.states = machine.states
         self.family = {base, *facts.heirs.get(base, [])}
         methods = set(code.holders.values())
-        # In a template the operation has no class.
+        # In a template, the called operation has no known class.
         self.changers = methods | {
             f"{ANY_CLASS}::{method.rpartition('::')[2]}" for method in methods
         }
@@ -145,8 +149,8 @@ class _Changes:
     def _below(
         self, method: str, path: tuple[str, ...], given: dict[str, list[str]]
     ) -> Iterator[tuple[str, Place, tuple[str, ...], bool, list[str]]]:
-        """Yields the changes, each with target, place, path, whether it is conditional, and its
-        conditions.
+        """Yields the changes. Each change has its target, its place, its path, whether it is
+        conditional, and its conditions.
         """
         for body in self.references.own_bodies(method):
             for call in body.calls:
@@ -205,7 +209,7 @@ class _Changes:
 
 @dataclass(frozen=True)
 class Seen:
-    """A change, or a call without a change, in a recorded test."""
+    """A change in a recorded test, or a call that made no change."""
 
     source: str
     operation: str
@@ -214,10 +218,10 @@ class Seen:
 
 
 class Watcher:
-    """Follows the state of a Context through the recorded calls of a test.
+    """Finds the states of a Context in the recorded calls of a test.
 
-    Only calls below a method of the Context count, because they are calls of the present state. The
-    state after a change is known when the next call fits only one state.
+    Only calls below a method of the Context count, because they are calls of the present state.
+    After a change, the new state is known as soon as the next call fits only one state.
     """
 
     def __init__(self, code: MachineCode, operations: set[str], family: set[str]) -> None:
@@ -233,7 +237,7 @@ class Watcher:
         self.constructors = {f"{name}::{name}" for name in code.holders}
 
     def known(self) -> list[object]:
-        """Returns the inputs on which the result depends, for the key of the cache."""
+        """Returns the inputs on which the result depends. They are the key of the cache."""
         runners = [(method, sorted(states)) for method, states in sorted(self.runners.items())]
         others = (self.foreign, self.helpers, self.changers, self.constructors)
         return [runners, self.code.runs, self.code.holders, *(sorted(item) for item in others)]
@@ -247,8 +251,8 @@ class Watcher:
         return concerned or method.rpartition("::")[0] in self.code.holders
 
     def watch(self, calls: Iterator[tuple[str, bool]]) -> list[Seen]:
-        """Returns the changes in the calls. Each call is a method, and true for an entry or false
-        for an exit."""
+        """Returns the changes in the calls. Each call is a pair of a method and a truth value,
+        which is true for an entry and false for an exit."""
         run = _Run(self)
         for method, entered in calls:
             if entered:
@@ -259,14 +263,14 @@ class Watcher:
 
 
 class _Run:
-    """The state of the reader of a recording."""
+    """The state of the search at a position of a recording."""
 
     def __init__(self, watcher: Watcher) -> None:
         self.watcher = watcher
         self.found: list[Seen] = []
         self.stack: list[str] = []
-        self.running: int | None = None  # depth of the running operation of a state
-        self.changed: tuple[str, ...] | None = None  # the path to the change
+        self.running: int | None = None  # depth of the state's operation that runs now
+        self.changed: tuple[str, ...] | None = None  # the methods on the path to the change
         self._forget()
 
     def _forget(self) -> None:
@@ -294,8 +298,8 @@ class _Run:
             self.changed = tuple(method for method in between if method in self.watcher.helpers)
 
     def _begin(self, method: str) -> None:
-        """Records that an operation of the present state begins; the operation shows the present
-        state.
+        """Records that an operation of the present state begins. The operation shows which state is
+        the present state.
         """
         states = self.watcher.runners[method]
         if not self.present & states:
@@ -323,7 +327,8 @@ class _Run:
 def machines_of(
     model: Model, facts: Facts, recordings: dict[str, Traces], cache: Path
 ) -> dict[str, StateMachine]:
-    """Returns each transition with its places in the code and the passing tests that show it."""
+    """Returns each transition with its places in the code, and with the passing tests that show
+    it."""
     machines: dict[str, StateMachine] = {}
     for name, machine in facts.declared.machines.items():
         code = read_machine(machine, facts)
@@ -334,7 +339,7 @@ def machines_of(
 
 
 def matching(machine: StateMachine, step: Transition, code: MachineCode) -> list[Change]:
-    """Returns the changes in the code that a transition declares: the first row declares the first
+    """Returns the changes in the code that a transition declares. The first row declares the first
     change.
     """
     operation = machine.events.get(step.event, "")
@@ -391,7 +396,7 @@ def _family(machine: StateMachine, facts: Facts) -> set[str]:
 
 
 def _shown(machine: StateMachine, code: MachineCode, seen: list[tuple[str, Seen]]) -> StateMachine:
-    """Returns the machine with its changes in the code, and the tests that make its transitions."""
+    """Returns the machine with its changes in the code and the tests that make its transitions."""
     changes = [matching(machine, step, code) for step in machine.transitions]
     tests: list[dict[str, None]] = [{} for _ in changes]
     undeclared: dict[str, list[str]] = {}

@@ -1,4 +1,5 @@
-"""The tests, each with its requirements, its result on each target, and its executed modules."""
+"""The tests. Each test has its requirements, its result on each target, and the modules that it
+executed."""
 
 from __future__ import annotations
 
@@ -23,8 +24,8 @@ BOARD_TESTS = "tests/sim/emulator/"
 
 
 def with_tests(model: Model, facts: Facts) -> Model:
-    """Returns each test with its results. A target with tests must have results of these
-    sources.
+    """Returns each test with its results. If a target has tests, it must have results of the
+    present sources.
     """
     results = {binding: read_results(facts.root, binding) for binding in BINDINGS}
     cases = written_tests(facts.root)
@@ -90,8 +91,8 @@ def written_tests(root: Path) -> dict[str, list[Case]]:
 
 
 def with_board_findings(model: Model, facts: Facts) -> Model:
-    """Returns the findings with their tests: the tests of the virtual board whose text contains the
-    id.
+    """Returns the findings with their tests. A test of the virtual board belongs to a finding if
+    the text of the test contains the id.
     """
     making: dict[str, list[str]] = {}
     lines: dict[str, list[str]] = {}

@@ -1,7 +1,7 @@
 """Upper bounds of the execution times of the functions of the image.
 
-The bound of a function is the longest path through its instructions, with the bounds of the
-functions that it calls.
+The bound of a function is the cost of the longest path through its instructions. The cost includes
+the bounds of the functions that it calls.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from traceability.reading.loop_bounds import Bound, Bounds, Place
 from traceability.reading.machine_code import VENEER, Block, Code, Instruction, Loop
 from traceability.schema import Place as SourcePlace
 
-# Functions that never return. A path that calls such a function ends the firmware, and is not part
-# of a bound.
+# Functions that never return. A path that calls such a function ends the firmware, and does not
+# count in a bound.
 ENDS = ("assertionFailed", "endWithFault", "endWithoutClock", "endOfProgram", "__aeabi_idiv0")
 COPIES = ("memcpy", "memmove", "memset")
 UNALIGNED = 2  # additional cycles of an unaligned access
@@ -30,8 +30,8 @@ UNALIGNED = 2  # additional cycles of an unaligned access
 
 @dataclass(frozen=True)
 class Limit:
-    """A limit for the calls of a method below another method. The facts about the other method
-    contain the limit.
+    """A limit for the number of calls of a method below another method. The facts about the other
+    method contain the limit.
     """
 
     method: str
@@ -41,8 +41,8 @@ class Limit:
 
 @dataclass(frozen=True)
 class Spread:
-    """A maximum for the rounds of a method's loop in all calls below another method. The maximum is
-    a number, or a counter of the facts about the other method.
+    """A maximum for the iterations of a method's loop in all calls below another method. The
+    maximum is a number, or a counter of the facts about the other method.
     """
 
     method: str
@@ -58,12 +58,12 @@ class DeclaredFacts:
     once: Sequence[str] = ()  # methods that a function calls once for each object
     limited: Sequence[Limit] = ()
     spread: Sequence[Spread] = ()
-    # facts about a method or a handler
+    # method or handler -> facts about it
     flows: Mapping[str, Sequence[Inequality]] = field(default_factory=dict)
 
 
 class Times:
-    """The bound of each function, including its calls [cycle]."""
+    """The bound of each function, including the functions that it calls [cycle]."""
 
     def __init__(
         self, program: Program, bounds: Bounds, prover: Prover, facts: DeclaredFacts
@@ -73,13 +73,14 @@ class Times:
         self.once = frozenset(facts.once)
         self.limited = {one.method: one for one in facts.limited}
         self.spread = {(one.within, one.method): one for one in facts.spread}
-        # methods with facts whose bounds are being computed
+        # methods with facts that are on the present path of calls
         self.inside: frozenset[str] = frozenset()
         self.without: frozenset[str] = frozenset()  # methods that this activation does not call
         self.flows = facts.flows
-        self.rounds: int | None = None  # rounds of the loops of a method in ``spread``
+        self.rounds: int | None = None  # iterations of the loops of a method in ``spread``
         self.known: dict[tuple[object, ...], int] = {}
-        # The longest path of a function, by the costs of its blocks and of its counted calls.
+        # The cost of the longest path of a function. The key contains the costs of its blocks and
+        # of its counted calls.
         self.paths: dict[tuple[object, ...], int] = {}
         self.copies: dict[tuple[str, int], int] = {}  # function and bytes -> cycles
         self.unbound: set[tuple[str, Place]] = set()  # loops without a bound: function and place
@@ -101,7 +102,7 @@ class Times:
         self.inside |= {within for within, _ in self.spread if within == method}
         key = (symbol, tuple(sorted(entered.items())), self.inside)
         if key not in self.known:
-            self.known[key] = 0  # a cycle of calls is a finding of the stack proof
+            self.known[key] = 0  # The proof of the stack reports a cycle of calls.
             code = self.codes[symbol]
             single: dict[str, int] = {}  # callee -> cycles, for callees that are called once
             cost = {}
@@ -123,9 +124,10 @@ class Times:
         return self.known[key]
 
     def _round(self, spread: Spread) -> tuple[int, int]:
-        """Returns A and B: a call with N rounds needs at most A + N * B cycles. The maximum cost of
-        a call is concave in its number of rounds, because it is the optimum of a linear program.
-        The line through its values at one and at two rounds is therefore an upper bound."""
+        """Returns A and B. A call with N iterations needs at most A + N * B cycles. The maximum
+        cost of a call is a concave function of its number of iterations, because it is the optimum
+        of a linear program. The line through its values at one and at two iterations is therefore
+        an upper bound."""
         costs = []
         for rounds in (1, 2):
             self.rounds = rounds
@@ -139,7 +141,7 @@ class Times:
         return 2 * costs[0] - costs[1], costs[1] - costs[0]
 
     def _each(self, method: str) -> int:
-        """Returns the cycles of a call of a method with a limited number of calls."""
+        """Returns the cycles of one call of a method with a limited number of calls."""
         rest = {name: one for name, one in self.limited.items() if name != method}
         self.limited, kept = rest, self.limited
         found = max((self.of(one) for one in self.prover.symbols.get(method, [])), default=0)
@@ -214,8 +216,8 @@ class Times:
         """Returns whether a block only calls a method that the compiler has also inlined at this
         place.
 
-        The compiler compares the target of the call with the method that it expects. When no other
-        method is possible, the call behind the comparison is never executed.
+        The compiled code compares the target of the call with the expected method. If no other
+        method is possible, the call after the comparison is never executed.
         """
         function = self.prover.graph.get(code.symbol)
         for one in block.instructions:
@@ -234,8 +236,8 @@ class Times:
         return False
 
     def _is_inlined(self, code: Code, target: str, way: Sequence[Place]) -> bool:
-        """Returns whether a function contains the code of another function that was inlined at a
-        call. The place of the call and the places of the enclosing inlined functions are compared.
+        """Returns whether a function contains the inlined code of another function at a call. The
+        comparison uses the place of the call and the places of the enclosing inlined functions.
         """
         other = self.codes.get(self._home(target))
         if other is None or other is code:
@@ -254,7 +256,7 @@ class Times:
     def _target(self, symbol: str, entered: Mapping[str, int]) -> int:
         home = self._home(symbol)
         if home in self.prover.graph and short_name(self.prover.graph[home].name) in self.limited:
-            return 0  # the facts about the limiting method count it
+            return 0  # The facts about the limiting method count this call.
         if home not in self.codes or self.prover.is_full(home, entered):
             return 0
         if home in self.prover.graph:
@@ -263,7 +265,7 @@ class Times:
                 return 0
             for within in self.inside:
                 if (within, name) in self.spread:
-                    # Its rounds are counted at their limit.
+                    # The other method counts the iterations up to their limit.
                     return self._round(self.spread[within, name])[0]
         return self.of(home, entered)
 
@@ -313,8 +315,8 @@ class Times:
         return longest or 0
 
     def _facts(self, code: Code, method: str, apart: Iterable[str]) -> list[FlowFact]:
-        """Returns the declared facts about the marked lines of a function, as facts about its
-        blocks.
+        """Returns the declared facts about the marked lines of a function. They are converted to
+        facts about its blocks.
         """
         marked: dict[str, list[list[int | str]]] = {one: [[one]] for one in apart}
         for name, copies in self._marked(code).items():
@@ -337,7 +339,7 @@ class Times:
             if factor > 0:
                 left += [[(start, factor) for start in copy] for copy in copies]
             elif name != ENTRIES:
-                if not copies:  # without its line the fact is unknown
+                if not copies:  # The fact is useless if its line is not in the code.
                     self.unbound.add(
                         (code.symbol, self._place(next(iter(code.blocks))) or ("?", 0))
                     )
@@ -350,10 +352,10 @@ class Times:
             yield FlowFact(factors, most)
 
     def _marked(self, code: Code) -> dict[str, list[list[int | str]]]:
-        """Returns for each counter the blocks of each copy of its line. Each inlined call has a
-        copy.
+        """Returns for each counter the blocks of each copy of its line. Each inlined call has its
+        own copy.
 
-        When the line consists of inlined calls only, the blocks of the calls are returned.
+        If the line consists of inlined calls only, the blocks of these calls are returned.
         """
         found: dict[str, dict[tuple[Place, ...], dict[int, list[int]]]] = {}
         for start, block in code.blocks.items():
@@ -369,14 +371,15 @@ class Times:
         }
 
     def _bound(self, code: Code, loop: Loop, method: str) -> Bound:
-        """Returns the bound of a loop: the bound of the innermost line with a bound, or a bound for
-        all rounds.
+        """Returns the bound of a loop. It is the bound of the innermost line with a bound, or a
+        bound that is valid for all iterations.
         """
         if self.rounds is not None and any(method == name for _, name in self.spread):
             return Bound(self.rounds, False)
         instructions = [one for start in loop.blocks for one in code.blocks[start].instructions]
         if any(one.name.startswith("strex") for one in instructions):
-            # The loop repeats only after an interrupt, whose bound includes the repetition.
+            # The loop repeats only after an interrupt. The bound of the interrupt includes the
+            # repetition.
             return Bound(1, False)
         ways = [
             self.places.get(code.blocks[start].instructions[-1].address, []) for start in loop.back
@@ -409,7 +412,7 @@ class Times:
 
 
 def _stored(code: Code, loop: Loop) -> int:
-    """Returns the bytes that a round of a loop stores."""
+    """Returns the number of bytes that an iteration of a loop stores."""
     return sum(
         1 if one.name.startswith("strb") else 4
         for start in loop.blocks

@@ -1,5 +1,5 @@
-"""Reduces recorded calls to the level of modules. Only calls from a module into another module
-remain.
+"""A summary of recorded calls at the level of modules. Only calls from one module into another
+module remain.
 """
 
 from __future__ import annotations
@@ -7,12 +7,17 @@ from __future__ import annotations
 from traceability.reading.traces import Row
 from traceability.schema import FoldedCall, TreeNode
 
-Edges = dict[tuple[str, str], list[str]]  # module, module -> requirements that declare it
-Folded = tuple[list[str], list[str]]  # the method of each call, requirements that declare it
+Edges = dict[
+    tuple[str, str], list[str]
+]  # calling module and called module -> requirements that declare the call
+Folded = tuple[
+    list[str], list[str]
+]  # the method of each call, and the requirements that declare it
 
 
 def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
-    """Returns the rows where the runs of a tree begin: its root, and the bodies of its threads."""
+    """Returns the rows at which the runs of a tree begin. These rows are its root and the bodies of
+    its threads."""
     return [
         placed[id(node)]
         for node in nodes
@@ -21,12 +26,12 @@ def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:
 
 
 def fold(rows: list[Row], firsts: list[int], edges: Edges) -> list[FoldedCall]:
-    """Returns the calls within some rows, without the calls of interrupts in between."""
+    """Returns the calls within some rows. Calls of interrupts in between are left out."""
     paths: dict[tuple[str, ...], Folded] = {}
     end = 0
     for first in firsts:
         if first < end and rows[first].activation == rows[firsts[0]].activation:
-            continue  # the call is within the previous call
+            continue  # The row is within the rows of a previous call.
         end = max(end, rows[first].end)
         _fold_one(rows, first, edges, paths)
     numbers = {path: number for number, path in enumerate(paths)}

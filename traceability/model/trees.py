@@ -1,4 +1,4 @@
-"""The trees of invocations: the edges that are possible in the code, and the runs that executed
+"""The trees of invocations, with the edges that are possible in the code and the runs that executed
 them."""
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def _resolved(node: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
-    """Returns the tree. Each node states the targets on which it was found."""
+    """Returns the tree. Each node states the targets on which a recording contains the node."""
     numbers = itertools.count()
 
     def marked(node: TreeNode) -> TreeNode:
@@ -96,8 +96,8 @@ def _executed(tree: TreeNode, furthest: Mapping[str, int]) -> TreeNode:
 
 
 def accepted(node: TreeNode, facts: Facts) -> set[str]:
-    """Returns the methods whose calls match the node: its own method or, if this has no body, the
-    overriding methods.
+    """Returns the methods whose calls match the node. They are its own method, or the overriding
+    methods if its own method has no body.
     """
     if node.resolved is None:
         return set()
@@ -107,7 +107,7 @@ def accepted(node: TreeNode, facts: Facts) -> set[str]:
 
 
 def accepted_on(binding: str, node: TreeNode, facts: Facts) -> set[str]:
-    """Returns the methods that exist on a target: methods of the K64 do not exist on the host."""
+    """Returns the methods that exist on a target. Methods of the K64 do not exist on the host."""
     return {
         method
         for method in accepted(node, facts)
@@ -124,8 +124,8 @@ def _reached(tree: TreeNode, facts: Facts) -> TreeNode:
 
 
 def _below(node: TreeNode, facts: Facts) -> TreeNode:
-    """Returns the node, with the possibility, the number and the order of the calls of its children
-    in the code.
+    """Returns the node with the calls of its children in the code: whether they are possible, how
+    many there are, and their order.
     """
     bodies = _bodies_of(node, facts)
     targets = {
@@ -165,7 +165,7 @@ def _calls_of(body: BodyFact, callees: set[str], facts: Facts) -> list[CallFact]
 
 
 def _often(calls: list[list[CallFact]]) -> str:
-    """Returns the number of times that each body makes its calls: see ``TreeNode.often``."""
+    """Returns the number of calls in each body. The values are those of ``TreeNode.often``."""
     sure = [sum(not call.sometimes for call in own) for own in calls]
     if max(sure) > 1 or any(call.repeated for own in calls for call in own):
         return "*"
@@ -173,7 +173,7 @@ def _often(calls: list[list[CallFact]]) -> str:
 
 
 def _too_early(before: TreeNode, node: TreeNode, bodies: list[BodyFact], facts: Facts) -> str:
-    """Returns the previous node, if the body makes all calls of this node after all calls of the
+    """Returns the previous node if the body makes all calls of this node before the calls of the
     previous node.
 
     A loop over objects of different classes may alternate between their methods.
@@ -194,7 +194,7 @@ def _last(calls: list[CallFact]) -> int:
 
 
 def _is_activated(callees: set[str], facts: Facts) -> bool:
-    """Returns whether a thread executes a body: the body is a command, or a command calls it."""
+    """Returns whether a thread executes a body. The body is a command, or a command calls it."""
     commands = set(facts.overriders.get("Command::execute", []))
     called = {
         target
@@ -230,7 +230,7 @@ class Run:
     binding: str
     traces: Traces
     facts: Facts
-    shown: set[int]  # where the methods of design modules begin
+    shown: set[int]  # addresses of the methods of design modules
     edges: Edges
     read: dict[str, list[Row]] = field(default_factory=dict)
 
@@ -256,7 +256,7 @@ def _passing(model: Model, requirement: Requirement, run: Run) -> dict[str, str]
 
 @dataclass
 class Search:
-    """Looks for a tree in the recordings of the passing tests of its requirement."""
+    """A search for a tree in the recordings of the passing tests of its requirement."""
 
     requirement: str
     tree: TreeNode
@@ -264,7 +264,7 @@ class Search:
     run: Run
 
     def asked(self) -> object:
-        """Returns the inputs on which the result depends, for the key of the cache."""
+        """Returns the inputs on which the result depends. They are the key of the cache."""
         return self.requirement, self.run.binding, self.passing, self._shape(self.tree)
 
     def _shape(self, node: TreeNode) -> object:

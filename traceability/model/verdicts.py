@@ -38,7 +38,7 @@ def requirement_verdict(
 
 
 def _sound_state(requirement: Requirement) -> str:
-    """Returns the state of a requirement with passed tests and met evidence."""
+    """Returns the state of a requirement whose tests passed and whose evidence is met."""
     if requirement.suspicions:
         return "suspect"
     return "partly" if requirement.partly else "verified"

@@ -1,4 +1,4 @@
-"""The parts of the methods of each requirement that its tests executed."""
+"""The parts of each requirement's methods that its tests executed."""
 
 from __future__ import annotations
 
@@ -75,7 +75,8 @@ def lines_of(body: BodyFact, lines: set[int]) -> list[int]:
 
 
 class Owners:
-    """The requirements that a method serves: by a tree, by a tag, or through its callers."""
+    """The requirements that a method serves through a tree, through a tag, or through its
+    callers."""
 
     def __init__(self, model: Model, facts: Facts) -> None:
         self.trees: dict[str, set[str]] = {}
@@ -108,8 +109,8 @@ class Owners:
 
 
 def _line_gaps(model: Model, facts: Facts, coverage: Coverage) -> Iterable[LineGap]:
-    """Returns the lines that no test executes, except lines of the drivers, which have a separate
-    page.
+    """Returns the lines that no test executes. Lines of the drivers are left out, because they have
+    a separate page.
     """
     owners = Owners(model, facts)
     executed: dict[frozenset[str], Covered] = {}

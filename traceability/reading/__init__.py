@@ -1,1 +1,1 @@
-"""Reads sources, comments, declarations and results. It does not judge them."""
+"""The readers of sources, comments, declarations and results. They do not judge what they read."""

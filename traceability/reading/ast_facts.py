@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, fields
 from traceability.reading.flow import FlowFact
 from traceability.schema import Place
 
-ANY_CLASS = "?"  # the class of a call that depends on the parameters of a template
+ANY_CLASS = "?"  # used instead of the class if a call depends on the parameters of a template
 
 
 @dataclass
@@ -19,7 +19,7 @@ class MethodFact:
     access: str
     kind: str
     result: str
-    params: list[tuple[str, str]]  # name, type
+    params: list[tuple[str, str]]  # name and type
     place: Place
     end: int
     virtual: bool = False
@@ -28,15 +28,15 @@ class MethodFact:
     deleted: bool = False
     defaulted: bool = False
     overrides: str | None = None
-    comment: int = 0  # line where its comment begins; 0 without a comment
+    comment: int = 0  # line at which its comment begins; 0 if there is no comment
 
 
 @dataclass
 class FieldFact:
     name: str
     type: str
-    classes: list[str]  # classes of the project in the type
-    refers: bool  # pointer or reference, not a value
+    classes: list[str]  # classes of the project that the type names
+    refers: bool  # a pointer or a reference, and not a value
     static: bool
     place: Place
     access: str = "public"
@@ -49,12 +49,12 @@ class SilentFact:
     """A declaration without a comment, in a header that other files can use."""
 
     name: str
-    place: Place  # end of a variable, because a comment may follow the value
+    place: Place  # end of a variable; its comment may follow the value
 
 
 @dataclass
 class ClassFact:
-    """A class, struct, enum or alias of the project; ``name`` is without the namespace."""
+    """A class, struct, enum or alias of the project. ``name`` is without the namespace."""
 
     name: str
     qualified: str
@@ -62,7 +62,7 @@ class ClassFact:
     place: Place
     end: int
     abstract: bool = False
-    local: bool = False  # declared in an anonymous namespace, or in a function
+    local: bool = False  # declared in an anonymous namespace or in a function
     access: str = "invalid"  # access of a nested class
     bases: list[str] = field(default_factory=list)
     base_places: list[Place] = field(default_factory=list)
@@ -79,13 +79,15 @@ class CallFact:
     virtual: bool
     place: Place
     declared: str = ""  # the file that declares a function outside classes
-    on: list[str] = field(default_factory=list)  # objects on which a method is called, see flow
-    args: list[list[str]] = field(default_factory=list)  # names in each argument
-    # Below a condition, or after a condition with a possible return.
+    on: list[str] = field(default_factory=list)  # objects on which a method is called (see flow)
+    args: list[list[str]] = field(default_factory=list)  # places that each argument names
+    # The call is below a condition, or after a condition that may return.
     sometimes: bool = False
-    repeated: bool = False  # called in a loop
-    end: int = 0  # offset in the file: a call ends after the calls in its arguments
-    asked: list[str] = field(default_factory=list)  # operands of these conditions, see conditions
+    repeated: bool = False  # The call is in a loop.
+    end: int = 0  # Offset in the file. The end of a call is after the calls in its arguments.
+    asked: list[str] = field(
+        default_factory=list
+    )  # operands of the conditions before the call (see conditions)
 
 
 @dataclass
@@ -99,11 +101,13 @@ class BodyFact:
     overrides: str | None = None
     local: bool = False  # no other file can call the function
     calls: list[CallFact] = field(default_factory=list)
-    assigns: list[tuple[str, int]] = field(default_factory=list)  # Class::field, line
+    assigns: list[tuple[str, int]] = field(default_factory=list)  # pairs of Class::field and line
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
     floats: int = 0  # first line with a floating-point number; 0 if there is none
     branches: bool = False  # whether it has a condition or a loop
-    loops: list[int] = field(default_factory=list)  # lines of loops that do not count their rounds
+    loops: list[int] = field(
+        default_factory=list
+    )  # lines of loops that do not count their iterations
 
 
 @dataclass
@@ -111,7 +115,8 @@ class NameFact:
     """A use of the name of a class in the code of another class. ``how`` is type, member, construct
     or base.
 
-    For a member of a namespace, ``member`` contains the namespace, because no class exists.
+    A namespace is no class. For a member of a namespace, ``member`` therefore also contains the
+    namespace.
     """
 
     by: str
@@ -119,7 +124,7 @@ class NameFact:
     how: str
     place: Place
     member: str = ""
-    file: str = ""  # definition of the class, if the unit contains it
+    file: str = ""  # file that defines the class, if the unit contains it
 
 
 @dataclass
@@ -140,7 +145,7 @@ class IncludeFact:
 
 @dataclass
 class ConstantFact:
-    """A constant, or an operation that returns a constant, under a name that texts can use."""
+    """A constant, or an operation that returns a constant. It has a name that texts can use."""
 
     name: str
     number: int
@@ -152,14 +157,14 @@ class ConstantFact:
 class InitialFact:
     """A call of a method in the initialiser of a constant or of a member."""
 
-    name: str  # Class::member, or File::name
+    name: str  # Class::member or File::name
     target: str
     place: Place
 
 
 @dataclass
 class EnumNumberFact:
-    """A number that is converted to a value of an enumeration."""
+    """A number that the code converts to a value of an enumeration."""
 
     kind: str  # the enumeration
     number: int
@@ -170,15 +175,15 @@ class EnumNumberFact:
 class BranchFact:
     """A branch that depends on the address of an object, or on the number of an enumerator."""
 
-    by: str  # the owner of the body
-    target: str  # the class, or the enumeration
+    by: str  # owner of the body
+    target: str  # class or enumeration
     place: Place
 
 
 @dataclass
 class OffsetFact:
-    """A register that is accessed with an offset from another register, and the largest number in
-    the offset."""
+    """A register that is accessed with an offset from another register. It has the largest number
+    in the offset."""
 
     base: int
     offset: int
@@ -192,21 +197,23 @@ class Syntax:
     names: list[NameFact] = field(default_factory=list)
     includes: list[IncludeFact] = field(default_factory=list)
     blocks: list[BlockFact] = field(default_factory=list)
-    casts: list[Place] = field(default_factory=list)  # numbers converted to addresses
-    instructions: list[Place] = field(default_factory=list)  # assembler instructions
-    volatile: list[Place] = field(default_factory=list)  # volatile memory
+    casts: list[Place] = field(default_factory=list)  # places that convert a number to an address
+    instructions: list[Place] = field(default_factory=list)  # places with assembler instructions
+    volatile: list[Place] = field(default_factory=list)  # places that use volatile memory
     objects: list[FieldFact] = field(default_factory=list)  # variables that no class contains
     flows: list[FlowFact] = field(default_factory=list)
     branches: list[BranchFact] = field(default_factory=list)
     initial: list[InitialFact] = field(default_factory=list)
-    constants: dict[str, int] = field(default_factory=dict)  # var -> value of a plain number
+    constants: dict[str, int] = field(
+        default_factory=dict
+    )  # variable -> value, if it is a plain number
     values: list[ConstantFact] = field(default_factory=list)
     variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name
-    friends: list[NameFact] = field(default_factory=list)  # a class has a friend
+    friends: list[NameFact] = field(default_factory=list)  # names of classes that have a friend
     silent: list[SilentFact] = field(default_factory=list)
     enum_numbers: list[EnumNumberFact] = field(default_factory=list)
     offsets: list[OffsetFact] = field(default_factory=list)
-    # Name -> place of the second declaration; only names that no header declares.
+    # Name -> place of the second declaration. Only names that no header declares are listed.
     declared_again: dict[str, Place] = field(default_factory=dict)
     errors: list[tuple[Place, str]] = field(default_factory=list)
 

@@ -1,4 +1,4 @@
-"""Walks the syntax tree of a unit and records the facts of its files."""
+"""Walks the syntax tree of a unit, and records the facts of its files."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ _HOLDERS = (
     "pair",
     "tuple",
     "variant",
-)  # classes of the library that contain objects by value
+)  # classes of the library that contain objects as values
 _COPIES = ("memcpy", "memmove", "__builtin_memcpy", "__builtin_memmove")
 _MAKERS = ("construct_at", "make_optional", "make_unique", "make_shared")
 _FLOATS = {TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE}
@@ -99,7 +99,7 @@ _CONSTANTS = {
 
 
 class Reader:
-    """Walks a unit and stores the facts of the requested files."""
+    """Walks a unit, and stores the facts of the requested files."""
 
     def __init__(self, root: Path, files: set[str]) -> None:
         self.root = f"{root}/"
@@ -108,9 +108,9 @@ class Reader:
         self.flow = flow.FlowReader(self.place)
         self.facts.flows = self.flow.flows
         self.function = ""  # the function that was entered last
-        self.chances = 0  # conditions around the statement
+        self.chances = 0  # number of conditions around the statement
         self.loops = 0
-        self.initialised = ""  # the constant or member whose first value is read
+        self.initialised = ""  # constant or member whose initialiser is read
         self.left = False  # whether an earlier condition may have left the function
         self.asked: list[list[str]] = []  # operands of the conditions around the statement
         self.left_by: list[str] = []  # conditions that may have left the function
@@ -187,7 +187,8 @@ class Reader:
         self.below(cursor, body, owner)
 
     def below(self, cursor: Cursor, body: BodyFact | None, owner: str) -> None:
-        """Walks the parts of a statement, with its condition and its loop around them."""
+        """Walks the parts of a statement. The condition and the loop of the statement count for its
+        parts."""
         if body is None:
             self.walk(cursor, body, owner)
             return
@@ -199,8 +200,8 @@ class Reader:
         del self.asked[len(self.asked) - decides :]
 
     def declaration(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Visits a declaration. A call outside of functions belongs to the initialiser of the last
-        constant or member.
+        """Visits a declaration. A call outside of functions belongs to the initialiser of the
+        constant or member that was declared last.
         """
         if body is not None:
             return
@@ -224,7 +225,7 @@ class Reader:
         return target is not None and self.place(target) is not None
 
     def values(self, cursor: Cursor, place: Place) -> None:
-        """Records the constants of a declaration under all names that a text can use."""
+        """Records the constants of a declaration, under all names that a text can use."""
         if cursor.kind not in _CONSTANTS:
             return
         for end, number, unit in constants_of(cursor):
@@ -261,17 +262,21 @@ class Reader:
             value = next(value.get_children(), None)
         if value is not None and value.kind == CursorKind.INTEGER_LITERAL:
             digits = next((token.spelling for token in value.get_tokens()), "").rstrip("uUlL")
-            with contextlib.suppress(ValueError):  # Python does not read some numbers of C++
+            with contextlib.suppress(
+                ValueError
+            ):  # Python cannot read some forms of numbers of C++.
                 self.facts.constants[self.flow.node(cursor)] = int(digits.replace("'", ""), 0)
 
     def object(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records a variable that exists during the whole program."""
+        """Records a variable that exists as long as the program."""
         inside = cursor.semantic_parent.kind in CLASSES
         lasts = cursor.storage_class == StorageClass.STATIC if body else not inside
         member = self.field_fact(cursor, place)
         if lasts and not member.constant and "&" not in member.type:
             marks = [p for p in cursor.get_children() if p.kind == CursorKind.UNEXPOSED_ATTR]
-            placed = any("section" in _words(mark) for mark in marks)  # it survives a reset
+            placed = any(
+                "section" in _words(mark) for mark in marks
+            )  # The variable keeps its value in a reset.
             self.facts.objects += [] if placed else [member]
 
     def touch(self, cursor: Cursor, body: BodyFact) -> None:
@@ -334,7 +339,8 @@ class Reader:
                 call.asked = list(dict.fromkeys([*self.left_by, *conditions]))
 
     def made_by_library(self, cursor: Cursor, target: Cursor, owner: str, place: Place) -> None:
-        """Records the objects that the library constructs: its values, and its type arguments."""
+        """Records the objects that the library constructs. They are its values and its type
+        arguments."""
         constructs = target.kind == CursorKind.CONSTRUCTOR and target.spelling in _HOLDERS
         if not constructs and target.spelling not in _MAKERS:
             return
@@ -345,8 +351,8 @@ class Reader:
             self.name(owner, made.get_declaration(), "construct", place)
 
     def named(self, target: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records that code with the address of a function may call it. The name in a call does not
-        count."""
+        """Records that code with the address of a function may call this function. The name of the
+        function in a call does not count."""
         pending = [] if body is None else [c.target for c in body.calls[-3:] if c.place == place]
         if target.kind in FUNCTIONS and function_id(target) not in pending:
             self.call(target, body, place, virtual=False)
@@ -364,13 +370,15 @@ class Reader:
         return call
 
     def unresolved(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records a call that depends on the parameters of a template: it has only a name."""
+        """Records a call that depends on the parameters of a template. Such a call has only a
+        name."""
         if body is not None and cursor.kind == CursorKind.MEMBER_REF_EXPR:
             name = [token.spelling for token in cursor.get_tokens()][-1:]
             body.calls += [CallFact(f"{ANY_CLASS}::{part}", False, place) for part in name]
 
     def variable(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """Records a variable. If it is not a reference, it constructs objects of its classes."""
+        """Records a variable. A variable that is not a reference constructs objects of its
+        classes."""
         member = self.field_fact(cursor, place)
         if not member.refers and not cursor.type.is_const_qualified():
             inner = owner.split("::", maxsplit=1)[0]
@@ -380,7 +388,7 @@ class Reader:
             self.facts.variables[self.flow.node(cursor).removeprefix("var ")] = member
 
     def friend(self, cursor: Cursor, owner: str, place: Place) -> None:
-        """Records a friend, except a friend that the class itself defines."""
+        """Records a friend. A friend that the class itself defines is left out."""
         for part in cursor.get_children():
             inside = part.is_definition() or "default" in _words(part)
             if part.kind in FUNCTIONS and not inside:
@@ -410,7 +418,8 @@ class Reader:
             self.block(cursor.referenced, place, declares=False)
 
     def past_interface(self, cursor: Cursor, body: BodyFact | None, place: Place) -> None:
-        """Records numbers instead of enumerators, offsets of registers, and second declarations."""
+        """Records three forms of access: numbers instead of enumerators, offsets of registers, and
+        second declarations."""
         if cursor.kind in _ENUM_MAKERS and cursor.type.get_canonical().kind == TypeKind.ENUM:
             kind, number = class_name(cursor.type.get_declaration()), evaluated(cursor)
             named = any(part.kind == CursorKind.DECL_REF_EXPR for part in cursor.walk_preorder())
@@ -425,7 +434,7 @@ class Reader:
             self.facts.declared_again[cursor.spelling] = place
 
     def run_time(self, cursor: Cursor, body: BodyFact, place: Place) -> None:
-        """Records floating-point numbers, and loops whose head does not count rounds."""
+        """Records floating-point numbers, and loops whose head does not count iterations."""
         kind = cursor.type.get_canonical().kind
         if kind in _FLOATS and not body.floats:
             body.floats = place.line
@@ -446,8 +455,8 @@ class Reader:
                 self.facts.blocks.append(fact)
 
     def emplacement(self, cursor: Cursor, body: BodyFact, owner: str, place: Place) -> None:
-        """Records that ``field_.emplace(...)`` constructs the class that the field contains by
-        value.
+        """Records the class that ``field_.emplace(...)`` constructs. The field contains an object
+        of this class as a value.
         """
         member = next((part for part in cursor.walk_preorder() if self.is_field(part)), None)
         if member is None:
@@ -502,13 +511,13 @@ class Reader:
         if side is None or (not operator and _operator_after(cursor, side) != "="):
             return None
         left = bare(side)
-        if left is not None and left.spelling == "operator=":  # called by its name
+        if left is not None and left.spelling == "operator=":  # The operator is called by its name.
             left = bare(next(left.get_children(), None))
         return left if left is not None and left.kind == CursorKind.MEMBER_REF_EXPR else None
 
     def other_name_of(self, variable: Cursor) -> Cursor | None:
-        """Returns the member that a variable refers to: it can be changed by the name of the
-        variable.
+        """Returns the member that a variable refers to. The name of the variable can be used to
+        change this member.
         """
         kind = variable.type.get_canonical()
         meant = kind.get_pointee()
@@ -584,7 +593,7 @@ class Reader:
             place=place,
             access=cursor.access_specifier.name.lower(),
             constant=cursor.type.is_const_qualified(),
-            # The comment may be after the value.
+            # The comment may follow the value.
             comment=comment_line(cursor) or cursor.extent.end.line,
         )
 
@@ -642,7 +651,7 @@ class Reader:
 
 
 def bare(cursor: Cursor | None) -> Cursor | None:
-    """Returns an expression without brackets, address operators and dereferences."""
+    """Returns an expression without its brackets, address operators and dereferences."""
     while cursor is not None and cursor.kind in _WRAPPING:
         cursor = next(cursor.get_children(), None)
     return cursor
@@ -659,7 +668,7 @@ def expressions_in(cursors: Iterable[Cursor]) -> Iterator[Cursor]:
 
 
 def register_of(call: Cursor) -> int | None:
-    """Returns the address of the register from which a call reaches another register."""
+    """Returns the address of the register from which a call computes another register."""
     if call.kind != CursorKind.CALL_EXPR or call.spelling != "at":
         return None
     base = next(call.get_children(), None)
@@ -670,7 +679,8 @@ def register_of(call: Cursor) -> int | None:
 
 
 def _is_declared_again(cursor: Cursor) -> bool:
-    """Returns whether a source file declares a name of another file without its header."""
+    """Returns whether a source file declares a name of another file without including its
+    header."""
     first = cursor.canonical == cursor and cursor.get_definition() is None
     is_variable = cursor.kind == CursorKind.VAR_DECL and cursor.storage_class == StorageClass.EXTERN
     is_free = cursor.kind == CursorKind.FUNCTION_DECL and cursor.linkage == LinkageKind.EXTERNAL
@@ -685,13 +695,14 @@ def _has_no_condition(cursor: Cursor) -> bool:
 
 
 def _is_bare_asm(cursor: Cursor) -> bool:
-    """Finds an assembler instruction outside of a function."""
+    """Returns whether a cursor is an assembler instruction outside of a function."""
     bare_kind = cursor.kind == CursorKind.UNEXPOSED_DECL
     return bare_kind and _words(cursor)[:1] in (["asm"], ["__asm__"], ["__asm"])
 
 
 def _makes_address(cursor: Cursor) -> bool:
-    """Finds a pointer in a union, a copied pointer, or a pointer from a null address."""
+    """Returns whether a cursor is a pointer in a union, a copied pointer, or a pointer from a null
+    address."""
     if cursor.kind == CursorKind.UNION_DECL:
         return any(part.get_canonical().kind == TypeKind.POINTER for part in _types_in(cursor))
     if cursor.kind == CursorKind.CXX_STATIC_CAST_EXPR:
@@ -718,7 +729,7 @@ def _types_in(union: Cursor) -> list[Any]:
 
 
 def _parts(cursor: Cursor) -> Iterator[Cursor]:
-    """Yields the operand of a cast, without the nodes that the compiler adds around it."""
+    """Yields the operand of a cast. Nodes that the compiler adds around the operand are skipped."""
     for child in cursor.get_children():
         yield child
         if child.kind == CursorKind.UNEXPOSED_EXPR:
@@ -730,7 +741,7 @@ def is_local(cursor: Cursor) -> bool:
 
 
 def aliased(cursor: Cursor) -> Iterator[Cursor]:
-    """Yields the classes behind an alias: its class, and the classes of its parameters."""
+    """Yields the classes that an alias names: its class, and the classes of its parameters."""
     if cursor.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         meant = cursor.underlying_typedef_type.get_canonical()
         count = max(0, meant.get_num_template_arguments())
@@ -739,7 +750,7 @@ def aliased(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def unaliased(cursor: Cursor) -> Cursor | None:
-    """Returns the class of a base specifier."""
+    """Returns the class that a base specifier names."""
     named = cursor.referenced
     if named is not None and named.kind in (CursorKind.TYPE_ALIAS_DECL, CursorKind.TYPEDEF_DECL):
         return cursor.type.get_canonical().get_declaration()
@@ -776,8 +787,8 @@ def _operator_after(cursor: Cursor, left: Cursor) -> str:
 
 
 def comment_line(cursor: Cursor) -> int:
-    """Returns the line where the comment of a declaration begins; 0 without a comment in the same
-    file.
+    """Returns the line at which the comment of a declaration begins. The line is 0 if the same file
+    has no comment for the declaration.
     """
     start = _library().clang_Cursor_getCommentRange(cursor).start
     same = start.file is not None and start.file.name == cursor.location.file.name
@@ -785,8 +796,8 @@ def comment_line(cursor: Cursor) -> int:
 
 
 def _is_open(cursor: Cursor) -> bool:
-    """Returns whether other files can use a declaration: a member of public classes, or no
-    member.
+    """Returns whether other files can use a declaration. It is a member of public classes, or it is
+    not a member.
     """
     if cursor.access_specifier not in (AccessSpecifier.PUBLIC, AccessSpecifier.INVALID):
         return False
@@ -810,7 +821,7 @@ def _library() -> Any:
             ctypes.POINTER(ctypes.c_uint),
         ]
         library.clang_disposeOverriddenCursors.argtypes = [pointer]
-        # The id of this function; a function is prepared only once.
+        # The id of this function. A function is prepared only once.
         _library.bound = True  # type: ignore[attr-defined]  # a mark on the function
     return library
 
@@ -820,7 +831,7 @@ def _is_dynamic(cursor: Cursor) -> bool:
 
 
 def _overridden(cursor: Cursor) -> Cursor | None:
-    """Returns the first method that this method overrides, of the nearest base."""
+    """Returns the first method that this method overrides, in the nearest base class."""
     overridden = ctypes.POINTER(Cursor)()
     count = ctypes.c_uint()
     library = _library()

@@ -1,5 +1,4 @@
-"""The costs and the extent of likely changes, in the baseline design and in the design of the
-robot."""
+"""The costs and the extent of likely changes, in the baseline design and in the robot's design."""
 
 from __future__ import annotations
 
@@ -18,9 +17,9 @@ CHANGES = FOLDER / "changes"
 USUAL, PATTERNS = "usual", "patterns"
 DESIGNS = {USUAL: "baseline design", PATTERNS: "pattern design"}
 TITLES = {
-    "bluetooth": "a Bluetooth reading mode, without authentication",
-    "waiting_k": "a state that warns, WaitingK",
-    "wheel_algorithm": "a new algorithm of the wheel",
+    "bluetooth": "a Bluetooth reading mode without authentication",
+    "waiting_k": "a warning state, WaitingK",
+    "wheel_algorithm": "a new control algorithm of the wheel",
 }
 # Maximum increase over the baseline design [per cent].
 TARGETS = {"report_avg": 5, "cycle_avg": 5, "flash": 10}
@@ -28,7 +27,7 @@ TARGETS = {"report_avg": 5, "cycle_avg": 5, "flash": 10}
 
 @dataclass(frozen=True)
 class Row:
-    """A metric of both designs."""
+    """A metric that both designs have."""
 
     key: str
     title: str
@@ -36,27 +35,27 @@ class Row:
 
 
 ROWS = (
-    Row("report_avg", "from clock pulse to report, mean", "instructions"),
-    Row("report_max", "from clock pulse to report, most", "instructions"),
-    Row("cycle_avg", "whole cycle of 100 ms, mean", "instructions"),
-    Row("cycle_max", "whole cycle of 100 ms, most", "instructions"),
+    Row("report_avg", "from clock pulse to report (mean)", "instructions"),
+    Row("report_max", "from clock pulse to report (maximum)", "instructions"),
+    Row("cycle_avg", "whole cycle of 100 ms (mean)", "instructions"),
+    Row("cycle_max", "whole cycle of 100 ms (maximum)", "instructions"),
     Row("flash", "flash of the image", "bytes"),
     Row("own_flash", "flash without the shared code", "bytes"),
-    Row("ram", "RAM of the image, without the stack", "bytes"),
+    Row("ram", "RAM of the image without the stack", "bytes"),
     Row("own_ram", "RAM without the shared data", "bytes"),
-    Row("stack", "stack, deepest use seen", "bytes"),
+    Row("stack", "largest measured stack use", "bytes"),
     Row("functions", "functions", ""),
-    Row("complexity_max", "cyclomatic complexity of a function, most", ""),
-    Row("complexity_mean", "cyclomatic complexity of a function, mean", ""),
-    Row("complexity_sum", "cyclomatic complexity, sum of all functions", ""),
+    Row("complexity_max", "highest cyclomatic complexity of a function", ""),
+    Row("complexity_mean", "mean cyclomatic complexity of a function", ""),
+    Row("complexity_sum", "sum of the cyclomatic complexities of all functions", ""),
     Row("files", "files", ""),
-    Row("lines", "lines of code, without comments and empty lines", ""),
+    Row("lines", "lines of code without comments and empty lines", ""),
 )
 
 
 @dataclass
 class Touched:
-    """The extent of a patch, counted from its text."""
+    """The extent of a patch, counted in its text."""
 
     files_changed: list[str] = field(default_factory=list)
     files_added: list[str] = field(default_factory=list)
@@ -91,12 +90,13 @@ def patch_of(change: str, design: str) -> Path:
 
 
 def changes_of(root: Path) -> list[str]:
-    """Returns the likely changes: each is a folder with a patch for each design, and a test."""
+    """Returns the likely changes. Each change is a folder with a test, and with a patch for each
+    design."""
     return sorted(path.name for path in (root / CHANGES).glob("*") if path.is_dir())
 
 
 def read_comparison(root: Path) -> dict[str, Any] | None:
-    """Returns the numbers, when they were measured with the present sources."""
+    """Returns the numbers, if they were measured with the present sources."""
     record = read_json(root / RESULT)
     return record if isinstance(record, dict) and is_fresh(root, BASELINE) else None
 
@@ -108,7 +108,7 @@ def more(figures: dict[str, dict[str, float]], key: str) -> float | None:
 
 
 def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
-    """Returns whether a target is met; None for a metric without a target."""
+    """Returns whether a metric meets its target. Returns None for a metric without a target."""
     increase = more(figures, key)
     return None if key not in TARGETS or increase is None else increase <= TARGETS[key]
 
@@ -116,7 +116,7 @@ def verdict(figures: dict[str, dict[str, float]], key: str) -> bool | None:
 def beside(functions: dict[str, dict[str, float]], least: float) -> list[dict[str, Any]]:
     """Returns the functions of both designs, with the greatest difference first.
 
-    A function whose numbers differ by less than a limit in both designs is left out.
+    A function is left out if its numbers differ by less than a limit in both designs.
     """
     names: Iterable[str] = functions[USUAL].keys() | functions[PATTERNS].keys()
     rows = []

@@ -1,4 +1,4 @@
-"""The four scenarios of the paper: measurements of the paper and of this project."""
+"""The four scenarios of the paper, with the measurements of the paper and of this project."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ TIMINGS = {
 }
 CYCLES = 1000
 PERIOD_MS = 100
-SPEED_LEAST, SPEED_GOAL = 30, 100  # times real time
+SPEED_LEAST, SPEED_GOAL = 30, 100  # speed of the simulation as a multiple of real time
 SHARE = 10  # the target, as a fraction of the paper's time
 LIBRARY = "C and C++ library"
 ORDER = re.compile(r"from (\d+) to (\d+) every (\d+) order velocity (-?\d+)(?: steering (-?\d+))?$")
@@ -73,7 +73,7 @@ SCENARIOS = (
     ),
     Paper(
         "velocity_and_steering",
-        "50 rpm, steering between the extremes",
+        "50 rpm, with the steering between the extremes",
         "During all cycles, the wheel velocity setpoints are equal to 50 rpm while the steering "
         "setpoints constantly go back and forth between the extreme left and right positions.",
         2.39,
@@ -89,7 +89,7 @@ SCENARIOS = (
     ),
     Paper(
         "steps_and_steering",
-        "as before, steering between the extremes",
+        "the same, with the steering between the extremes",
         "The wheel velocity setpoints are as in the previous test while the steering setpoints "
         "constantly go back and forth between the extreme left and right positions.",
         2.67,
@@ -103,8 +103,8 @@ Record = dict[str, BenchScenario]
 
 @dataclass(frozen=True)
 class Order:
-    """The order that a scenario sends in each cycle of a period [ms]: the velocity of the wheels
-    [rpm], and the angle of the steering [degrees]."""
+    """The order that a scenario sends in each cycle of a period [ms]. It contains the velocity of
+    the wheels [rpm] and the angle of the steering [degrees]."""
 
     first: int
     last: int
@@ -131,7 +131,7 @@ def measured_orders(text: str) -> list[Order]:
 
 
 def read_bench(root: Path, path: Path = BENCH) -> Record | None:
-    """Returns the record of the last run, when it belongs to the present sources."""
+    """Returns the record of the last run, if it belongs to the present sources."""
     return read_record(root / path, Record) if is_fresh(root, task_record.BENCH) else None
 
 
@@ -155,7 +155,8 @@ def bench_metrics(record: Mapping[str, BenchScenario] | None) -> list[dict[str, 
 
 
 def bench_run(raw: dict[str, Any], speed: float | None = None) -> BenchRun:
-    """Returns the numbers of a run, from the measurements of the board program."""
+    """Returns the numbers of a run. They are computed from the measurements of the board
+    program."""
     if len(raw["reported"]) != CYCLES or not all(raw["reported"]):
         raise ValueError(f"{sum(raw['reported'])} cycles with a report, not {CYCLES}")
     per_ms = raw["clock_hz"] / 1000
@@ -182,8 +183,8 @@ def spread(values: Sequence[float], digits: int) -> Spread:
 
 
 def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latency]:
-    """Returns for each priority the longest time from a request to its handler, and the handler's
-    name.
+    """Returns for each priority the longest time from a request to its handler, and the name of
+    this handler.
     """
     requested = [(int(number), latency) for number, latency in raw.items() if latency["requests"]]
     requested.sort(key=lambda item: item[1]["priority"])
@@ -196,7 +197,8 @@ def latencies(raw: dict[str, dict[str, int]], per_ms: float) -> dict[str, Latenc
 
 
 def exceptions(raw: dict[str, dict[str, int]], per_ms: float) -> list[ExceptionCost]:
-    """Returns the average cost of each interrupt and thread in a cycle, highest first."""
+    """Returns the average cost of each interrupt and thread in a cycle, with the highest cost
+    first."""
     rows = [
         ExceptionCost(
             who(int(number)),
@@ -219,12 +221,12 @@ def who(exception: int) -> str:
 # ---- which module executed the instructions ----------------------------------
 
 
-Frames = list[tuple[str, str]]  # function and file, the innermost first
+Frames = list[tuple[str, str]]  # pairs of function and file; the innermost function is first
 
 
 def profile(raw: dict[str, Any], root: Path) -> Profile:
-    """Returns the mean instructions of modules and functions, in the whole cycle and up to the
-    report."""
+    """Returns the mean number of instructions of modules and of functions, in the whole cycle and
+    up to the report."""
     counts = {int(address): tuple(pair) for address, pair in raw["profile"].items()}
     return profile_of(counts, frames_of(root / ELF, counts))
 
@@ -246,8 +248,8 @@ def profile_of(counts: dict[int, tuple[int, ...]], frames: dict[int, Frames]) ->
 
 
 def owner(frames: Frames) -> tuple[str, str]:
-    """Returns module and function of an instruction: the innermost function of the project at its
-    place.
+    """Returns the module and the function of an instruction. They are those of the innermost
+    function of the project at its place.
     """
     for function, file in frames:
         if {"src", "extensions", "tests"}.intersection(Path(file).parts):
@@ -256,7 +258,7 @@ def owner(frames: Frames) -> tuple[str, str]:
 
 
 def frames_of(elf: Path, addresses: Iterable[int]) -> dict[int, Frames]:
-    """Returns the functions of each instruction, the innermost inlined function first."""
+    """Returns the functions of each instruction. The innermost inlined function is first."""
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-f", "-i", "-C"]
     text = "\n".join(f"{address:#x}" for address in addresses)
     said = subprocess.run(words, input=text, capture_output=True, text=True, check=True).stdout

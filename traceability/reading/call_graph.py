@@ -1,8 +1,8 @@
 """The functions of an image with their frames and calls, as the compiler reports them.
 
-The compiler writes a graph for each unit, and one graph next to the image for the units that are
-optimised together (``-fcallgraph-info=su``). A graph has the frames, the direct calls, and the
-places of indirect calls. A function of the toolchain's libraries has no graph; its frame and calls
+The compiler writes a graph for each unit (``-fcallgraph-info=su``). For the units that it optimises
+together, it writes one graph next to the image. A graph has the frames, the direct calls, and the
+places of indirect calls. A function of the toolchain's libraries has no graph. Its frame and calls
 are read from its instructions.
 """
 
@@ -29,7 +29,7 @@ PUSH = re.compile(r"\t(?:push|stmdb\tsp!,|v?push)\s*\{(?P<names>[^}]+)\}")
 BELOW = re.compile(r"\tsub(?:\.w|w)?\tsp, (?:sp, )?#(?P<bytes>\d+)")
 STORE = re.compile(r"\t(?:str|strd)(?:\.w)?\t.*\[sp, #-(?P<bytes>\d+)\]!")
 TABLE = re.compile(r"^[0-9a-f]+ ([0-9a-f]+) \w vtable for wr::(\w+)$", re.MULTILINE)
-# The name of a method without the parameters that distinguish overloads.
+# The name of a method. The parameters that distinguish overloads are left out.
 SHORT = re.compile(r"(?:wr::)(?P<name>[\w:~]+(?:<[^()]*>[\w:~]*)*)\(")
 
 
@@ -43,8 +43,8 @@ class Function:
     name: str
     frame: int
     dynamic: bool = False
-    measured: bool = False  # facts from the instructions, not from the compiler
-    blind: bool = False  # its instructions call a function that only the compiler's graph contains
+    measured: bool = False  # The facts are from the instructions, and not from the compiler.
+    blind: bool = False  # Its instructions call a function that only the compiler's graph contains.
     calls: list[str] = field(default_factory=list)  # symbols
     indirect: list[Place] = field(default_factory=list)
 
@@ -77,7 +77,7 @@ def read_graph(root: Path, elf: Path) -> dict[str, Function]:
 
 
 def short_name(name: str) -> str:
-    """Returns ``Class::method``, or the unchanged name of a function outside of the project."""
+    """Returns ``Class::method``. The name of a function outside of the project is unchanged."""
     match = SHORT.search(name)
     return match["name"] if match else name
 
@@ -89,7 +89,7 @@ def uses_floats(elf: Path) -> bool:
 
 
 def symbol_value(elf: Path, name: str) -> int:
-    """Returns the value of a symbol, 0 when there is none."""
+    """Returns the value of a symbol, or 0 if there is no such symbol."""
     match = re.search(rf"^([0-9a-f]+) . {name}$", _run("arm-none-eabi-nm", str(elf)), re.MULTILINE)
     return int(match[1], 16) if match else 0
 
@@ -107,13 +107,14 @@ def _read_unit(root: Path, folder: Path, text: str, reported: dict[str, Function
 
 
 def _symbol(title: str) -> str:
-    """Returns the symbol of a function. The title of a local function begins with its file."""
+    """Returns the symbol of a function. The title of a function that is local to a file begins with
+    the file."""
     return title.rpartition(":")[2]
 
 
 def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]) -> None:
-    """Records the frame of a function. Functions of several units that share a name count as a
-    single function, with the greater frame.
+    """Records the frame of a function. Functions of several units with the same name count as one
+    function with the largest frame.
     """
     function = reported.setdefault(symbol, Function(symbol, "", 0))
     function.frame = max(function.frame, int(frame["bytes"]))
@@ -121,8 +122,8 @@ def _note_frame(reported: dict[str, Function], symbol: str, frame: re.Match[str]
 
 
 def _place(root: Path, folder: Path, label: str) -> Place:
-    """Returns the place of a function. The compiler names files in full or from the build folder,
-    the linker from the root.
+    """Returns the place of a function. The compiler writes full paths or paths from the build
+    folder. The linker writes paths from the root.
     """
     file, line, _column = label.rsplit(":", 2)
     path = root / file if (root / file).exists() else (folder / file).resolve()
@@ -145,7 +146,8 @@ def _read_listing(listing: str) -> dict[str, Function]:
 
 
 def names_of_addresses(elf: Path) -> list[list[str]]:
-    """Returns the names of each function. The compiler gives equal functions the same address."""
+    """Returns the names of each function. The compiler can give the same address to equal
+    functions."""
     symbols: dict[str, list[str]] = {}
     for line in _run("arm-none-eabi-nm", str(elf)).splitlines():
         address, kind, name = (*line.split(), "", "")[:3]
@@ -155,14 +157,14 @@ def names_of_addresses(elf: Path) -> list[list[str]]:
 
 
 def table_bytes(elf: Path) -> dict[str, int]:
-    """Returns the bytes of the table of methods of each class."""
+    """Returns the number of bytes in the table of methods of each class."""
     listed = _run("arm-none-eabi-nm", "--print-size", "--demangle", str(elf))
     return {name: int(size, 16) for size, name in TABLE.findall(listed)}
 
 
 def _pushed(line: str) -> int:
-    """Returns the number of bytes that an instruction subtracts from the stack pointer. The
-    instructions of a function are added.
+    """Returns the number of bytes that an instruction subtracts from the stack pointer. The sum
+    over the instructions of a function is its frame.
     """
     if push := PUSH.search(line):
         names = [part.strip() for part in push["names"].split(",")]
@@ -172,15 +174,16 @@ def _pushed(line: str) -> int:
 
 
 def _width(names: str) -> int:
-    """Returns the words of a register or of a range of registers, as ``r4-r7`` or ``d8``."""
+    """Returns the number of words of a register or of a range of registers, such as ``r4-r7`` or
+    ``d8``."""
     first, _, last = names.partition("-")
     count = int(last[1:]) - int(first[1:]) + 1 if last and last[1:].isdigit() else 1
     return count * (2 if first.startswith("d") else 1)
 
 
 def _alias(symbol: str, functions: dict[str, Function]) -> str:
-    """Returns the symbol in the functions. A constructor or destructor has several symbols for its
-    body.
+    """Returns the symbol under which the functions contain a body. A constructor or destructor has
+    several symbols for its body.
     """
     if symbol in functions:
         return symbol

@@ -25,7 +25,7 @@ KEPT_EVENTS = (BYTE_RECEIVED, "byte_sent", "pwm_changed")
 
 @dataclass(frozen=True)
 class Window:
-    """A part of a scenario that is recorded, in ms since power-on."""
+    """A part of a scenario that is recorded. Its times are in ms since power-on."""
 
     name: str
     scenario: str
@@ -44,28 +44,30 @@ class Activation:
     """A run of an interrupt or a thread. Number 0 is the program outside of interrupts."""
 
     exception: int
-    priority: int | None  # None: no exception
-    raised: int  # time of the request, or of the entry if no request was recorded [ns]
+    priority: int | None  # None if it is not an exception
+    raised: int  # time of the request [ns], or of the entry if no request was recorded
     begin: int
     end: int
-    below: int  # the interrupted activation
+    below: int  # number of the interrupted activation
 
     @property
     def line(self) -> int:
-        """Returns the line of the interrupt controller; negative for the program itself."""
+        """Returns the line of the interrupt controller. The line is negative for the program
+        itself."""
         return self.exception - FIRST_LINE
 
 
 @dataclass
 class Span:
-    """A call of a method or function: its times [ns], and its place among the other calls."""
+    """A call of a method or function, with its times [ns] and its position among the other
+    calls."""
 
     method: str
     begin: int
     end: int
-    depth: int  # depth in the activation
+    depth: int  # depth of calls in the activation
     activation: int
-    parent: int  # caller in the same activation; -1: none
+    parent: int  # caller in the same activation; -1 if there is none
 
 
 @dataclass(frozen=True)
@@ -78,18 +80,19 @@ class BoardEvent:
 
 @dataclass
 class Recording:
-    """The calls of a window in the order in which they began."""
+    """The calls of a window, in the order in which they began."""
 
     activations: list[Activation] = field(default_factory=list)
     spans: list[Span] = field(default_factory=list)
     events: list[BoardEvent] = field(default_factory=list)
 
     def pulses(self, line: int) -> list[int]:
-        """Returns the instants at which an interrupt line was raised and then entered."""
+        """Returns the times at which an interrupt line was raised, if the interrupt was then
+        entered."""
         return [activation.raised for activation in self.activations if activation.line == line]
 
     def between(self, begin: int, end: int) -> Iterator[int]:
-        """Yields the calls that begin between two instants."""
+        """Yields the calls that begin between two times."""
         for number, span in enumerate(self.spans):
             if begin <= span.begin < end:
                 yield number
@@ -102,7 +105,7 @@ def declared_recordings(root: Path, entries: Entries | None = None) -> list[Wind
 
 
 def read_recordings(root: Path) -> dict[str, Recording] | None:
-    """Returns the recordings of the present sources; None when they were not made."""
+    """Returns the recordings of the present sources. Returns None if they were not recorded."""
     content = read_json(root / RECORD)
     if not isinstance(content, dict) or not is_fresh(root, CALLS):
         return None
@@ -113,15 +116,19 @@ def read_recordings(root: Path) -> dict[str, Recording] | None:
 
 
 class _Reader:
-    """Nests the calls of a file into the activations of interrupts and threads."""
+    """Assigns the calls of a file to the activations of interrupts and threads, and nests them."""
 
     def __init__(self, symbols: Mapping[int, str]) -> None:
         self.symbols = symbols
         self.found = Recording()
         self.active: list[int] = []
-        self.open: dict[int, list[tuple[int, int]]] = {}  # activation -> (address, span or -1)
+        self.open: dict[
+            int, list[tuple[int, int]]
+        ] = {}  # activation -> (address, number of the span or -1)
         self.raised: dict[int, int] = {}
-        self.closing = 0  # pending returns of calls that ended with their activation
+        self.closing = (
+            0  # number of returns that still follow, for calls that ended with their activation
+        )
 
     def begin(self, at: int) -> None:
         self._enter(at, 0, None)
@@ -160,7 +167,7 @@ class _Reader:
         number = self.active[-1]
         activation = self.found.activations[number]
         if activation.exception != exception or number == 0:
-            return  # it was entered before the window
+            return  # The interrupt was entered before the window.
         self.active.pop()
         activation.end = at
         self.closing = len(self.open[number])
@@ -191,7 +198,7 @@ class _Reader:
 
 
 def recording_of(lines: Iterable[str], symbols: Mapping[int, str]) -> Recording:
-    """Returns the recording in the lines that the board program wrote; the first line is the
+    """Returns the recording in the lines that the board program wrote. The first line is the
     head.
     """
     reader, at = _Reader(symbols), 0
@@ -234,7 +241,7 @@ def reduced(recording: Recording, handlers: Iterable[str]) -> Recording:
 
 
 def packed(recording: Recording) -> dict[str, Any]:
-    """Returns a recording as small columns: begins are stored as differences, methods as
+    """Returns a recording as small columns. Begins are stored as differences, and methods as
     numbers.
     """
     names = list(dict.fromkeys(span.method for span in recording.spans))

@@ -1,4 +1,4 @@
-"""Follows a value through a recording: the calls and events of a chain that the design declares."""
+"""Follows a value through a recording. The design declares the calls and events of such a chain."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from traceability.schema import Place
 from weeding_robot_client.frames import FrameError, decode
 from weeding_robot_client.layout import BY_QUANTITY, LAYOUTS, Field, value_name
 
-WITHIN = "> "  # the call of the last step without a mark contains a step with the mark
-HEAD = 4  # bytes before the payload: byte stuffing, version, type, sequence number
-CHANNELS = 8  # channels of an FTM
+WITHIN = "> "  # The call of the last step without this mark contains the step with the mark.
+HEAD = 4  # number of bytes before the payload: byte stuffing, version, type and sequence number
+CHANNELS = 8  # number of channels of an FTM
 BYTES = ("byte_received", "byte_sent")
 
 
@@ -25,24 +25,24 @@ class Chain:
     says: str
     recording: str
     steps: Sequence[str]
-    last: bool  # begins at the last matching place, not at the first
+    last: bool  # The chain begins at the last matching place, and not at the first one.
     place: Place
 
 
 @dataclass(frozen=True)
 class Step:
-    """A step in the recording: a call, or an event with its text."""
+    """A step in the recording. It is a call, or an event with its text."""
 
     wanted: str
     at: int
-    depth: int  # depth below the containing step
+    depth: int  # depth below the step that contains it
     span: int | None = None
     text: str = ""
 
 
 @dataclass
 class FrameBytes:
-    """A frame on the line: its bytes with their times, and its values."""
+    """A frame on the line, with the times of its bytes and with its values."""
 
     kind: str
     events: list[BoardEvent] = field(default_factory=list)
@@ -55,7 +55,7 @@ def declared_chains(root: Path, entries: Entries | None = None) -> list[Chain]:
 
 
 def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
-    """Yields the whole frames that a line carried, in their order."""
+    """Yields the complete frames that a line carried, in their order."""
     pending: list[BoardEvent] = []
     for event in recording.events:
         if event.kind != direction or event.number != 0:
@@ -67,7 +67,7 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
         try:
             frame = decode(bytes(event.value for event in events))
         except FrameError:
-            continue  # the first bytes of the frame came before the recording
+            continue  # The first bytes of the frame were sent before the recording.
         layout = next(
             (frame_layout for frame_layout in LAYOUTS.values() if frame_layout.kind == frame.kind),
             None,
@@ -77,7 +77,8 @@ def frames_in(recording: Recording, direction: str) -> Iterator[FrameBytes]:
 
 
 def follow(chain: Chain, recording: Recording) -> list[Step] | None:
-    """Returns the steps of a chain; None when the recording does not contain them in this order."""
+    """Returns the steps of a chain. Returns None if the recording does not contain them in this
+    order."""
     places = list(_places(chain.steps[0], recording, 0, None))
     for first in reversed(places) if chain.last else places:
         if steps := _from(first, chain, recording):
@@ -120,8 +121,8 @@ def _contains(recording: Recording, outer: Step, name: str, after: int) -> bool:
 
 
 def _places(name: str, recording: Recording, after: int, outer: Step | None) -> Iterator[Step]:
-    """Yields the calls or events of a step that begin after an instant, within a call if one is
-    given.
+    """Yields the calls or events of a step that begin after a time. If a call is given, they are
+    within this call.
     """
     kind, _, rest = name.partition(" ")
     if kind in BYTES:
@@ -146,7 +147,7 @@ def _places(name: str, recording: Recording, after: int, outer: Step | None) -> 
 def _field_places(
     field_name: str, recording: Recording, direction: str, named: str, after: int
 ) -> Iterator[Step]:
-    """Yields the first byte of a field in each frame of its type."""
+    """Yields the first byte of a field in each frame that has this field."""
     kind, _, name = named.partition(".")
     field_ = LAYOUTS[kind].of(name)
     number = HEAD + field_.offset
@@ -157,14 +158,15 @@ def _field_places(
         unit = f" {_unit_of_quantity(kind, field_, frame)}" if field_.unit == BY_QUANTITY else ""
         verb = "has received" if direction == "byte_received" else "has sent"
         text = (
-            f"The serial port {verb} the byte 0x{event.value:02X}, number {number + 1} of "
-            f"{len(frame.events)} of the frame {kind}: {shown} is {frame.values[shown]}{unit}."
+            f"The serial port {verb} the byte 0x{event.value:02X}. This is byte {number + 1} of "
+            f"{len(frame.events)} of the frame {kind}, in which {shown} is "
+            f"{frame.values[shown]}{unit}."
         )
         yield Step(field_name, event.at, 0, None, text)
 
 
 def _unit_of_quantity(kind: str, field_: Field, frame: FrameBytes) -> str:
-    """Returns the unit of a set-point: the unit of the quantity in the same frame."""
+    """Returns the unit of a set-point. It is the unit of the quantity in the same frame."""
     quantity = LAYOUTS[kind].of(f"{BY_QUANTITY}{field_.wheel}")
     shown = frame.values[quantity.name]
     entries = quantity.values.entries if quantity.values else ()

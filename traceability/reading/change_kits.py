@@ -1,4 +1,4 @@
-"""Reads the kits of ``changes/`` and their results. Each kit makes a likely change."""
+"""Reads the folders of ``changes/`` and their results. Each folder makes a likely change."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from traceability.schema import HOST, VIRTUAL_K64, Place
 FOLDER = Path("changes")
 RESULT = RESULTS / "changes.json"
 DECLARED, PATCH, IMAGE = "change.toml", "composition.patch", "change_"
-UNCHANGED = "weeding_robot_paper"  # reference image for a kit without an extension
-# The composition: the files that create the parts and connect them.
+UNCHANGED = "weeding_robot_paper"  # reference image for a change without an extension
+# The composition. Its files create the parts and connect them.
 COMPOSITION = ("src/construction/", "src/k64/start_up/")
 # The composition of the pattern design, for the comparison with the baseline design.
 COMPARED = "tests/usual_design/patterns/PatternDesign."
-ON_BOARD = "OnBoard"  # end of the name of a suite that runs the image of a kit
+ON_BOARD = "OnBoard"  # end of the name of a test suite that runs the image of a change
 TEST = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)")
 CLASS = re.compile(r"^class (\w+)(?: final)?(?: : public (\w+))?", re.MULTILINE)
 PART_OF_PATCH = re.compile(r"^--- .*?(?=^--- |\Z)", re.MULTILINE | re.DOTALL)
@@ -30,37 +30,39 @@ PART_OF_PATCH = re.compile(r"^--- .*?(?=^--- |\Z)", re.MULTILINE | re.DOTALL)
 
 @dataclass
 class Kit:
-    """One likely change: its declaration and its files."""
+    """One likely change, with its declaration and its files."""
 
     application: str
     event: str
     place: Place
     hard: str = ""  # the name of the event in the list of hard changes
-    why: str = ""  # reason for the lines of existing files
-    classes: list[str] = field(default_factory=list)  # play the role of the recipe
+    why: str = ""  # reason why existing files change
+    classes: list[str] = field(default_factory=list)  # classes with the role of the recipe
     extension: str = ""  # folder of the extension that makes the change
     image: str = ""
     base: str = UNCHANGED  # image without the change
     tests: dict[str, Place] = field(default_factory=dict)  # Suite.Name -> its place
     named_tests: list[str] = field(default_factory=list)  # tests of an extension
-    files: list[str] = field(default_factory=list)  # added, without tests
-    bases: dict[str, str] = field(default_factory=dict)  # class of a file -> base class
-    patched: list[str] = field(default_factory=list)  # existing files
-    composition_lines: int = 0  # existing lines of the composition, removed or changed
-    outside_lines: int = 0  # changed lines in other files
-    added_lines: int = 0  # new lines in existing files
+    files: list[str] = field(default_factory=list)  # added files, without tests
+    bases: dict[str, str] = field(default_factory=dict)  # class in an added file -> its base class
+    patched: list[str] = field(default_factory=list)  # existing files that change
+    composition_lines: int = (
+        0  # number of existing lines of the composition that are removed or changed
+    )
+    outside_lines: int = 0  # number of changed lines in other files
+    added_lines: int = 0  # number of new lines in existing files
 
 
 @dataclass(frozen=True)
 class KitRecord:
-    """The results of the tests, and the costs of the images, of all kits."""
+    """The results of the tests of all changes, and the costs of their images."""
 
     tests: Mapping[str, Result]
-    images: Mapping[str, Mapping[str, float]]  # flash, ram [bytes]; instructions in a cycle
+    images: Mapping[str, Mapping[str, float]]  # flash and RAM [bytes]; instructions in a cycle
 
 
 def read_kits(root: Path, entries: Entries) -> dict[str, Kit]:
-    """Returns the kit of each application. Each folder with a declaration is a kit."""
+    """Returns the change of each application. Each folder with a declaration is such a change."""
     kits = {}
     for path in sorted((root / FOLDER).glob(f"*/{DECLARED}")):
         kit = _kit(root, path, entries)
@@ -99,7 +101,7 @@ def _kit(root: Path, path: Path, entries: Entries) -> Kit | None:
 class TouchedLines:
     """The existing lines that a patch changes."""
 
-    outside: int  # of the composition
+    outside: int  # lines that are not in the composition
     composition: int
 
 
@@ -143,7 +145,7 @@ def target_of(test: str) -> str:
 
 
 def read_record(root: Path) -> KitRecord | None:
-    """Returns the record, when it is of the present sources."""
+    """Returns the record, if it belongs to the present sources."""
     data = read_json(root / RESULT)
     if not isinstance(data, dict) or not is_fresh(root, CHANGES):
         return None
@@ -151,5 +153,5 @@ def read_record(root: Path) -> KitRecord | None:
 
 
 def images_of(kits: Iterable[Kit]) -> list[str]:
-    """Returns the images of the kits, and the images that they are compared with."""
+    """Returns the images of the changes, and the images that they are compared with."""
     return sorted({image for kit in kits for image in (kit.image, kit.base)})

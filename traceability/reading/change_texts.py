@@ -13,10 +13,10 @@ FILE = Path("design/changes.toml")
 
 @dataclass
 class Recipe:
-    """The steps that change an application of a pattern. The roles are the roles of the pattern."""
+    """The steps that change an application of a pattern. The roles are roles of this pattern."""
 
     pattern: str
-    alters: list[str]  # roles whose modules each hide a variant
+    alters: list[str]  # Each module with one of these roles hides a variant.
     adds: str = ""  # role of a new class
     derives: str = ""  # role from which a new class derives
     steps: list[str] = field(default_factory=list)
@@ -25,7 +25,7 @@ class Recipe:
 
 @dataclass
 class Particular:
-    """The data of a single application."""
+    """The texts about the change of one application."""
 
     id: str
     derives: list[str] = field(default_factory=list)

@@ -1,4 +1,4 @@
-"""Names of the elements of a syntax tree, as the model uses them."""
+"""The names of the elements of a syntax tree, in the form that the model uses."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 from clang.cindex import Cursor, CursorKind
 
 NAMESPACE = "wr"
-# Clang names a lambda by its file, with the folders of this machine.
+# Clang names a lambda by its file. This name contains the folders of this machine.
 FOLDERS_OF_LAMBDA = re.compile(r"(?<=\(lambda at )\S*/")
 CLASSES = {
     CursorKind.CLASS_DECL,
@@ -31,8 +31,8 @@ def is_function(cursor: Cursor) -> bool:
 
 
 def class_name(cursor: Cursor | None) -> str:
-    """Returns ``Outer::Inner`` without the namespace; empty when the cursor is outside of a
-    class.
+    """Returns ``Outer::Inner`` without the namespace. The name is empty if the cursor is outside of
+    a class.
     """
     parts: list[str] = []
     kinds = {*CLASSES, CursorKind.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION, CursorKind.ENUM_DECL}
@@ -44,7 +44,7 @@ def class_name(cursor: Cursor | None) -> str:
 
 
 def namespace_of(cursor: Cursor | None) -> str:
-    """Returns the namespaces around a cursor, without the namespace of the project."""
+    """Returns the namespaces around a cursor. The namespace of the project is left out."""
     parts: list[str] = []
     while cursor is not None and cursor.kind != CursorKind.TRANSLATION_UNIT:
         if cursor.kind == CursorKind.NAMESPACE and not cursor.is_anonymous():

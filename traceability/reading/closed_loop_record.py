@@ -1,4 +1,5 @@
-"""The runs in closed loop with the simulated robot: curves, and values against their limits."""
+"""The runs in closed loop with the simulated robot, with their curves and with values that have
+limits."""
 
 from __future__ import annotations
 
@@ -47,12 +48,12 @@ Points = list[tuple[float, float]]
 
 
 def csv_of(scenario: str, binding: str) -> Path:
-    """Returns the file to which the reports of a run are written."""
+    """Returns the file into which the reports of a run are written."""
     return FOLDER / f"{scenario}-{SHORT[binding]}.csv"
 
 
 def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]:
-    """Returns the scenarios with their complete plots and values."""
+    """Returns the scenarios with their plots and metrics, as the design declares them."""
     entries = entries or Entries(root)
     may: Keys = {"plot": list, "figure": list}
     scenarios = entries.tables(root / DECLARED, "scenario", SCENARIO, may, own="name")
@@ -69,7 +70,7 @@ def declared(root: Path, entries: Entries | None = None) -> list[dict[str, Any]]
 
 
 def read_closed_loop(root: Path, entries: Entries | None = None) -> list[LoopScenario]:
-    """Returns the scenarios; they have curves and values if they ran with the present sources."""
+    """Returns the scenarios. They have curves and values if they ran with the present sources."""
     outcomes = read_json(root / OUTCOMES)
     fresh = isinstance(outcomes, dict) and is_fresh(root, CLOSED_LOOP)
     runs = outcomes["runs"] if fresh else {}
@@ -130,8 +131,8 @@ def _plot(plot: dict[str, Any], rows: dict[str, Rows]) -> LoopPlot:
 def column(rows: Rows, name: str) -> Points:
     """Returns the valid values of a column with their times [ms].
 
-    The time of a true value is the time of the reading. The time of a reported value is the time of
-    the clock pulse.
+    The time of a true value is the time at which it was read. The time of a reported value is the
+    time of the clock pulse.
     """
     return [
         (float(row[time_column(name)]), float(row[name])) for row in rows if is_valid(row, name)
@@ -176,7 +177,7 @@ def _figure(figure: dict[str, Any], rows: dict[str, Rows]) -> LoopFigure:
 
 
 def measure(figure: dict[str, Any], points: Points) -> float | None:
-    """Computes a metric. Returns None when there are no points, or the value never settles."""
+    """Computes a metric. Returns None when there are no points, or when the value never settles."""
     if not points:
         return None
     target = float(figure.get("target", 0))
@@ -208,8 +209,8 @@ def settling(points: Points, start: float, target: float, band: float) -> float 
 
 
 def means(points: Points) -> Sequence[float]:
-    """Returns the mean of each second that begins at a point; the mean of all points when there is
-    no complete second.
+    """Returns the mean of each second that begins at a point. If no second is complete, returns the
+    mean of all points.
     """
     last = points[-1][0]
     averages: list[float] = []

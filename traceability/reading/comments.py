@@ -1,8 +1,8 @@
-"""Reads comments: each tag with its arguments, its text and its line.
+"""Reads comments. A comment has tags, and each tag has arguments, a text and a line.
 
 A comment is a block of ``///`` lines or a ``/** */``. It belongs to the declaration to which the
-syntax tree assigns it, or to the test macro below it. In a ``.dox`` file the tags of a comment name
-its subject. Texts are plain, with the light markup of the comment: `names` and lists.
+syntax tree assigns it, or to the test macro below it. In a ``.dox`` file, the tags of a comment
+name its subject. The texts are plain text with the light markup of the comment: `names` and lists.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from traceability.schema import Place
 from traceability.sources import files_below
 
 SUFFIXES = (".hpp", ".cpp", ".dox")
-# Arguments in braces, a word, or a text follow the name of a tag. The settings of Doxygen declare
-# the additional tags.
+# The name of a tag can have three kinds of arguments: arguments in braces, a word, or a text. The
+# settings of Doxygen declare the tags that this project adds.
 IN_BRACES = {"role": 2, "patternapp": 3, "isr": 1, "hides": 1}
 WORD = ("param", "tparam", "throws", "satisfies", "verifies", "requirement", "dir", "page")
 OF_CODE = ("brief", "return", "pre", "post", "errors", "function", "secret", "why", "changes")
@@ -29,7 +29,7 @@ OF_REQUIREMENTS = (
 )
 TAGS = {*IN_BRACES, *WORD, *OF_CODE, *OF_REQUIREMENTS, "datatype"}
 
-# Numbers come first, because their ' does not begin a character literal.
+# Numbers are matched first, because a ' in a number does not begin a character literal.
 TOKENS = re.compile(
     r"""\b\d[\w'.]*|R"(?P<mark>[^()\s]*)\(.*?\)(?P=mark)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+'"""
     r"""|(?P<comment>//[^\n]*|/\*.*?\*/)""",
@@ -45,8 +45,9 @@ NEXT_ARGUMENT = re.compile(r"(?<!\\),\s*")
 
 @dataclass
 class Tag:
-    """``text`` is the paragraph of the tag, ``more`` are the paragraphs after it, and ``source`` is
-    the original text. The text before the first tag of a comment is a tag without a name."""
+    """A tag of a comment. ``text`` is its paragraph, ``more`` are the paragraphs after it, and
+    ``source`` is the original text. The text before the first tag of a comment counts as a tag
+    without a name."""
 
     name: str
     arguments: list[str]
@@ -69,7 +70,7 @@ class Comment:
         return [tag for tag in self.tags if tag.name == name]
 
     def all(self, name: str) -> list[str]:
-        """Returns the texts of a tag, or the text in its braces."""
+        """Returns the texts of a tag. A text may also be in the braces of the tag."""
         return [tag.argument if name in IN_BRACES else tag.text for tag in self.of(name)]
 
     def one(self, name: str) -> str:
@@ -84,26 +85,27 @@ class Comment:
         return {tag.argument: tag.text for tag in self.of(name)}
 
     def parts(self, name: str) -> Iterator[Comment]:
-        """Splits the comment before each of these tags. Each part is a comment."""
+        """Splits the comment before each of these tags. Each part is a comment of its own."""
         starts = [number for number, tag in enumerate(self.tags) if tag.name == name]
         for start, end in pairwise([*starts, len(self.tags)]):
             yield Comment(self.tags[start].place, self.tags[start:end])
 
     @cached_property
     def brief(self) -> str:
-        """Returns the text of ``@brief``; without a brief the first paragraph."""
+        """Returns the text of ``@brief``. If there is no brief, returns the first paragraph."""
         return self.one("brief") or self.one("")
 
     @cached_property
     def details(self) -> str:
-        """Returns the paragraphs outside of tags."""
+        """Returns the paragraphs that do not belong to a tag."""
         first = [self.one("")] if self.of("brief") else []
         return "\n\n".join(
             filter(None, [*first, *(text for tag in self.tags for text in tag.more)])
         )
 
     def source(self, without: tuple[str, ...] = ()) -> str:
-        """Returns the comment as written, a line for each paragraph, without some tags."""
+        """Returns the comment as it is written, with a line for each paragraph and without some
+        tags."""
         written = (tag.source for tag in self.tags if tag.name not in without)
         paragraphs = (text for tag in written for text in BLANK_LINE.split(tag))
         return "\n".join(filter(None, (" ".join(text.split()) for text in paragraphs)))
@@ -127,7 +129,7 @@ class Comments:
         return self.files[file]
 
     def at(self, file: str, line: int) -> Comment:
-        """Returns the comment on a line; an empty one where there is none."""
+        """Returns the comment on a line. Returns an empty comment if the line has none."""
         if not line:
             return NO_COMMENT
         if file not in self.lines:
@@ -139,7 +141,7 @@ class Comments:
         return self.lines[file].get(line, NO_COMMENT)
 
     def below(self, names: Iterable[str]) -> Iterator[Comment]:
-        """Yields all comments of some folders."""
+        """Yields all comments of the files below some folders."""
         for path in files_below(self.root, names, SUFFIXES):
             yield from self.of_file(str(path.relative_to(self.root)))
 
@@ -151,14 +153,16 @@ def code_of(text: str) -> str:
 
 
 def comment_blanked(text: str) -> str:
-    """Returns the text without the words of its comments; each line keeps its number."""
+    """Returns the text without the words of its comments. The numbers of the lines do not
+    change."""
     return TOKENS.sub(
         lambda match: "\n" * match[0].count("\n") if match["comment"] else match[0], text
     )
 
 
 def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
-    """Yields each ``//`` and ``/* */``: its line, whether code is before it, and the comment."""
+    """Yields each ``//`` and ``/* */`` comment, with its line and with whether code is before
+    it."""
     line, at = 1, 0
     for token in TOKENS.finditer(text):
         written = token["comment"]
@@ -169,9 +173,9 @@ def comment_tokens(text: str) -> Iterator[tuple[int, bool, str]]:
 
 
 def read_comments(file: str, text: str) -> Iterator[Comment]:
-    """Yields the comments of a file that are documentation."""
+    """Yields the documentation comments of a file."""
     block: list[str] = []
-    start, behind = 0, False  # line of the block, and whether the comment follows the declaration
+    start, behind = 0, False  # line of the block, and whether the comment follows its declaration
     for line, after_code, written in comment_tokens(text):
         slashes = SLASHES.fullmatch(written)
         follows = bool(block) and line == start + len(block) and not after_code
@@ -218,12 +222,13 @@ def _tag(file: str, line: int, text: str, match: re.Match[str], end: int) -> Tag
 
 
 def _paragraphs(text: str) -> list[str]:
-    """Returns the paragraphs. The first paragraph may be empty: a text ends at a blank line."""
+    """Returns the paragraphs. A paragraph ends at a blank line, so the first paragraph may be
+    empty."""
     first, *more = BLANK_LINE.split(text)
     return [plain(first), *filter(None, map(plain, more))]
 
 
 def plain(text: str) -> str:
-    """Returns a text on one line, except that each item of a list starts a line."""
+    """Returns a text on one line. Only the items of a list each begin a new line."""
     parts = re.split(r"\n(?=\s*- )", text.replace("\\,", ","))
     return "\n".join(" ".join(part.split()) for part in parts).strip()

@@ -23,8 +23,8 @@ class Difference:
 
 @dataclass(frozen=True)
 class Comparison:
-    """Two commits and their differences. ``unmeasured`` lists the commits without recorded
-    results: their verdicts, findings, sizes and metrics are not compared."""
+    """Two commits and their differences. ``unmeasured`` lists the commits without recorded results.
+    Their verdicts, findings, sizes and metrics are not compared."""
 
     first: str
     second: str

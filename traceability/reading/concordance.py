@@ -1,4 +1,5 @@
-"""Reads the names of the paper (``paper.toml``) and their places here (``concordance.toml``)."""
+"""Reads the names of the paper (``paper.toml``) and their counterparts here
+(``concordance.toml``)."""
 
 from __future__ import annotations
 
@@ -24,16 +25,19 @@ class Concordance:
     """The places of the paper, the names in them, and the entries of the concordance."""
 
     places: list[PaperPlace] = field(default_factory=list)
-    named: dict[tuple[str, str], list[str]] = field(default_factory=dict)  # -> ids of places
+    named: dict[tuple[str, str], list[str]] = field(
+        default_factory=dict
+    )  # element -> ids of the places that contain it
     lines: dict[tuple[str, str], Place] = field(
         default_factory=dict
-    )  # line of the name in paper.toml
+    )  # element -> line of its name in paper.toml
     entries: list[PaperElement] = field(default_factory=list)
     statements: list[PaperStatement] = field(default_factory=list)
 
 
 def read_concordance(root: Path, entries: Entries) -> Concordance:
-    """Reads the concordance. Each entry lists the places of the paper that name it, if any."""
+    """Reads the concordance. Each entry lists the places of the paper that contain its name, if
+    there are any."""
     if not (root / PAPER).exists() or not (root / CONCORDANCE).exists():
         return Concordance()
     concordance = _paper(root, entries)
@@ -54,7 +58,7 @@ def _paper(root: Path, entries: Entries) -> Concordance:
     lines = (root / PAPER).read_text(encoding="utf-8").splitlines()
     needs = {"id": str, "kind": str, "title": str}
     for item, header in entries.tables(root / PAPER, "place", needs, {"names": dict}, own="id"):
-        start = header.line  # the id is below the header
+        start = header.line  # The id is on a line below the header.
         place = Place(str(PAPER), start + 1)
         concordance.places.append(PaperPlace(item["id"], item["kind"], item["title"], place))
         own = (item["kind"], item["id"])

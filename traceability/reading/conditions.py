@@ -16,8 +16,8 @@ IsOwn = Callable[[Cursor | None], bool]  # whether a declaration belongs to the 
 
 
 def questions(condition: Cursor, is_own: IsOwn) -> list[str]:
-    """Returns parts such as ``Class::operation`` or ``Class::member >= 3``. The initialiser
-    replaces a local variable."""
+    """Returns parts such as ``Class::operation`` or ``Class::member >= 3``. A local variable is
+    replaced by its initialiser."""
     variable = _local(condition)
     if variable is not None:
         return questions(variable, is_own)
@@ -51,7 +51,8 @@ def _local(cursor: Cursor) -> Cursor | None:
 
 
 def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:
-    """Yields the operands of an expression in the order of the text, without arguments of calls."""
+    """Yields the operands of an expression, in the order of the text. Arguments of calls are left
+    out."""
     variable = _local(cursor)
     if variable is not None:
         yield from _names(variable, is_own)
@@ -67,7 +68,9 @@ def _names(cursor: Cursor, is_own: IsOwn) -> Iterator[str]:
             return
     elif cursor.kind in NUMBERS:
         digits = next((token.spelling for token in cursor.get_tokens()), "").rstrip("uUlL")
-        if digits[:1].isdigit():  # the compiler writes a comparison with 0 as an operator
+        if digits[
+            :1
+        ].isdigit():  # The syntax tree represents this comparison with 0 as an operator.
             yield digits
         return
     for part in cursor.get_children():

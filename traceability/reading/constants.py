@@ -1,4 +1,5 @@
-"""The values of constants: variables, enumerators, and operations that return a constant."""
+"""The values of constants. A constant is a variable, an enumerator, or an operation that returns a
+constant."""
 
 from __future__ import annotations
 
@@ -13,14 +14,14 @@ from clang.cindex import Cursor, CursorKind, SourceLocation, SourceRange, TokenK
 from traceability.reading.clang_names import class_name
 
 UNIT = re.compile(r"\[([^\]]+)\]")
-RANGE = " to "  # brackets with this text contain a range, not a unit
+RANGE = " to "  # Brackets with this text contain a range, and not a unit.
 UNSIGNED = {TypeKind.UCHAR, TypeKind.USHORT, TypeKind.UINT, TypeKind.ULONG, TypeKind.ULONGLONG}
 INTEGER = 1  # kind of an evaluated expression
 
 
 def constant_names(cursor: Cursor, file: str) -> list[str]:
-    """Returns the names that a text can use: with the class, or with the file for a constant of a
-    namespace.
+    """Returns the names of a constant that a text can use. They begin with the class, or with the
+    file for a constant of a namespace.
     """
     owner = class_name(cursor.semantic_parent)
     if owner:
@@ -29,7 +30,8 @@ def constant_names(cursor: Cursor, file: str) -> list[str]:
 
 
 def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
-    """Yields the constants of a declaration: suffix of the name, value and unit."""
+    """Yields the constants of a declaration, each as the suffix of the name, the value and the
+    unit."""
     if cursor.kind == CursorKind.ENUM_CONSTANT_DECL:
         bits = 8 * cursor.semantic_parent.enum_type.get_size()
         unsigned = cursor.semantic_parent.enum_type.get_canonical().kind in UNSIGNED
@@ -51,7 +53,8 @@ def constants_of(cursor: Cursor) -> Iterator[tuple[str, int, str]]:
 
 
 def value_of(cursor: Cursor) -> Cursor | None:
-    """Returns the expression of a constant, or the result of an operation with one statement."""
+    """Returns the expression of a constant. For an operation with one statement, it is the returned
+    expression."""
     if cursor.kind == CursorKind.VAR_DECL:
         return last_expression(cursor) if cursor.type.is_const_qualified() else None
     body = next((c for c in cursor.get_children() if c.kind == CursorKind.COMPOUND_STMT), None)
@@ -67,8 +70,8 @@ def last_expression(cursor: Cursor) -> Cursor | None:
 
 
 def number_of(value: Cursor) -> tuple[int, str] | None:
-    """Returns the number of an expression, and its unit if its type or its factory function has
-    one.
+    """Returns the number of an expression, and its unit if the type or the factory function has a
+    unit.
     """
     if value.type.get_canonical().kind != TypeKind.RECORD:
         number = evaluated(value)
@@ -95,21 +98,19 @@ def members_of(value: Cursor) -> Iterator[tuple[Cursor, Cursor]]:
 
 
 def unit_of_function(function: Cursor) -> str:
-    """Returns the unit of the parameter of an operation that makes a quantity."""
+    """Returns the unit of an operation that makes a quantity. It is the unit of its parameter."""
     if function.kind != CursorKind.FUNCTION_DECL:
         return ""
     return unit_in(function.raw_comment)
 
 
 def unit_of_type(value: Cursor) -> str:
-    """Returns the unit of a type, as the comment above it states it."""
+    """Returns the unit of a type. The comment above the type states it."""
     return unit_in(value.type.get_declaration().raw_comment)
 
 
 def unit_beside(cursor: Cursor) -> str:
-    """Returns the unit in the comment above a constant, or in the comment at the end of its
-    line.
-    """
+    """Returns the unit in the comment above a constant or at the end of its line."""
     if stated := unit_in(cursor.raw_comment):
         return stated
     unit, file, line = cursor.translation_unit, cursor.location.file, cursor.extent.end.line

@@ -1,8 +1,8 @@
 """The lines and branches of the design that each test executed, on this machine and on the K64.
 
 On this machine, the counters of gcc show the lines and branches: see ``gcov_arcs``. On the virtual
-K64, each test records one bit for each half-word of the flash that it executed. These bits show
-lines, but no branches: see ``board_coverage``.
+K64, each test records one bit for each half-word that it executed. These bits show lines but no
+branches: see ``board_coverage``.
 """
 
 from __future__ import annotations
@@ -21,25 +21,25 @@ from traceability.schema import HOST, VIRTUAL_K64
 from traceability.sources import DESIGN, file_hash
 
 HOST_BUILD = SOURCES[HOST].executable.parents[1]
-# Folders of other programs next to the test program. Code that only these programs contain is
-# ignored.
+# Folders of other programs, which are next to the test program. Code that only these programs
+# contain is ignored.
 OTHER_PROGRAMS = r".*/(usual_design_tests|change_\w+_tests|weeding_robot_host)\.dir"
 
 
 @dataclass
 class Coverage:
-    """The executable code of a target, and the executed part for each recording."""
+    """The executable code of a target, and the part of it that each recording executed."""
 
     whole: Covered = field(default_factory=Covered)
     recordings: dict[str, Covered] = field(default_factory=dict)
 
     @property
     def branched(self) -> bool:
-        """Returns whether branches are recorded."""
+        """Returns whether the target records branches."""
         return any(self.whole.branches.values())
 
     def of(self, recordings: list[str]) -> Covered:
-        """Returns the code that some recordings executed in total."""
+        """Returns the code that at least one of these recordings executed."""
         union = Covered()
         for name in recordings:
             if name in self.recordings:
@@ -48,17 +48,17 @@ class Coverage:
 
     @functools.cached_property
     def all(self) -> Covered:
-        """Returns the code that all recordings executed in total."""
+        """Returns the code that at least one recording executed."""
         return self.of(list(self.recordings))
 
 
 def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
-    """Returns the coverage of each target, from the last run of its tests."""
+    """Returns the coverage of each target. It is from the last run of the target's tests."""
     readers = {HOST: _read_host, VIRTUAL_K64: _read_board}
     coverages: dict[str, Coverage] = {}
     for binding, reader in readers.items():
         if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
-            coverages[binding] = Coverage()  # the tests never ran, or are running
+            coverages[binding] = Coverage()  # The tests never ran, or they are running.
             continue
         cached = cache / f"coverage-{RUNS[binding]}.json"
         key = _key(root, binding)
@@ -73,7 +73,7 @@ def read_coverage(root: Path, cache: Path) -> dict[str, Coverage]:
 
 
 def _key(root: Path, binding: str) -> str:
-    """Identifies the run of the tests and the version of the reader."""
+    """Returns a key that identifies the run of the tests and the version of the reader."""
     run = run_hash(root, binding)
     here = Path(__file__).parent
     parts = (__file__, here / "gcov_arcs.py", here / "board_coverage.py")
@@ -119,7 +119,7 @@ def _read_host(root: Path) -> Coverage:
     for graphs in units.values():
         for graph in graphs.values():
             coverage.whole.merge(_of_design(root, graph.whole()))
-    # Equal counters of a function are solved only once.
+    # A function with the same counters as before is solved only once.
     solved: dict[tuple[Path, str], Covered] = {}
     for path in files:
         covered = coverage.recordings[path.name.removesuffix(".arcs")] = Covered()
@@ -151,7 +151,7 @@ def _of_design(root: Path, covered: Covered) -> Covered:
 
 @functools.cache
 def design_file(root: Path, file: str) -> str:
-    """Returns the path below the root; empty for a file outside the design."""
+    """Returns the path below the root. The path is empty for a file outside the design."""
     path = Path(file)
     if not path.is_relative_to(root):
         return ""

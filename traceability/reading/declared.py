@@ -1,4 +1,4 @@
-"""Reads the declarations of ``design/``: trees, state machines, architecture, uses, patterns."""
+"""Reads the declarations of ``design/``: trees, state machines, architecture, uses and patterns."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class ClauseText:
     pattern: str
     says: str
     fix: str
-    about: list[str]  # roles of the modules that the clause concerns
+    about: list[str]  # roles whose modules the clause is about
     place: Place
 
 
@@ -61,7 +61,7 @@ class KnownApplication:
 
 @dataclass
 class KnownPattern:
-    """A pattern: the roles that each application binds, and the number of applications."""
+    """A pattern, with the roles that each application binds and with the number of applications."""
 
     name: str
     applications: int
@@ -71,7 +71,7 @@ class KnownPattern:
 
 @dataclass
 class SharedFunctions:
-    """A file that is not a module: functions that the modules of a folder share."""
+    """A file that is not a module. It contains functions that the modules of a folder share."""
 
     file: str
     why: str
@@ -89,7 +89,7 @@ class Block:
 
 @dataclass
 class PipeText:
-    """The name and text of a pipe of the robot."""
+    """The name and the text of a pipe of the robot."""
 
     object: str  # Class::member
     name: str
@@ -116,7 +116,9 @@ class Declared:
     allowed: list[AllowedUse] = field(default_factory=list)
     cycles: list[Cycle] = field(default_factory=list)
     trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
-    tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)  # how to fix it
+    tree_errors: list[tuple[Place, str, str]] = field(
+        default_factory=list
+    )  # text: how to fix the finding
     applications: dict[str, KnownApplication] = field(default_factory=dict)
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     patterns: list[KnownPattern] = field(default_factory=list)
@@ -124,12 +126,12 @@ class Declared:
     shared: list[SharedFunctions] = field(default_factory=list)
     names: dict[str, list[str]] = field(default_factory=dict)  # logic module -> its modules
     name_places: dict[str, Place] = field(default_factory=dict)  # logic module -> its entry
-    total: int | None = None  # number of modules of the design
+    total: int | None = None  # number of modules that the design has
     blocks: list[Block] = field(default_factory=list)
     contexts: dict[str, ExecutionContext] = field(default_factory=dict)
     ends: list[str] = field(default_factory=list)  # methods that end the firmware
     pipes: dict[str, PipeText] = field(default_factory=dict)
-    protections: dict[str, Protection] = field(default_factory=dict)  # member, or Class::*
+    protections: dict[str, Protection] = field(default_factory=dict)  # key: a member, or Class::*
     board_findings: dict[str, BoardFinding] = field(default_factory=dict)
     beliefs: list[BoardBelief] = field(default_factory=list)
     belief_sources: dict[str, BeliefSource] = field(default_factory=dict)
@@ -140,13 +142,15 @@ class Declared:
     concordance: Concordance = field(default_factory=Concordance)
     tuned: list[Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
-    kits: dict[str, Kit] = field(default_factory=dict)  # application -> the kit that changes it
+    kits: dict[str, Kit] = field(
+        default_factory=dict
+    )  # application -> the change that is made to it
     safety: SafetyCase = field(default_factory=SafetyCase)
     proofs: dict[str, ProofProperty] = field(default_factory=dict)
     proof_events: dict[str, ProofEvent] = field(default_factory=dict)
 
 
-# The files of a whole design, besides its trees and state machines.
+# The files of a complete design. Trees and state machines are separate.
 FILES = (
     *("applications", "architecture", "board_beliefs", "board_findings", "changes"),
     *("clauses", "closed_loop"),
@@ -200,7 +204,7 @@ def read_declared(root: Path) -> Declared:
     _modules(design / "modules.toml", entries, declared)
     entries.others()
     for path in files_below(root, ("design", "requirements"), (".toml",)):
-        entries.whole(path)  # others read it
+        entries.whole(path)  # Other readers read the rest of the file.
     if declared.total is not None:
         entries.absent(design / f"{name}.toml" for name in FILES)
     return declared
@@ -301,7 +305,7 @@ def _execution(path: Path, entries: Entries, declared: Declared) -> None:
 def _trees(root: Path, path: Path, declared: Declared) -> None:
     file = str(path.relative_to(root))
     current = ""
-    stack: list[tuple[int, list[TreeNode]]] = []  # depth and children of the nodes above
+    stack: list[tuple[int, list[TreeNode]]] = []  # depth of the nodes above, and their children
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         words = line.split("#")[0].rstrip()
         if not words:
@@ -310,14 +314,14 @@ def _trees(root: Path, path: Path, declared: Declared) -> None:
         if re.fullmatch(r"N?FR-\d+", words):
             current, stack = words, []
             if words in declared.trees:
-                text = f"{words} has a tree in {_told(declared.trees[words][0])} already"
+                text = f"{_told(declared.trees[words][0])} already has a tree of {words}"
                 declared.tree_errors.append((place, text, "remove one of the two trees"))
             declared.trees[current] = (place, None)
             continue
         match = re.fullmatch(r"((?:  )*)(post )?([\w:~]+)::(~?\w+)(?: ([?*]))?", words)
         if match is None or not current:
             fix = "write 'FR-n', or 'Class::method' with its indentation, and ? or * after it"
-            declared.tree_errors.append((place, "this line is not an id and not a node", fix))
+            declared.tree_errors.append((place, "this line is neither an id nor a node", fix))
             continue
         depth = len(match[1]) // 2
         label = f"{match[3]}::{match[4]}"

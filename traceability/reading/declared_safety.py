@@ -43,7 +43,8 @@ OPERATORS: dict[type[ast.operator], Callable[[float, float], float]] = {
 
 
 def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
-    """Returns the case as it is declared, with its scenarios; empty without the file."""
+    """Returns the declared case with its scenarios. The case is empty if the file does not
+    exist."""
     path = root / FILE
     if not path.exists():
         return SafetyCase()
@@ -77,7 +78,7 @@ def read_safety_case(root: Path, entries: Entries) -> SafetyCase:
 
 
 def linked(case: SafetyCase) -> SafetyCase:
-    """Returns the case with levels, times and the links from goals and assumptions back to
+    """Returns the case with levels and times. Its goals and assumptions have links back to their
     hazards.
     """
     hazards = {
@@ -103,8 +104,8 @@ def linked(case: SafetyCase) -> SafetyCase:
 
 
 def level_of(case: SafetyCase, severity: str, exposure: str, avoidance: str) -> str:
-    """Returns the performance level that the risk graph requires; empty when the graph has no such
-    entry.
+    """Returns the performance level that the risk graph requires. The level is empty if the graph
+    has no such entry.
     """
     rows = case.graph.get(severity, [])
     if exposure not in ROWS or avoidance not in COLUMNS or len(rows) != len(ROWS):
@@ -119,7 +120,7 @@ def highest(case: SafetyCase, levels: Iterable[str]) -> str:
 
 
 def evaluate(formula: str) -> float | None:
-    """Returns the value of a formula of numbers; ``None`` when it is invalid."""
+    """Returns the value of a formula of numbers. Returns ``None`` if the formula is invalid."""
     try:
         return _value(ast.parse(formula, mode="eval").body)
     except (SyntaxError, ValueError, ZeroDivisionError):
@@ -140,8 +141,8 @@ def words_of(texts: Iterable[str]) -> list[str]:
 
 
 def read_sources(text: str) -> list[SourceReference]:
-    """Returns the references of a text such as "goal: SG-2; paper: Section VII"; other texts have
-    no kind.
+    """Returns the references of a text such as "goal: SG-2; paper: Section VII". A reference
+    without a colon has no kind.
     """
     sources: list[SourceReference] = []
     for part in filter(None, (reference.strip() for reference in text.split(";"))):
@@ -159,8 +160,8 @@ def read_sources(text: str) -> list[SourceReference]:
 
 
 def read_scenarios(root: Path) -> dict[str, FaultScenario]:
-    """Returns the scenarios by name. The first comment is the title, and "# goal SG-1" names a
-    goal.
+    """Returns the scenarios by name. The first comment of a scenario is its title. A comment "#
+    goal SG-1" names a goal.
     """
     paths = files_below(root, (str(SCENARIOS),), (".scenario",))
     return {path.stem: _scenario(root, path) for path in paths}

@@ -1,4 +1,4 @@
-"""Runs Doxygen for its warnings, and for the pages of members that Breathe generates from its
+"""Runs Doxygen. Its warnings are findings, and Breathe generates the pages of members from its
 XML."""
 
 from __future__ import annotations
@@ -21,28 +21,29 @@ from traceability.whole_file import write_whole
 
 INPUTS = (*DESIGN, "tests", "requirements")
 DOXYFILE = Path("traceability/doxygen/Doxyfile")
-# The reader of comments checks ids of requirements and names of tags.
+# The reader of comments checks the ids of requirements and the names of tags.
 NOT_OURS = re.compile(r"[Rr]equirement|satisfies|verifies|Found unknown command")
 
 
 def doxygen_executable() -> str:
-    """Returns the program next to the running Python, or else the program on the path."""
+    """Returns the program next to the running Python. If it does not exist, returns the program on
+    the path."""
     installed = Path(sys.executable).parent / "doxygen"
     return str(installed) if installed.exists() else (shutil.which("doxygen") or "doxygen")
 
 
 @dataclass
 class DoxygenRun:
-    """A run of Doxygen in the background; there is no process if no input changed."""
+    """A run of Doxygen in the background. There is no process if no input changed."""
 
     root: Path
     xml: Path
-    record: Path  # the state of the inputs, and the output of Doxygen
+    record: Path  # state of the inputs, and output of Doxygen
     state: str
     process: subprocess.Popen[bytes] | None = None
 
     def warnings(self) -> list[tuple[Place, str]]:
-        """Waits for the end of the run. Returns its warnings."""
+        """Waits until the run ends, and returns its warnings."""
         if self.process is not None:
             output = self.process.communicate()[1].decode()
             code, self.process = self.process.returncode, None
@@ -54,7 +55,7 @@ class DoxygenRun:
         return list(_warnings(self.root, lines))
 
     def stop(self) -> None:
-        """Ends the process when its result is no longer needed."""
+        """Ends the process if its result is no longer needed."""
         if self.process is not None and self.process.poll() is None:
             self.process.kill()
             self.process.wait()
@@ -62,7 +63,7 @@ class DoxygenRun:
 
 @contextmanager
 def doxygen_beside(root: Path, build: Path) -> Iterator[DoxygenRun]:
-    """Runs Doxygen while the caller continues; stops it when the caller fails."""
+    """Runs Doxygen while the caller continues. Stops Doxygen if the caller fails."""
     run = start_doxygen(root, build)
     try:
         yield run
@@ -71,7 +72,7 @@ def doxygen_beside(root: Path, build: Path) -> Iterator[DoxygenRun]:
 
 
 def start_doxygen(root: Path, build: Path) -> DoxygenRun:
-    """Starts Doxygen when an input changed."""
+    """Starts Doxygen if an input changed."""
     xml, record = build / "xml", build / "doxygen.json"
     doxyfile = root / DOXYFILE
     if not doxyfile.exists():
@@ -86,7 +87,9 @@ def start_doxygen(root: Path, build: Path) -> DoxygenRun:
     last = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
     if xml.is_dir() and last.get("state") == run.state:
         return run
-    record.unlink(missing_ok=True)  # first: the folder may be left with some of its files
+    record.unlink(
+        missing_ok=True
+    )  # The record is removed first, because an interrupted run can leave an incomplete folder.
     shutil.rmtree(xml, ignore_errors=True)
     build.mkdir(parents=True, exist_ok=True)
     folders = " ".join(name for name in INPUTS if (root / name).exists())
@@ -106,7 +109,7 @@ def start_doxygen(root: Path, build: Path) -> DoxygenRun:
 
 
 def _warnings(root: Path, lines: list[str]) -> Iterator[tuple[Place, str]]:
-    """Yields each warning with the indented lines below it."""
+    """Yields each warning together with the indented lines below it."""
     for line in re.sub(r"\n +", " ", "\n".join(lines)).splitlines():
         match = re.match(r"(.+?):(\d+): (?:warning|error): (.*)", line)
         if match is not None and not NOT_OURS.search(match[3]):

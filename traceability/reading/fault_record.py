@@ -9,7 +9,7 @@ from typing import Any
 from traceability.reading.published import Published, read_published
 
 OUTCOMES = ("harmless", "detected", "late", "silent", "hung", "stopped")
-FAULTS, FUZZ, LOADS = "faults", "fuzz", "loads"  # names of the records
+FAULTS, FUZZ, LOADS = "faults", "fuzz", "loads"  # names of the published records
 
 
 METRICS = (
@@ -21,14 +21,14 @@ METRICS = (
 
 
 def read_campaigns(root: Path) -> dict[str, Published]:
-    """Returns the published records by the kind of their campaign."""
+    """Returns the published records. The key is the kind of the campaign."""
     records = {name: read_published(root, name) for name in (FAULTS, FUZZ, LOADS)}
     return {name: record for name, record in records.items() if record}
 
 
 def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
-    """Returns the metrics of the last campaigns. No build runs the campaigns, so all metrics are
-    under ``last``."""
+    """Returns the metrics of the last campaigns. They are all under ``last``, because no build runs
+    the campaigns."""
     return {
         metric: {
             "command": record.command,
@@ -43,7 +43,7 @@ def campaign_metrics(records: Mapping[str, Published]) -> dict[str, Any]:
 
 def _values(name: str, result: Mapping[str, Any]) -> dict[str, Any]:
     if name == LOADS:
-        return {}  # the page of the bench shows them
+        return {}  # The page of the bench shows them.
     if name == FUZZ:
         counts = result["outcomes"]
         return {f"reliability.fuzz_{key}": counts[key] for key in ("inputs", "failures")}

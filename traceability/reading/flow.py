@@ -1,7 +1,7 @@
-"""The flow of references: from an object through members, parameters and results to its users.
+"""The flow of references from an object to its users, through members, parameters and results.
 
-Places are named by strings: ``field Class::name``, ``param function 0``, ``var file:name``,
-``result function``, ``this Class``, ``function name`` and ``constant Enum::name``. An expression
+A place is named by a string: ``field Class::name``, ``param function 0``, ``var file:name``,
+``result function``, ``this Class``, ``function name`` or ``constant Enum::name``. An expression
 without a name is ``value``.
 """
 
@@ -28,8 +28,16 @@ CHANCES = {
     CursorKind.CONDITIONAL_OPERATOR,
     *LOOPS,
 }
-DECLARATIONS = {CursorKind.DECL_STMT, CursorKind.VAR_DECL}  # before a condition
-KEEPS = {"store", "exchange", "push_back", "operator="}  # functions of the standard library
+DECLARATIONS = {
+    CursorKind.DECL_STMT,
+    CursorKind.VAR_DECL,
+}  # Such a declaration can precede a condition.
+KEEPS = {
+    "store",
+    "exchange",
+    "push_back",
+    "operator=",
+}  # functions of the standard library that store a reference
 ASSIGNMENTS = {CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR}
 COMPARISONS = {"==", "!=", "<", ">", "<=", ">="}
 INDEXED = {CursorKind.ARRAY_SUBSCRIPT_EXPR, CursorKind.CALL_EXPR}
@@ -43,7 +51,7 @@ EXPRESSIONS_APART = {CursorKind.TYPE_REF, CursorKind.NAMESPACE_REF, CursorKind.L
 
 @dataclass
 class FlowFact:
-    """A flow: the place may refer to the objects of the sources."""
+    """A flow of references. The place may refer to the objects of the sources."""
 
     into: str
     sources: list[str]
@@ -51,7 +59,7 @@ class FlowFact:
 
 
 class FlowReader:
-    """Returns the names of the places to which the expressions of one unit refer."""
+    """Finds the places to which the expressions of one unit refer."""
 
     def __init__(self, place: PlaceOf) -> None:
         self.place = place
@@ -60,7 +68,8 @@ class FlowReader:
     # ---- names of places ------------------------------------------------------
 
     def node(self, cursor: Cursor | None) -> str:
-        """Returns the place of a declaration; empty when it is outside of the project."""
+        """Returns the place of a declaration. The place is empty if the declaration is outside of
+        the project."""
         at = self.place(cursor) if cursor is not None else None
         parent = cursor.semantic_parent if cursor is not None else None
         if cursor is None or at is None or parent is None or cursor.spelling.startswith("__"):
@@ -78,8 +87,8 @@ class FlowReader:
         return names.get(cursor.kind, "")
 
     def function(self, cursor: Cursor) -> str:
-        """Returns the id of a function. A function that is local to a file has the file in its
-        id."""
+        """Returns the id of a function. If a function is local to a file, its id contains the
+        file."""
         name = function_id(cursor)
         if "::" in name or cursor.linkage == LinkageKind.EXTERNAL:
             return name
@@ -87,7 +96,7 @@ class FlowReader:
         return f"{at.file}:{name}" if at else name
 
     def sources(self, cursor: Cursor) -> list[str]:
-        """Returns the places that an expression names, without intermediate steps."""
+        """Returns the places that an expression names. Intermediate steps are left out."""
         return list(dict.fromkeys(self._sources(cursor)))
 
     def _sources(self, cursor: Cursor) -> Iterator[str]:
@@ -108,7 +117,7 @@ class FlowReader:
                 yield f"result {self.function(target)}"
                 return
             if not target.is_copy_constructor() and not target.is_move_constructor():
-                return  # a new object, named by its place
+                return  # A new object is named by its place.
         for child in cursor.get_children():
             yield from self._sources(child)
 
@@ -133,7 +142,8 @@ class FlowReader:
         return named
 
     def receiver(self, call: Cursor) -> list[str]:
-        """Returns the places of the object of a call; empty when it is the caller's own object."""
+        """Returns the places of the object on which a call is made. The list is empty if it is the
+        caller's own object."""
         callee = next(call.get_children(), None)
         if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
             return []
@@ -141,7 +151,7 @@ class FlowReader:
         return self.sources(base) if base is not None else []
 
     def note(self, cursor: Cursor, function: str, place: Place) -> None:
-        """Records the references that other statements pass."""
+        """Records the references that statements other than calls pass."""
         kind = cursor.kind
         if kind == CursorKind.VAR_DECL:
             self.variable(cursor, place)
@@ -167,7 +177,7 @@ class FlowReader:
         self.add(name, sources, place)
 
     def kept(self, sides: list[Cursor], place: Place) -> None:
-        """Records ``a[i] = b``: both the member and the index refer to ``b``."""
+        """Records ``a[i] = b``. Both the member and the index then refer to ``b``."""
         sources = self.sources(sides[1])
         for name in self.sources(sides[0]) if sources else []:
             self.add(name, sources, place)
@@ -177,7 +187,7 @@ class FlowReader:
             return
         values = list(call.get_arguments())
         into = self.receiver(call)
-        if not into and len(values) > 1:  # an operator: the first argument is the object
+        if not into and len(values) > 1:  # For an operator, the first argument is the object.
             into, values = self.sources(values[0]), values[1:]
         for name in into:
             for value in values:
@@ -204,7 +214,7 @@ class FlowReader:
         return []
 
     def referred(self, variable: Cursor) -> list[str]:
-        """Returns the member that a reference may be used to change."""
+        """Returns the member that the code can change through a reference."""
         value = next(reversed(list(variable.get_children())), None)
         constant = variable.type.get_pointee().is_const_qualified()
         return [] if constant or value is None else self.members(value)
@@ -222,7 +232,7 @@ class FlowReader:
         return self.members(first) if first is not None else []
 
     def members(self, cursor: Cursor) -> list[str]:
-        """Returns the members by value that contain an expression, as ``Class::name``."""
+        """Returns the members that contain an expression by value, as ``Class::name``."""
         members: list[str] = []
         at: Cursor | None = cursor
         while at is not None:
@@ -265,7 +275,8 @@ def numbered(cursor: Cursor) -> Iterator[Cursor]:
 
 
 def sure_parts(cursor: Cursor) -> int:
-    """Counts the first parts of a statement that each execution of the statement executes."""
+    """Returns the number of a statement's first parts that every execution of the statement
+    executes."""
     children = list(cursor.get_children())
     if cursor.kind in CHANCES:
         return 1 + bool(children and children[0].kind in DECLARATIONS)
@@ -289,7 +300,7 @@ def is_method_name(cursor: Cursor) -> bool:
 
 
 def method_in_template(call: Cursor) -> Cursor | None:
-    """Returns the method of a class template to which a call by name in another template refers."""
+    """Returns the method of a class template that a call in another template names."""
     callee = next(call.get_children(), None) if call.kind == CursorKind.CALL_EXPR else None
     if callee is None or callee.kind != CursorKind.MEMBER_REF_EXPR:
         return None

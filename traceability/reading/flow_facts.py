@@ -1,4 +1,5 @@
-"""Linear inequalities between the executions of marked lines, for example ``edges <= entries``."""
+"""Linear inequalities between the numbers of executions of marked lines, such as ``edges <=
+entries``."""
 
 from __future__ import annotations
 
@@ -6,21 +7,22 @@ import ast
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 
-ENTRIES = "entries"  # the calls of the method
+ENTRIES = "entries"  # name for the number of calls of the method
 
 
 @dataclass(frozen=True)
 class Inequality:
-    """The left side does not exceed the right side. A term without a name is a number."""
+    """An inequality whose left side is not greater than the right side. A term without a name is a
+    number."""
 
     factors: Mapping[
         str, int
-    ]  # counter -> factor: positive on the left side, negative on the right
+    ]  # counter -> factor, which is positive on the left side and negative on the right side
     most: int
 
 
 def read_inequality(text: str, counters: Iterable[str], value: Callable[[str], int]) -> Inequality:
-    """Returns an inequality of sums: ``value`` returns the number of a constant expression."""
+    """Reads an inequality of sums. ``value`` returns the number of a constant expression."""
     left, sign, right = text.partition("<=")
     if not sign:
         raise ValueError(f"no inequality: {text}")
@@ -46,7 +48,7 @@ def _terms(node: ast.expr) -> list[ast.expr]:
 def _split(
     term: ast.expr, names: frozenset[str], value: Callable[[str], int]
 ) -> tuple[str | None, int]:
-    """Returns the counter of a term, if it has one, and its factor."""
+    """Returns the counter of a term and its factor. A term without a counter has none."""
     if isinstance(term, ast.Name) and term.id in names:
         return term.id, 1
     if isinstance(term, ast.BinOp) and isinstance(term.op, ast.Mult):

@@ -1,8 +1,8 @@
 """The lines and branches of the design that each test executed on this machine.
 
-gcc counts some arcs of the flow graph of each function, and writes the graphs next to the objects.
-The counters of the other arcs are computed: the program leaves a block as often as it enters the
-block.
+gcc counts some arcs of the flow graph of each function, and writes the graphs next to the object
+files. The counters of the other arcs are computed from the rule that the program leaves a block as
+often as it enters the block.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ from pathlib import Path
 from typing import TypeVar
 
 FUNCTION, BLOCKS, ARCS, LINES = 0x01000000, 0x01410000, 0x01430000, 0x01450000
-HEADER = 16  # bytes: kind of file, version, and two sums
+HEADER = 16  # number of bytes for the kind of file, the version and two check sums
 ON_TREE, FAKE = 1, 2
 
-Line = tuple[str, int]  # file, and number of the line
-Branch = tuple[int, int]  # line, and the number of the branch
+Line = tuple[str, int]  # file and number of the line
+Branch = tuple[int, int]  # line and number of the branch
 Part = TypeVar("Part")
 
 
 @dataclass
 class Covered:
-    """Lines and branches of files."""
+    """The lines and branches of files."""
 
     lines: dict[str, set[int]] = field(default_factory=dict)
     branches: dict[str, set[Branch]] = field(default_factory=dict)
@@ -59,7 +59,7 @@ class Arc:
 class Graph:
     """The flow graph of a function, with the source lines of each block.
 
-    A block of an inlined function has lines of another file.
+    If a function is inlined, its block has lines of another file.
     """
 
     arcs: list[Arc] = field(default_factory=list)
@@ -96,8 +96,8 @@ class Graph:
 
     @functools.cached_property
     def branches(self) -> dict[int, tuple[str, Branch]]:
-        """Returns file and branch of each arc. The arcs that leave a block belong to its last
-        line.
+        """Returns the file and the branch of each arc. The arcs that leave a block belong to the
+        last line of the block.
         """
         leaving, _ = self._sides()
         branches: dict[int, tuple[str, Branch]] = {}
@@ -160,7 +160,8 @@ def read_graphs(path: Path) -> dict[int, Graph]:
 
 
 class Words:
-    """The content of a record: numbers of four bytes, and texts with their length before them."""
+    """The content of a record. It has numbers of four bytes, and texts with their length before
+    them."""
 
     def __init__(self, data: bytes) -> None:
         self.data = data
@@ -186,7 +187,7 @@ class Words:
 
 def records(data: bytes) -> Iterator[tuple[int, Words]]:
     start = Words(data[HEADER:])
-    start.text()  # the folder of the compiler
+    start.text()  # the folder in which the compiler ran
     at = HEADER + start.at + 4
     while at + 8 <= len(data):
         tag, length = struct.unpack_from("<II", data, at)

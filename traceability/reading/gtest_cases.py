@@ -1,4 +1,4 @@
-"""The tests of a file: the macro of each, its line and its body."""
+"""The tests of a file, each with its macro, its line and its body."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from traceability.reading.comments import code_of
 
 MACROS = ("TEST", "TEST_F", "TEST_P", "TYPED_TEST", "TYPED_TEST_P")
 HEAD = re.compile(rf"^(?:{'|'.join(MACROS)})\(\s*(\w+)\s*,\s*(\w+)\s*\)", re.MULTILINE)
-# Macros for lists of parameters and types, which define no test.
+# Macros that list parameters or types. They define no test.
 LISTS = (
     *("INSTANTIATE_TEST_SUITE_P", "INSTANTIATE_TYPED_TEST_SUITE_P", "TYPED_TEST_SUITE"),
     *("TYPED_TEST_SUITE_P", "REGISTER_TYPED_TEST_SUITE_P"),
@@ -24,7 +24,7 @@ class Case:
     suite: str
     name: str
     line: int
-    body: str  # body with the macro
+    body: str  # body, including the macro
 
     @property
     def id(self) -> str:
@@ -45,7 +45,8 @@ def read_tests(text: str) -> Iterator[Case]:
 
 
 def unknown_macros(text: str) -> Iterator[tuple[int, str]]:
-    """Yields line and name of each macro that looks like a test macro and is unknown."""
+    """Yields the line and the name of each macro that looks like the macro of a test but is not
+    known."""
     for match in MACRO.finditer(text):
         if match[1] not in (*MACROS, *LISTS):
             yield text.count("\n", 0, match.start()) + 1, match[1]

@@ -8,10 +8,10 @@ from typing import Any
 from traceability.reading.results import read_json
 from traceability.reading.task_record import IMAGES, is_fresh
 
-TOTALS = Path("build/results/image_k64.json")  # flash and RAM of the image that was built
+TOTALS = Path("build/results/image_k64.json")  # record of the flash and RAM of the image
 
 
 def read_image(root: Path) -> dict[str, Any] | None:
-    """Returns the record of the image, if it was built from the present sources."""
+    """Returns the record of the image, if the present sources built the image."""
     record = read_json(root / TOTALS)
     return record if isinstance(record, dict) and is_fresh(root, IMAGES) else None

@@ -8,8 +8,8 @@ from traceability.reading.build_evidence import git
 
 
 def last_changes(root: Path) -> dict[str, str]:
-    """Returns for each file of the history the date and the number of its last commit. Empty
-    without git.
+    """Returns the date and the hash of the last commit of each file. Returns nothing without
+    git.
     """
     found: dict[str, str] = {}
     log = git(root, "log", "--no-merges", "--format=%x00%cs %h", "--name-only")

@@ -1,5 +1,6 @@
 """The texts on which the links of a requirement depend, without comments and layout. Each text is
-found in its file, so an earlier version of the file in git contains the earlier text."""
+searched in its file. The same search in an earlier version of the file therefore finds the earlier
+text."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from collections.abc import Iterator
 from traceability.reading.comments import code_of, read_comments
 from traceability.reading.gtest_cases import read_tests
 
-OF_LINKS = ("satisfies", "isr")  # not part of a specification
+OF_LINKS = ("satisfies", "isr")  # these tags are not part of a specification
 TOKENS = re.compile(r"""\d[\w.']*|"(?:\\.|[^"\\])*"|\w+|[^\s\w]""")
 HASH_DIGITS = 16
 STRING = re.compile(r'"(?:\\.|[^"\\\n])*"')
@@ -36,18 +37,19 @@ TREE = re.compile(r"^(N?FR-\d+)[^\n]*\n((?:[^\n]*\n)*?)(?=^N?FR-|\Z)", re.MULTIL
 
 @functools.cache
 def hash_of_text(text: str) -> str:
-    """Returns a hash of the words and signs of a text, so that the layout does not matter."""
+    """Returns a hash of the words and signs of a text. The layout does not change the hash."""
     words = " ".join(TOKENS.findall(text))
     return hashlib.sha256(words.encode()).hexdigest()[:HASH_DIGITS]
 
 
 def hash_of(kind: str, text: str) -> str:
-    """Returns the hash of a text of a kind. In code the names of local variables do not matter."""
+    """Returns the hash of a text of a kind. In code, the names of local variables do not change the
+    hash."""
     return hash_of_text(numbered(text) if kind in CODE else text)
 
 
 def numbered(code: str) -> str:
-    """Returns code with a number in place of each local variable and parameter."""
+    """Returns code in which a number replaces each local variable and parameter."""
     declared = [match[2] for match in LOCAL.finditer(code) if match[1] not in NO_TYPES]
     names = list(dict.fromkeys(name for name in declared if name not in BUILT_IN))
     if not names:
@@ -59,7 +61,7 @@ def numbered(code: str) -> str:
 
 @functools.cache
 def requirements(text: str) -> list[tuple[str, str]]:
-    """Returns the id of each requirement, and the complete text below it."""
+    """Returns the id of each requirement with the complete text below it."""
     return [
         (part.tags[0].argument, part.source())
         for comment in read_comments("", text)
@@ -69,21 +71,23 @@ def requirements(text: str) -> list[tuple[str, str]]:
 
 @functools.cache
 def specifications(text: str) -> list[tuple[range, str, str]]:
-    """Yields each comment with a declaration: its lines, the declaration, and both as one text."""
+    """Yields each comment with its declaration. The result has the lines, the declaration, and both
+    as one text."""
     return list(_specifications(text))
 
 
 @functools.cache
 def tests(text: str) -> list[tuple[str, str]]:
-    """Returns the id of each test, and its body without comments."""
+    """Returns the id of each test with its body. Comments are left out."""
     return [(case.id, case.code) for case in read_tests(text)]
 
 
 @functools.cache
 def support(text: str) -> str:
-    """Returns the text of a file without its tests: fixtures, oracles, helpers, parameter lists.
+    """Returns the text of a file without its tests. It contains fixtures, oracles, helpers and
+    lists of parameters.
 
-    In a scenario, and in a file without tests, this is the whole text except the comments.
+    For a scenario and for a file without tests, this is the whole text except the comments.
     """
     rest = text
     for case in read_tests(text):
@@ -92,7 +96,7 @@ def support(text: str) -> str:
 
 
 def without_remarks(text: str) -> str:
-    """Returns the lines of a tree or scenario without ``#`` comments, each with its depth."""
+    """Returns the lines of a tree or scenario with their depths. ``#`` comments are left out."""
     lines = (line.split("#")[0].rstrip() for line in text.splitlines())
     return "\n".join(
         f"{(len(line) - len(line.lstrip())) // 2} {line.strip()}" for line in lines if line
@@ -121,15 +125,13 @@ def texts_of_tree(text: str, name: str) -> Iterator[str]:
 
 
 def texts_of_method(text: str, name: str) -> Iterator[str]:
-    """Yields comment and declaration of each method of this name that has a comment."""
+    """Yields the comment and the declaration of each method with this name that has a comment."""
     named = re.compile(rf"(?<![\w.:>]){re.escape(_last(name))}\(")
     return (whole for _, declaration, whole in specifications(text) if named.search(declaration))
 
 
 def texts_of_body(text: str, name: str) -> Iterator[str]:
-    """Yields the code of each function of this name, from its first line to the brace that ends
-    it.
-    """
+    """Yields the code of each function with this name, from its first line to its closing brace."""
     begins = re.compile(rf"^( *)[^\n/#]*?\b{re.escape(_last(name))}\(", re.MULTILINE)
     for match in begins.finditer(text):
         end = re.compile(rf"}}\s*$|^{match[1]}}}", re.MULTILINE).search(text, match.end())
@@ -137,12 +139,12 @@ def texts_of_body(text: str, name: str) -> Iterator[str]:
 
 
 def code_with_bounds(text: str) -> str:
-    """Returns code without comments, except the declared bounds of loops."""
+    """Returns code without comments. The declared bounds of loops remain."""
     return code_of(BOUND.sub(r"\1(\2);", text))
 
 
 def texts_of_constants(text: str, _file: str) -> Iterator[str]:
-    """Yields the constants, tables and constant-initialised objects of a file."""
+    """Yields the constants, the tables and the constant-initialised objects of a file."""
     code = STRING.sub(lambda match: match[0].replace(";", ","), code_of(text))
     yield "\n".join(match[0] for match in CONSTANT.finditer(code))
 
@@ -153,7 +155,7 @@ def texts_of_test(text: str, name: str) -> Iterator[str]:
 
 
 def texts_of_support(text: str, name: str) -> Iterator[str]:
-    """Yields the text of a file without its tests; a scenario as a whole."""
+    """Yields the text of a file without its tests. A scenario is yielded as a whole."""
     yield without_remarks(text) if name.endswith(".scenario") else support(text)
 
 

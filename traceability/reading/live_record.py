@@ -1,4 +1,4 @@
-"""Reads the measurements of the WebAssembly module that runs the images in a page."""
+"""Reads the measurements of the WebAssembly module that runs the images in a web page."""
 
 from __future__ import annotations
 
@@ -20,6 +20,6 @@ def read_live(root: Path) -> dict[str, Any] | None:
 
 
 def live_metrics(root: Path) -> dict[str, Any]:
-    """Returns the metrics of the module; null where nothing was measured."""
+    """Returns the metrics of the module. A metric that was not measured is null."""
     record = read_live(root) or {}
     return {f"live.{key}": record.get(key) for key in KEYS}

@@ -1,4 +1,5 @@
-"""The maximum number of rounds of loops, from comments in the source or from the heads of loops."""
+"""The maximum number of iterations of loops. It is in a comment of the source, or in the head of
+the loop."""
 
 from __future__ import annotations
 
@@ -25,7 +26,8 @@ Place = tuple[str, int]
 
 @dataclass(frozen=True)
 class Bound:
-    """Maximum number of rounds for each entry of the loop, or for a call of its function."""
+    """The maximum number of iterations for each entry of the loop, or for a call of its
+    function."""
 
     rounds: int
     in_all: bool
@@ -39,7 +41,7 @@ class Bounds:
         self.lines: dict[str, list[str]] = {}
 
     def at(self, place: Place) -> Bound | None:
-        """Returns the bound of the loop, or of the call, in a line."""
+        """Returns the bound of the loop, or of the call, on a line."""
         lines = self._lines(place[0])
         if not 0 < place[1] <= len(lines):
             return None
@@ -52,18 +54,18 @@ class Bounds:
         try:
             rounds = self.value(match[1] if match else head[2] if head else "")
         except (KeyError, SyntaxError, ValueError):
-            return None  # an unknown name: the loop counts as a loop without a bound
+            return None  # The bound has an unknown name. The loop counts as a loop without a bound.
         return Bound(rounds, match is not None and match[2] is not None)
 
     def passes(self, place: Place) -> int | None:
-        """Returns the maximum number of executions of a line in a call of its function."""
+        """Returns the maximum number of executions of a line in one call of its function."""
         lines = self._lines(place[0])
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
         match = PASSES.match(before)
         return self.value(match[1]) if match else None
 
     def counter(self, place: Place) -> str | None:
-        """Returns the name by which flow facts count the executions of a line."""
+        """Returns the name with which flow facts count the executions of a line."""
         lines = self._lines(place[0])
         before = lines[place[1] - 2].strip() if 1 < place[1] <= len(lines) else ""
         match = COUNTS.match(before)
@@ -88,4 +90,4 @@ class Bounds:
             return self.values[node.id.replace("__", "::")]
         if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
             return OPERATIONS[type(node.op)](self._of(node.left), self._of(node.right))
-        raise ValueError(f"no bound of a loop: {ast.unparse(node)}")
+        raise ValueError(f"the bound of this loop cannot be computed: {ast.unparse(node)}")

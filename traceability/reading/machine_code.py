@@ -1,7 +1,8 @@
-"""The instructions of an image with their cycles: blocks, jumps, calls and loops.
+"""The instructions of an image with their cycles, in blocks with jumps, calls and loops.
 
-The cycles are counted as on the virtual board (``sim/emulator/Timing.hpp``), by tables 3-1 and 7-1
-of the Cortex-M4 manual. Of a range the upper end counts. The flash is slow and has no cache.
+The cycles are counted as on the virtual board (``sim/emulator/Timing.hpp``), from tables 3-1 and
+7-1 of the Cortex-M4 manual. If the manual states a range, its upper end counts. The flash is slow
+and has no cache.
 """
 
 from __future__ import annotations
@@ -23,13 +24,14 @@ JUMP = re.compile(rf"^(?:b(?P<condition>{CONDITION})?(?:\.[nw])?|(?P<compare>cbn
 TABLE = re.compile(r"tb[bh] |(?:ldr\S*|add\S*|mov\S*) pc, (?!.*\[pc, #)")
 MANY = re.compile(r"^(?:push|pop|ldm|stm|vpush|vpop|vldm|vstm)")
 MEMORY = re.compile(r"^(?:v?ldr|v?str)")
-PLACE = re.compile(r"((?:src|extensions)/[^:]+):(\d+)")  # of the project
+PLACE = re.compile(r"((?:src|extensions)/[^:]+):(\d+)")  # files of the project
 VENEER = re.compile(r"^_+(?P<name>\w+)_veneer$")
 
 
 @dataclass
 class Instruction:
-    """``cycles`` excludes the cost of a taken jump and of the called function."""
+    """An instruction. ``cycles`` does not include the cost of a taken jump or of a called
+    function."""
 
     address: int
     name: str
@@ -38,7 +40,7 @@ class Instruction:
     call: str = ""  # symbol
     indirect: bool = False
     jumps: int | None = None  # address
-    ends: bool = False  # no instruction follows: a jump or a return
+    ends: bool = False  # No instruction follows, because this one is a jump or a return.
 
 
 @dataclass
@@ -47,7 +49,7 @@ class Block:
 
     start: int
     instructions: list[Instruction]
-    next: int | None = None  # the next block without a jump
+    next: int | None = None  # the next block if the program does not jump
     jump: int | None = None
 
     @property
@@ -60,21 +62,21 @@ class Block:
 
 @dataclass
 class Loop:
-    """The blocks between a block and the jumps back to it. A loop that can be entered at more than
-    one block has a head that is part of each round."""
+    """The blocks between a block and the jumps back to it. If a loop can be entered at more than
+    one block, it has a head that is part of each iteration."""
 
     head: int
     blocks: set[int]
-    back: set[int]  # blocks that jump back
+    back: set[int]  # blocks that jump back to the head
 
 
 @dataclass
 class Code:
-    """A function: its blocks by their addresses."""
+    """A function. Its blocks are found by their addresses."""
 
     symbol: str
     blocks: dict[int, Block] = field(default_factory=dict)
-    hidden: bool = False  # it has jumps whose targets are in a table
+    hidden: bool = False  # It has jumps whose targets are in a table.
     loops: list[Loop] = field(default_factory=list)
 
     def instructions(self) -> Iterator[Instruction]:
@@ -105,8 +107,8 @@ def read_code(elf: Path) -> dict[str, Code]:
 
 
 def places(elf: Path, addresses: Iterable[int]) -> dict[int, list[tuple[str, int]]]:
-    """Returns file and line of each instruction: first where it was written, then where it was
-    inlined.
+    """Returns the files and lines of each instruction. The first line is where the instruction was
+    written. The next lines are where it was inlined.
     """
     words = ["arm-none-eabi-addr2line", "-e", str(elf), "-a", "-i"]
     request = "\n".join(f"{address:#x}" for address in addresses)
@@ -163,13 +165,15 @@ def _cycles(address: int, name: str, operands: str) -> int:
         cycles += FP_DIVIDE
     elif name.startswith(("vmla", "vmls", "vfma", "vfms", "vnm", "vfnm")):
         cycles += FP_ACCUMULATE
-    if address < FLASH_END:  # each instruction may begin a phrase, and read a word of flash
+    if (
+        address < FLASH_END
+    ):  # Each instruction may begin a new phrase, and may read a word of flash.
         cycles += 2 * PHRASE
     return cycles
 
 
 def _registers(operands: str) -> int:
-    """Returns the words of a list of registers."""
+    """Returns the number of words in a list of registers."""
     count = 0
     for part in operands.partition("{")[2].partition("}")[0].split(","):
         first, _, last = part.strip().partition("-")
@@ -199,13 +203,14 @@ def _blocks(instructions: list[Instruction]) -> dict[int, Block]:
             block.jump, present.call = present.jumps, ""
         elif (
             present.jumps is not None
-        ):  # a jump into another function, which returns to the caller of this function
+        ):  # This jump enters another function, which returns to the caller of this function.
             present.cycles += REFILL
     return blocks
 
 
 def _loops(code: Code) -> list[Loop]:
-    """Returns the natural loops: jumps back to a block that is on every path to the jump."""
+    """Returns the natural loops. A natural loop has a jump back to a block that is on every path to
+    the jump."""
     entry = next(iter(code.blocks))
     before: dict[int, list[int]] = {start: [] for start in code.blocks}
     for block in code.blocks.values():
@@ -228,9 +233,8 @@ def _loops(code: Code) -> list[Loop]:
 
 
 def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
-    """Returns the loops that a path can enter at more than one block, so that they have no head
-    that is on every path. Each such loop gets a block as its head, and this block is part of each
-    round.
+    """Returns the loops that a path can enter at more than one block. Such a loop has no head that
+    is on every path. It gets a block as its head, and this block is part of each iteration.
     """
     entered_loops: list[Loop] = []
     while True:
@@ -251,7 +255,7 @@ def _entered_twice(code: Code, loops: list[Loop]) -> list[Loop]:
         heads = (block for block in sorted(blocks) if not _cycle(_within(ways, blocks - {block})))
         head = next(heads, None)
         if head is None:
-            return entered_loops  # such a function has no bound
+            return entered_loops  # Such a function has no bound.
         entered_loops.append(Loop(head, blocks, {block for block in blocks if head in ways[block]}))
 
 

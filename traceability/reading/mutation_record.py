@@ -1,4 +1,5 @@
-"""Reads the record of ./wr mutate: the seeded faults that the tests found."""
+"""Reads the record of ./wr mutate. It contains the inserted faults and the tests that found
+them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The ports of the firmware to another device, and the results of their tests."""
+"""The ports of the firmware to other devices, and the results of their tests."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ RESULT = RESULTS / "ports.json"  # folder of a port -> the suites of its tests
 
 
 def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
-    """Returns the ports by folder. Results of tests are included if they are not stale."""
+    """Returns the ports by their folders. Results of tests are included if they are not stale."""
     data = read_json(root / RESULT)
     results = data if isinstance(data, dict) and is_fresh(root, PORTS) else {}
     ports = {}
@@ -30,7 +30,7 @@ def read_ports(root: Path, entries: Entries) -> dict[str, Port]:
     return ports
 
 
-# All ports share the headers next to their folders.
+# The ports share the headers next to their folders.
 def _port(root: Path, folder: Path, item: Mapping[str, str], results: Mapping[str, Any]) -> Port:
     changed = Kit(folder.name, item["title"], Place("", 0))
     if (folder / PATCH).exists():

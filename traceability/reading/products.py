@@ -1,4 +1,4 @@
-"""The products: each is a separate image, which CMake builds from a composition."""
+"""The products. Each product is a separate image, which CMake builds from a composition."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from traceability.schema import ProductImage
 from traceability.sources import DESIGN, files_below
 
 DEFAULT = "weeding_robot"
-PAPER = "weeding_robot_paper"  # the paper's design alone: without safety functions
+PAPER = "weeding_robot_paper"  # only the design of the paper, without safety functions
 LIST = Path("design/products.toml")
 
 
 @dataclass(frozen=True)
 class Product:
-    """A product: its composition, and its modules that other products lack."""
+    """A product with its composition, and with the modules that only it contains."""
 
     name: str
     commands: str
@@ -52,34 +52,36 @@ HAS = {product.name: set(product.has) for product in _LISTED}
 DIFFERENT = set().union(*HAS.values())
 RESULTS = Path("build/results/products.json")  # contents of each image
 
-# A symbol of a class of the project: a method, an object that it owns, or its table of methods.
+# A symbol of a class of the project. It is a method, an object of the class, or its table of
+# methods.
 SYMBOL = re.compile(r"[0-9a-f ]+ \w (?:[a-z-]+(?: [a-z]+)? (?:for|to) )?wr::(\w+)")
 
 
 def intruders(modules: Iterable[str], has: set[str]) -> set[str]:
-    """Returns the modules in an image that its product must not contain."""
+    """Returns the modules in an image that the product must not contain."""
     return (set(modules) & DIFFERENT) - has
 
 
 def image_of(product: str, suffix: str) -> Path:
-    """Returns the released image, which is flashed, measured and tested."""
+    """Returns the released image. This image is flashed, measured and tested."""
     return Path("build/k64") / f"{product}{suffix}"
 
 
 def recorded_image_of(product: str, suffix: str) -> Path:
-    """Returns the image of the same sources with less inlining: each call can be recorded."""
+    """Returns the image of the same sources with less inlining. It allows the recording of each
+    call."""
     return Path("build/k64_calls") / f"{product}{suffix}"
 
 
 def module_names(root: Path) -> set[str]:
-    """Returns the design modules: each has a header of its name, with its secret."""
+    """Returns the design modules. Each module has a header with its name and its secret."""
     headers = files_below(root, DESIGN, (".hpp",))
     return {path.stem for path in headers if "@secret" in path.read_text(encoding="utf-8")}
 
 
 def modules_in(elf: Path, modules: Iterable[str]) -> list[str]:
-    """Returns the modules of this list whose code or constants are among the symbols of an
-    image.
+    """Returns the modules of this list that are in an image. Their code or constants are among the
+    symbols of the image.
     """
     words = ["arm-none-eabi-nm", "--demangle", str(elf)]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
@@ -92,7 +94,7 @@ def modules_of(listed: str) -> set[str]:
 
 
 def read_products(root: Path) -> dict[str, ProductImage] | None:
-    """Returns the image of each product, if all images were built from the present sources."""
+    """Returns the image of each product, if the present sources built all images."""
     images = read_record(root / RESULTS, dict[str, ProductImage])
     fresh = images is not None and set(images) == set(PRODUCTS) and read_image(root) is not None
     return images if fresh else None

@@ -15,11 +15,11 @@ from traceability.schema import ProofProperty, ProofResult
 PROPERTIES = Path("design/proofs/properties.toml")
 PROOFS = RESULTS / "proofs.json"
 PROVE = "./wr prove --again"  # the command that proves all properties and writes the record
-SCENARIOS = RESULTS / "proofs"  # counterexamples that can be played
+SCENARIOS = RESULTS / "proofs"  # folder for counterexamples that can be played
 FOLDER = Path("build/proofs")
 ROUND_MS = 100
-START_MS = 50  # events of the first round, before its clock pulse
-AFTER_MS = 10  # between two events of a round
+START_MS = 50  # the events of the first cycle, before its clock pulse
+AFTER_MS = 10  # text between two events of a cycle
 
 
 @dataclass(frozen=True)
@@ -28,9 +28,9 @@ class ProofEvent:
 
     id: str
     says: str
-    actions: Sequence[str]  # none: nothing can play the event
-    ends: str  # action of the next round without the event
-    wait: int  # [ms] duration of the event
+    actions: Sequence[str]  # empty if no action can cause the event
+    ends: str  # action that ends the event, in the next cycle without the event
+    wait: int  # duration of the event [ms]
 
 
 def read_properties(root: Path, entries: Entries) -> dict[str, ProofProperty]:
@@ -54,7 +54,7 @@ def read_events(root: Path, entries: Entries) -> dict[str, ProofEvent]:
 
 
 def read_proofs(root: Path) -> dict[str, ProofResult] | None:
-    """Returns the results, when they belong to the present machines, composition and properties."""
+    """Returns the results, if they belong to the present machines, composition and properties."""
     if not is_fresh(root, TASK):
         return None
     return read_record(root / PROOFS, dict[str, ProofResult])
@@ -63,7 +63,8 @@ def read_proofs(root: Path) -> dict[str, ProofResult] | None:
 def readable(
     events: Sequence[str], declared: Mapping[str, ProofEvent]
 ) -> list[tuple[str, list[str]]]:
-    """Returns the rounds of a counterexample, each with its events and transitions in words."""
+    """Returns the cycles of a counterexample. Each cycle has its events and transitions in
+    words."""
     rounds: list[tuple[str, list[str]]] = []
     for line in events:
         kind, _, rest = line.partition(" ")
@@ -82,8 +83,8 @@ def readable(
 def scenario(
     proof: ProofProperty, events: Sequence[str], declared: Mapping[str, ProofEvent]
 ) -> str:
-    """Returns a scenario that plays a counterexample; "" when no action causes one of its
-    events."""
+    """Returns a scenario that plays a counterexample. The scenario is "" if no action causes one of
+    its events."""
     lines, at, number, lasting = [], START_MS, 0, dict[str, str]()
     ending: dict[str, str] = {}
     for line in events:

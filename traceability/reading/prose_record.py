@@ -38,7 +38,8 @@ def write_prose(root: Path, findings: int) -> None:
 
 
 def read_prose(root: Path) -> int | None:
-    """Returns the number of findings in the present texts; None if the linter has not read them."""
+    """Returns the number of findings in the present texts. Returns None if the linter has not read
+    these texts."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or record.get("texts") != texts_hash(root):
         return None

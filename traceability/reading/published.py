@@ -1,4 +1,4 @@
-"""Committed records of runs that take too long for each build."""
+"""Committed records of runs that take too long to repeat in each build."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ RECORDS = Path("tests/records")
 
 @dataclass(frozen=True)
 class Published:
-    """Result of the last published run of a command."""
+    """The result of the last published run of a command."""
 
     command: str
     commit: str  # empty without git
@@ -27,7 +27,7 @@ class Published:
 
 
 def publish(root: Path, name: str, command: str, commit: str, result: Mapping[str, Any]) -> Path:
-    """Writes the record of a run that ends today; returns its file."""
+    """Writes the record of a run that ends today, and returns its file."""
     record = Published(command, commit, time.strftime("%Y-%m-%d", time.gmtime()), result)
     path = root / RECORDS / f"{name}.json"
     write_whole(path, json.dumps(asdict(record), indent=1) + "\n")
@@ -35,13 +35,14 @@ def publish(root: Path, name: str, command: str, commit: str, result: Mapping[st
 
 
 def read_published(root: Path, name: str) -> Published | None:
-    """Returns the last published record; None if the command was never published."""
+    """Returns the last published record. Returns None if no run of the command was published."""
     data = read_json(root / RECORDS / f"{name}.json")
     return Published(**data) if isinstance(data, dict) else None
 
 
 def last_score(root: Path, name: str) -> LastRecord | None:
-    """Returns the last published result of a mutation test, which belongs to earlier sources."""
+    """Returns the last published result of a mutation test. This result belongs to earlier
+    sources."""
     record = read_published(root, name)
     if record is None:
         return None

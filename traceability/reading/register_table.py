@@ -1,4 +1,4 @@
-"""The registers that the firmware uses: the table src/k64/registers.hpp."""
+"""Reads the registers that the firmware uses from the table src/k64/registers.hpp."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The record of a release that was made twice, in two folders."""
+"""The record of a release that was built twice, in two folders."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ RECORD = RESULTS / "release.json"
 
 
 def release_metrics(root: Path, commit: str) -> dict[str, Any]:
-    """Returns whether two builds of this commit were equal byte by byte, or nothing without a
-    comparison."""
+    """Returns whether two builds of this commit were equal byte by byte. Returns nothing if they
+    were not compared."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not commit or not record["commit"].startswith(commit):
         return {}

@@ -1,4 +1,4 @@
-"""Cache of results between runs. A result is valid as long as its inputs are the same."""
+"""A cache of results between runs. A result is valid as long as its inputs are the same."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ Result = TypeVar("Result")
 
 
 def cached_result(path: Path, parts: Iterable[object], make: Callable[[], Result]) -> Result:
-    """Returns the result that was computed from these parts. Computes and stores it if it is not
-    cached.
+    """Returns the result that was computed from these parts. If the result is not in the cache,
+    computes and stores it.
 
-    The ``repr`` of each part identifies it.
+    The ``repr`` of each part identifies the part.
     """
     key = hashlib.sha256("\0".join(map(repr, parts)).encode()).hexdigest()
     if path.exists():
@@ -32,6 +32,6 @@ def cached_result(path: Path, parts: Iterable[object], make: Callable[[], Result
 
 
 def code_of(*modules: str) -> list[str]:
-    """Returns the hashes of modules such as ``reading/traces``, which computed a result."""
+    """Returns the hashes of the modules that compute a result, such as ``reading/traces``."""
     package = Path(__file__).parents[1]
     return [file_hash(package / f"{name}.py") for name in modules]

@@ -18,11 +18,11 @@ from traceability.sources import file_hash, source_hash
 T = TypeVar("T")
 RECORDS = cattrs.Converter(forbid_extra_keys=True)
 RESULTS = Path("build/results")
-RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # the run of the tests that is used for a target
+RUNS = {HOST: "trace", VIRTUAL_K64: "board"}  # target -> the run of the tests whose results count
 TASKS = {HOST: task_record.TESTS_TRACE, VIRTUAL_K64: task_record.TESTS_BOARD}
 TYPE = re.compile(r"/\d+$")  # suffix of a suite of typed tests
-PLAIN = "plain"  # the run without records
-# The counts of gcovr: the totals, and the lines of each file.
+PLAIN = "plain"  # the run that records nothing
+# The results of gcovr. They are the totals, and the lines of each file.
 COVERAGE = RESULTS / "coverage.json"
 COVERAGE_LINES = RESULTS / "coverage_lines.json"
 BOARD_ONLY = (
@@ -32,7 +32,7 @@ BOARD_ONLY = (
 )
 HOST_ONLY = "tests/system/host/"
 BOTH = "tests/system/"
-COMPARED = "tests/usual_design/"  # only the comparison of the designs runs them
+COMPARED = "tests/usual_design/"  # Only the comparison of the designs runs these tests.
 
 
 @dataclass
@@ -41,13 +41,15 @@ class Result:
     milliseconds: float
     message: str
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
-    measured: str = ""  # text that the test reports in its property of this name
-    instances: dict[str, str] = field(default_factory=dict)  # of a parameterised test -> result
+    measured: str = ""  # text of the property "measured" that the test reports
+    instances: dict[str, str] = field(
+        default_factory=dict
+    )  # instance of a parameterised test -> result
     images: list[str] = field(default_factory=list)  # products whose images the test ran
 
 
 def read_json(path: Path) -> Any:
-    """Returns the content, or None when the file is missing or incomplete."""
+    """Returns the content. Returns None if the file is missing or incomplete."""
     try:
         return json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -60,7 +62,7 @@ def day_of(record: Path) -> str:
 
 
 def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[int]:
-    """Returns the numbers that tests of a target report about an image, as a property with this
+    """Returns the numbers about an image that tests of a target report in a property with this
     name.
     """
     content = read_json(root / RESULTS / f"{RUNS[binding]}.json") or {}
@@ -69,8 +71,8 @@ def numbers_reported(root: Path, binding: str, name: str, image: str) -> list[in
 
 
 def read_record(path: Path, kind: type[T]) -> T | None:
-    """Returns the content as typed records, or None when it is missing, incomplete or has another
-    form.
+    """Returns the content as typed records. Returns None if the content is missing, is incomplete
+    or has another form.
     """
     content = read_json(path)
     try:
@@ -80,7 +82,8 @@ def read_record(path: Path, kind: type[T]) -> T | None:
 
 
 def bindings_of(file: str) -> list[str]:
-    """Returns the targets for which a test of the firmware is built. Its folder decides."""
+    """Returns the targets for which a test of the firmware is built. The folder of the test decides
+    this."""
     if file.startswith(COMPARED):
         return []
     if file.startswith(BOARD_ONLY):
@@ -91,13 +94,13 @@ def bindings_of(file: str) -> list[str]:
 
 
 def cost_of(root: Path, run_name: str) -> Path:
-    """Returns the file with the processor time of a run of the tests."""
+    """Returns the file that contains the processor time of a run of the tests."""
     return root / RESULTS / f"{run_name}.cost.json"
 
 
 def read_recording_factor(root: Path, sources: str) -> float | None:
-    """Returns the durations of two runs of the tests of these sources: with all records, and
-    without records.
+    """Returns the durations of two runs of the tests of these sources. One run recorded everything,
+    and the other run recorded nothing.
     """
     costs = [read_json(cost_of(root, name)) for name in (RUNS[HOST], PLAIN)]
     if any(not isinstance(cost, dict) or cost.get("sources") != sources for cost in costs):
@@ -107,7 +110,7 @@ def read_recording_factor(root: Path, sources: str) -> float | None:
 
 
 def run_hash(root: Path, binding: str) -> str:
-    """Identifies the last run of the tests by its time."""
+    """Returns a hash that identifies the last run of the tests by its time."""
     return file_hash(root / RESULTS / f"{RUNS[binding]}.json")
 
 
@@ -125,8 +128,8 @@ def count_totals(root: Path) -> dict[str, float] | None:
 
 
 def read_results_hash(root: Path, binding: str) -> str | None:
-    """Returns the hash of the present sources when the results belong to them; else another
-    text.
+    """Returns the hash of the present sources if the results belong to them. Otherwise, returns a
+    different text.
     """
     if not (root / RESULTS / f"{RUNS[binding]}.json").exists():
         return None
@@ -156,8 +159,8 @@ def results_in(data: dict[str, Any]) -> dict[str, Result]:
 
 
 def _together(earlier: Result, result: Result) -> Result:
-    """Returns the common result of several instances, or of a test with several images. With a
-    single failure, the common result is a failure.
+    """Returns the common result of several instances, or of a test with several images. If one
+    result is a failure, the common result is a failure.
     """
     worst = earlier if earlier.result == "failed" else result
     failed = {

@@ -1,6 +1,6 @@
-"""The cost of the safety functions: files and lines since a base commit.
+"""The cost of the safety functions, in files and lines since a base commit.
 
-In edited files, only lines of code count, not comments.
+In edited files, only lines of code count. Comments do not count.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ SAFETY = "extensions/safety"
 
 
 def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
-    """Returns the counts from the base to the present commit; ``None`` when git does not have the
-    base.
+    """Returns the counts from the base to the present commit. Returns ``None`` if git does not have
+    the base.
     """
     base = git(root, "rev-parse", "--verify", f"{case.base}^{{commit}}").strip()
     head = git(root, "rev-parse", "--short=10", "HEAD").strip()
@@ -49,7 +49,7 @@ def read_cost(root: Path, case: SafetyCase) -> SafetyCost | None:
 
 
 def contents(root: Path, names: list[str]) -> list[str]:
-    """Returns the texts of files of commits; a missing file has no text."""
+    """Returns the texts of files at given commits. A missing file has an empty text."""
     words = ["git", "-C", str(root), "cat-file", "--batch"]
     requests = "".join(f"{name}\n" for name in names).encode()
     answer = subprocess.run(words, input=requests, capture_output=True, check=True).stdout
@@ -77,7 +77,7 @@ def edits_of_code(file: str, before: str, after: str) -> TouchedFile:
 
 
 def numstat(text: str) -> list[TouchedFile]:
-    """Returns the files of ``git diff --numstat``; a binary file has no lines."""
+    """Returns the files that ``git diff --numstat`` lists. A binary file has no lines."""
     rows = [line.split("\t") for line in text.splitlines()]
     return [
         TouchedFile(file, int(added) if added != "-" else 0, int(removed) if removed != "-" else 0)
@@ -86,7 +86,8 @@ def numstat(text: str) -> list[TouchedFile]:
 
 
 def correction_of(file: str, corrections: Iterable[Correction]) -> Correction | None:
-    """Returns the entry of the file, or else of the innermost of its folders that has an entry."""
+    """Returns the correction that names the file. If there is none, returns the correction of its
+    innermost folder."""
     matching = [
         (len(path), correction)
         for correction in corrections

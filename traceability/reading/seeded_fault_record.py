@@ -33,8 +33,8 @@ SOURCES = (
 
 @dataclass(frozen=True)
 class Outcome:
-    """The outcome of a seeded fault. The finding ``said`` is at the expected ``line`` if
-    possible.
+    """The outcome of a seeded fault. If there is a finding at the expected ``line``, ``said`` is
+    this finding.
     """
 
     name: str
@@ -48,8 +48,8 @@ class Outcome:
 
 
 def write_record(root: Path, outcomes: list[Outcome], left_out: int, commit: str) -> None:
-    """Writes the outcomes. ``left_out`` counts the faults that need missing results of tests or a
-    missing site.
+    """Writes the outcomes. ``left_out`` is the number of faults that need test results or a site
+    that do not exist.
     """
     record = {
         "commit": commit,
@@ -74,7 +74,7 @@ def last_seeded(root: Path) -> LastRecord | None:
 
 
 def read_record(root: Path) -> list[Outcome] | None:
-    """Returns the outcomes, when all faults were seeded in the present state of the project."""
+    """Returns the outcomes, if all faults were seeded in the present state of the project."""
     record = read_json(root / RECORD)
     if not isinstance(record, dict) or not is_fresh(root, SEEDED_FAULTS):
         return None

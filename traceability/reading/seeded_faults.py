@@ -8,15 +8,15 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 FAULTS = Path("tests/drift")
-# The targets of a seeded fault: the sources, the sources with the results of their tests, the
-# pages, or the finished site.
+# The targets of a seeded fault. They are the sources, the sources with the results of their tests,
+# the pages, and the finished site.
 STAGES = ("sources", "results", "pages", "site")
 COMPILER = "syntax-error"
 
 
 @dataclass(frozen=True)
 class Edit:
-    """Replacement of the first match of a pattern. Without a pattern the file is new."""
+    """A replacement of the first match of a pattern. If there is no pattern, the file is new."""
 
     file: str
     find: str
@@ -41,9 +41,11 @@ class Edit:
 
 @dataclass(frozen=True)
 class Fault:
-    """The finding must be in the file ``place``, on the first line that ``at`` matches.
+    """A seeded fault. Its finding must be in the file ``place``, on the first line that ``at``
+    matches.
 
-    Without ``at`` it must be where the first change begins. A finding about a folder has no line.
+    Without ``at``, the finding must be where the first change begins. A finding about a folder has
+    no line.
     """
 
     name: str
@@ -53,7 +55,7 @@ class Fault:
     place: str = ""
     at: str = ""
     stage: str = "sources"
-    compiles: bool = True  # if not, the compiler also finds the fault
+    compiles: bool = True  # False if the compiler also finds the fault.
 
     def expected_line(self, root: Path, changed: int) -> int:
         if not self.at:

@@ -25,17 +25,17 @@ from traceability.sources import DESIGN, SRC
 
 @dataclass
 class Facts:
-    """The inputs of the model, for the checks that need more than the model."""
+    """The inputs of the model. They are for the checks that need more than the model."""
 
     root: Path
     comments: Comments
     syntax: Syntax
     declared: Declared
-    heirs: dict[str, list[str]]  # class -> all classes below it
+    heirs: dict[str, list[str]]  # class -> all classes that derive from it, directly or not
     overriders: dict[str, list[str]]  # method -> all methods that override it
     bodies: dict[str, list[BodyFact]]
     classes: dict[str, ClassFact]
-    written_in: dict[str, str]  # file -> the class with its name
+    written_in: dict[str, str]  # file -> the class that has its name
     bodies_of: dict[str, list[BodyFact]] = field(
         default_factory=dict
     )  # class -> all bodies in its files
@@ -54,7 +54,7 @@ class Facts:
 
     @property
     def modules(self) -> set[str]:
-        """Returns the design modules, as they are named in the design."""
+        """Returns the design modules, with the names that the design uses."""
         return {name for names in self.declared.names.values() for name in names}
 
     @property
@@ -73,7 +73,7 @@ class Facts:
         }
 
     def user(self, owner: str, place: Place) -> str:
-        """Returns the class to which code belongs: other code in the file of a class is part of the
+        """Returns the class to which code belongs. Other code in the file of a class belongs to the
         class.
         """
         outer = owner.split("::", maxsplit=1)[0]
@@ -90,12 +90,13 @@ class Facts:
 
     @functools.cached_property
     def folders(self) -> dict[str, Comment]:
-        """Returns for each folder its comment with ``@dir``."""
+        """Returns the comment with ``@dir`` of each folder."""
         comments = self.comments.below(DESIGN)
         return {comment.of("dir")[0].argument: comment for comment in comments if comment.of("dir")}
 
     def kind_of(self, name: str) -> str:
-        """Returns class, struct, enum or alias; empty for a class outside the project."""
+        """Returns class, struct, enum or alias. The result is empty for a class outside the
+        project."""
         fact = self.classes.get(name)
         return fact.kind if fact else ""
 
@@ -242,13 +243,14 @@ class References:
                     work.append(target)
 
     def objects(self, places: list[str], kind: str = "") -> set[Object]:
-        """Returns the objects that places may refer to: of a class and its subclasses, or all."""
+        """Returns the objects that places may refer to. If a class is given, returns only objects
+        of this class and its subclasses."""
         family = {kind, *self.facts.heirs.get(kind, [])}
         reachable = {item for place in places for item in self.known.get(place, set())}
         return {item for item in reachable if not kind or item.kind in family}
 
     def targets(self, call: CallFact) -> list[str]:
-        """Returns the methods that a call may reach: the methods of the objects on which it is
+        """Returns the methods that a call may reach. They are methods of the objects on which it is
         called.
         """
         owner, _, name = call.target.rpartition("::")
@@ -263,8 +265,8 @@ class References:
     def reached(
         self, start: Iterable[str], within: dict[str, str], ends: list[str]
     ) -> dict[str, str]:
-        """Returns the methods and functions that may run below the start, each with its first
-        caller.
+        """Returns the methods and functions that may run below the start, each with the first
+        caller that was found.
 
         ``within`` restricts a virtual method to one of its overriding methods. The search does not
         continue below the methods in ``ends``.
@@ -283,6 +285,6 @@ class References:
         return callers
 
     def own_bodies(self, method: str) -> list[BodyFact]:
-        """Returns the bodies in the robot itself."""
+        """Returns the bodies that are in the robot itself, and not in an extension."""
         bodies = self.facts.bodies.get(method, [])
         return [body for body in bodies if body.place.file.startswith(f"{SRC}/")]

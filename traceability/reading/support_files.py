@@ -69,8 +69,8 @@ class SupportFiles:
         ]
 
     def _played(self, file: str, test: str) -> set[str]:
-        """Returns the scenarios that the test or its parameters name; all scenarios of a listed
-        folder.
+        """Returns the scenarios that the test or its parameters name. If they name a folder,
+        returns all its scenarios.
         """
         suite = test.split(".", maxsplit=1)[0]
         bodies = [case.body for case in read_tests(self.text(file)) if case.id == test]

@@ -1,7 +1,9 @@
-"""Reads the facts of the code from the syntax tree of libclang, so they agree with the compiler.
+"""Reads the facts of the code from the syntax tree of libclang. The facts therefore agree with the
+compiler.
 
-The facts of a translation unit are kept in a cache. The key is the content of the unit's files, and
-the code without comments of all files that they include.
+A cache contains the facts of each translation unit. The key consists of the content of the unit's
+files, and of the code of all files that they include. Comments of the included files are not part
+of the key.
 """
 
 from __future__ import annotations
@@ -37,9 +39,7 @@ READERS = (
 
 
 def read_syntax(root: Path, cache: Path) -> Syntax:
-    """Returns the facts of all files of the design. Only the units whose files changed are
-    parsed.
-    """
+    """Returns the facts of all files of the design. Only units whose files changed are parsed."""
     cache.mkdir(parents=True, exist_ok=True)
     hashes: dict[str, str] = {}
     units = translation_units(root)
@@ -97,7 +97,8 @@ def own_files(unit: str) -> tuple[str, str]:
 
 
 def code_hash(path: Path) -> str:
-    """Returns the SHA-256 of the code of a file, or the empty string when there is none."""
+    """Returns the SHA-256 of the code of a file. Returns the empty string if the file does not
+    exist."""
     try:
         return hashlib.sha256(code_of(path.read_text(encoding="utf-8")).encode()).hexdigest()
     except OSError:
@@ -108,7 +109,7 @@ def code_hash(path: Path) -> str:
 def _reader_hash(board: bool) -> str:
     here = Path(__file__).parent
     own = b"".join((here / f"{name}.py").read_bytes() for name in READERS)
-    shape = repr(signature(Place))  # types of most facts, without code of a reader
+    shape = repr(signature(Place))  # Most facts have these types. They contain no code of a reader.
     return hashlib.sha256(own + f"{Place} {shape} {clang_arguments(board)}".encode()).hexdigest()
 
 
@@ -121,7 +122,7 @@ def _parse_and_store(root: Path, cache: Path, files: list[str], unit: str) -> No
             file: file_hash(root / file) if file in own else code_hash(root / file)
             for file in sorted(included)
         },
-        "facts": pickle.dumps(facts),  # only the same reader reads these facts
+        "facts": pickle.dumps(facts),  # Only the same version of the reader can read these facts.
     }
     path = _entry(cache, unit)
     if facts.errors:
@@ -145,7 +146,7 @@ def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax
     for name in files:
         reader.facts.includes += includes_of(root, name)
     for problem in tree.diagnostics:
-        # With parsed headers libclang reports errors without a file; they have no meaning.
+        # With parsed headers, libclang reports errors without a file. These errors have no meaning.
         if problem.severity >= cindex.Diagnostic.Error and problem.location.file:
             file = reader.relative(problem.location.file.name)
             place = Place(file or unit, problem.location.line if file else 1)
@@ -153,16 +154,18 @@ def parse(root: Path, unit: str, files: list[str], header: Path) -> tuple[Syntax
     return reader.facts, included
 
 
-# Matches all forms that the preprocessor permits, also after a comment or with digraphs.
+# Matches all forms that the preprocessor permits. An include may follow a comment or contain
+# digraphs.
 INCLUDE = re.compile(
     r'\s*(?:(?:/\*)?.*?\*/\s*)?(?:#|%:|\?\?=)\s*include\s*(?:/\*.*?\*/\s*)?[<"]([^>"]+)[>"]'
 )
 
 
 def includes_of(root: Path, file: str) -> list[IncludeFact]:
-    """Returns the files of the project that a file includes, with their names as written.
+    """Returns the files of the project that a file includes, with their names as they are written.
 
-    The compiler's list lacks a header that was included before: such a header is read only once.
+    The compiler reads a header only once. Its list of includes lacks a header that was included
+    before.
     """
     includes: list[IncludeFact] = []
     lines = (root / file).read_text(encoding="utf-8").splitlines()

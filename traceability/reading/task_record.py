@@ -1,4 +1,4 @@
-"""Reads the record of the task graph: the results that belong to the present files."""
+"""Reads the record of the task graph, which shows the results that belong to the present files."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ FIRMWARE_FAULTS = "tests (tools, firmware)"
 
 
 def is_fresh(root: Path, task: str) -> bool:
-    """Checks whether a task was completed and its inputs have not changed since."""
+    """Returns whether a task was completed and its inputs have not changed since."""
     entry = _read(root).get(task)
     if entry is None:
         return False

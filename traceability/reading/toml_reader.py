@@ -1,6 +1,6 @@
 """Reads the entries of the files in ``design/``, each with its line.
 
-An entry that cannot be read is skipped and reported as a problem.
+If an entry cannot be read, the reader skips it and reports a problem.
 """
 
 from __future__ import annotations
@@ -43,7 +43,8 @@ class Entries:
     _asked: dict[Path, set[str]] = field(default_factory=dict)
 
     def whole(self, path: Path) -> dict[str, Any]:
-        """Returns the content of a file; empty when it does not exist or is not TOML."""
+        """Returns the content of a file. The content is empty if the file does not exist or is not
+        TOML."""
         if path not in self._read:
             text = path.read_text(encoding="utf-8") if path.exists() else ""
             try:
@@ -59,10 +60,12 @@ class Entries:
         said = error[: match.start()] if match else error
         place = Place(str(path.relative_to(self.root)), line)
         self.unreadable.append(place.file)
-        self.problems.append(Problem(place, f"{place.file} is no TOML: {said}", "correct the line"))
+        self.problems.append(
+            Problem(place, f"{place.file} is not valid TOML: {said}", "correct the line")
+        )
 
     def value(self, path: Path, name: str, missing: Any) -> Any:
-        """Returns the value of a name."""
+        """Returns the value that a name has in a file."""
         self._asked.setdefault(path, set()).add(name)
         return self.whole(path).get(name, missing)
 
@@ -80,7 +83,7 @@ class Entries:
             if not self.fits(item, place, needs, may or {}):
                 continue
             if own and item[own] in seen:
-                text = f"{own} {item[own]} has an entry in line {seen[item[own]]} already"
+                text = f"line {seen[item[own]]} already has an entry with the {own} {item[own]}"
                 self.problems.append(Problem(place, text, "remove one of the two entries"))
                 continue
             if own:
@@ -101,8 +104,9 @@ class Entries:
     ) -> list[T]:
         """Returns the entries ``[[name]]`` as objects of a dataclass.
 
-        An entry has the fields without a default, and may have the fields in ``may``. ``keys``
-        names the key of a field with another name. The field ``place`` is the place of the entry.
+        An entry must have the fields without a default. It may have the fields in ``may``. If the
+        key of a field has another name, ``keys`` names it. The field ``place`` is the place of the
+        entry.
         """
         types = {key: _type_of(hint) for key, hint in get_type_hints(record).items()}
         members = fields(record)
@@ -129,7 +133,7 @@ class Entries:
         return [Place(str(path.relative_to(self.root)), number) for number in numbers[:count]]
 
     def fits(self, item: dict[str, Any], place: Place, needs: Keys, may: Keys) -> bool:
-        """Returns whether an entry has the keys that it needs; unknown keys are a problem."""
+        """Returns whether an entry has the keys that it needs. An unknown key is a problem."""
         keys = {*needs, *may}
         missing = [key for key in needs if not isinstance(item.get(key), needs[key])]
         for key in missing:
@@ -146,13 +150,15 @@ class Entries:
         return not missing
 
     def line_in(self, place: Place, words: str) -> Place:
-        """Returns the place of some words in the entry that begins at a place, or else this
-        place."""
+        """Returns the place of some words in the entry that begins at a place. If the entry does
+        not contain them, returns this place."""
         path = self.root / place.file
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         pattern = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
         header = lines[place.line - 1] if place.line <= len(lines) else ""
-        below = header.strip().rstrip("]") + "."  # prefix of the parts: [[entry.part]]
+        below = (
+            header.strip().rstrip("]") + "."
+        )  # prefix of the parts of the entry, as in [[entry.part]]
         for number, line in enumerate(lines[place.line - 1 :], place.line):
             if number > place.line and line.startswith("[[") and not line.startswith(below):
                 break
@@ -175,7 +181,7 @@ class Entries:
             self.problems.append(Problem(place, text, fix))
 
     def place_of(self, path: Path, name: str) -> Place:
-        """Returns the first place of a name."""
+        """Returns the first place of a name in a file."""
         begins = re.compile(rf"\s*(\[\[?\s*)?{re.escape(name)}\b")
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         line = next((n for n, line in enumerate(lines, 1) if begins.match(line)), 1)
@@ -183,7 +189,7 @@ class Entries:
 
 
 def _type_of(hint: Any) -> type[Any]:
-    """Returns the type of the values in TOML for a type of a field."""
+    """Returns the TOML type of the values of a field."""
     origin = get_origin(hint)
     if origin is None:
         return Real if hint is float else hint

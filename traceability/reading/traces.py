@@ -22,7 +22,8 @@ from traceability.whole_file import write_whole
 
 @dataclass(frozen=True)
 class Source:
-    """The folder with the recordings of a target, and the executable with their symbols."""
+    """The folder with the recordings of a target, and the executable that contains their
+    symbols."""
 
     executable: Path
     folder: Path
@@ -36,15 +37,18 @@ SOURCES = {
     ),
 }
 EXIT = 1 << 63
-REPEAT = 1 << 62  # flag; the other bits are the number of the event at which equal calls begin
+REPEAT = (
+    1 << 62
+)  # This bit is a flag. The other bits are the number of the event at which the same calls begin.
 SHOWN = 60
 
 
 @dataclass(slots=True)
 class Row:
-    """A call, which contains the rows before ``end`` except rows of interrupts.
+    """A call. It contains the rows before ``end``, except rows of interrupts.
 
-    Each entry of an interrupt has a different ``activation``; 0 is the code outside of interrupts.
+    Each entry of an interrupt has a different ``activation``. The code outside of interrupts has
+    the activation 0.
     """
 
     depth: int
@@ -76,10 +80,11 @@ class Traces:
     def calls(
         self, test: str, names: dict[int, str], turning: Set[int] = frozenset()
     ) -> Iterator[tuple[str, bool]]:
-        """Yields each entry and exit of the named functions in order: the name, and true for an
-        entry.
+        """Yields each entry and exit of the named functions in order. An entry is the name with
+        true, and an exit is the name with false.
 
-        Repeated calls that contain no call of ``turning`` are listed again only after such a call.
+        If repeated calls contain no call of ``turning``, they are listed again only after such a
+        call.
         """
         events = self.events(test)
         calls = {address: [(name, True)] for address, name in names.items()}
@@ -119,7 +124,7 @@ class Traces:
         rows: list[Row] = []
         addresses = shown | self.addresses(self.vectors)
         addresses |= {at | EXIT for at in addresses}
-        # Index of the row, or -1 for a handler that is not shown, and the previous activation.
+        # Index of the row and previous activation. The index is -1 for a handler that is not shown.
         open_calls: list[tuple[int, int]] = []
         depth, parent, activation, entries = 0, -1, 0, 0
         for event in [event for event in self.events(test) if event in addresses]:
@@ -145,7 +150,7 @@ class Traces:
 
 
 def _outermost(events: array[int], begin: int) -> Iterator[int]:
-    """Yields the events of a call and of all that it calls."""
+    """Yields the events of a call and of all calls below it."""
     depth = 0
     for event in events[begin:]:
         yield event
@@ -161,7 +166,7 @@ def read_traces(root: Path, cache: Path) -> dict[str, Traces]:
         tests = {path.name.removesuffix(".bin") for path in traces.folder.glob("*.bin")}
         done = (
             root / RESULTS / f"{RUNS[binding]}.json"
-        ).exists()  # without results the tests are running
+        ).exists()  # Without results, the tests are still running.
         if tests and done and (root / source.executable).exists():
             cached = cache / f"symbols-{source.names}.json"
             traces.state = _state(traces.folder, root / source.executable)
@@ -206,7 +211,8 @@ def read_symbols(executable: Path, names: str, cache: Path) -> dict[int, str]:
 
 @functools.cache
 def method_of(symbol: str) -> str:
-    """Returns ``Pipe::write`` for ``wr::Pipe<int>::write(int const&)``; empty for other symbols."""
+    """Returns ``Pipe::write`` for ``wr::Pipe<int>::write(int const&)``. The result is empty for
+    other symbols."""
     if "{lambda" in symbol or not re.match(r"(?:[\w:<>,&* ]+ )?wr::", symbol):
         return ""
     text, depth = "", 0
@@ -224,14 +230,15 @@ def method_of(symbol: str) -> str:
 
 
 def function_of(symbol: str) -> str:
-    """Returns ``cycleTimerInterrupt`` for ``cycleTimerInterrupt()``; empty for other symbols."""
+    """Returns ``cycleTimerInterrupt`` for ``cycleTimerInterrupt()``. The result is empty for other
+    symbols."""
     match = re.fullmatch(r"(?:wr::)?(\w+)(?:\(\))?", symbol)
     return match[1] if match else ""
 
 
 def free_function_of(symbol: str) -> str:
-    """Returns ``part`` for ``int wr::(anonymous namespace)::part<4>(int)``; empty for other
-    symbols.
+    """Returns ``part`` for ``int wr::(anonymous namespace)::part<4>(int)``. The result is empty for
+    other symbols.
     """
     pattern = r"(?:[^()]* )?wr::(?:\(anonymous namespace\)::)?(\w+)(?:<.*>)?\("
     match = None if "{lambda" in symbol else re.match(pattern, symbol)
@@ -240,17 +247,17 @@ def free_function_of(symbol: str) -> str:
 
 @dataclass
 class Embedding:
-    """The places of the nodes of a tree in a trace; ``failed`` is the first node without a
-    place."""
+    """The rows of the nodes of a tree in a trace. ``failed`` is the first node without a row."""
 
-    rows: dict[int, int] = field(default_factory=dict)  # id() of the node -> row
+    rows: dict[int, int] = field(default_factory=dict)  # id() of the node -> its row
     failed: TreeNode | None = None
 
 
 def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str]]) -> Embedding:
-    """Looks for the tree in a trace: a child is within the call of its parent, in order.
+    """Searches the tree in a trace. A child must be within the call of its parent, and in order.
 
-    A call by an interrupt in between is not a call of the parent, but a post by the parent is.
+    An interrupt can occur in the call of the parent. A call by this interrupt is not a call of the
+    parent, but a post by the parent is one.
     """
     order = {id(node): number for number, node in enumerate(nodes_of(tree))}
     names = {id(node): accepts(node) for node in nodes_of(tree)}
@@ -269,7 +276,7 @@ def embed(tree: TreeNode, rows: list[Row], accepts: Callable[[TreeNode], set[str
             position = index + 1
             for child in node.children:
                 if not child.children and not names[id(child)]:
-                    continue  # the recording does not contain the implementation
+                    continue  # The recording does not contain the implementation of this node.
                 if child.kind == "post":
                     matched = fit(child, position, len(rows), None)
                 else:
@@ -294,7 +301,7 @@ def nodes_of(tree: TreeNode) -> list[TreeNode]:
 
 
 def excerpt(rows: list[Row], placed: list[int]) -> tuple[list[TraceRow], int, dict[int, int]]:
-    """Returns the calls around the rows of the tree: at most ``SHOWN``, with the new number of each
+    """Returns at most ``SHOWN`` calls around the rows of the tree, with the new number of each
     remaining row.
     """
     first = placed[0]

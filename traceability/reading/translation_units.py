@@ -1,8 +1,8 @@
 """The translation units of the design, and the options with which each compiler reads them.
 
-A header and the source file of the same name are one unit; a header without a source file is a
-separate unit. Files below ``src/k64``, and files in the folder ``k64`` of an extension, are read
-for the K64, with the library of its compiler.
+A header and the source file of the same name are one unit. A header without a source file is a unit
+of its own. Files below ``src/k64`` and in the folder ``k64`` of an extension are read for the K64,
+with the library of its compiler.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ BOARD_FLAGS = ["-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard", "-mfpu=fpv4-sp-
 
 
 def translation_units(root: Path) -> dict[str, list[str]]:
-    """Returns for each unit the files whose facts are read from it."""
+    """Returns for each unit the files whose facts are read from this unit."""
     paths = [p for name in DESIGN for p in files_below(root, (name,), (".cpp", ".hpp"))]
     files = [str(path.relative_to(root)) for path in paths]
     units: dict[str, list[str]] = {}
@@ -53,7 +53,7 @@ def clang_arguments(board: bool) -> list[str]:
 
 
 def _board_folders() -> list[str]:
-    """Returns the folders of headers that the compiler of the K64 reports."""
+    """Returns the folders of headers that the K64 compiler reports."""
     answer = subprocess.run(
         [BOARD_COMPILER, *BOARD_FLAGS, "-E", "-x", "c++", "-v", "/dev/null"],
         capture_output=True,
@@ -81,7 +81,7 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
     ]
     arguments.append(
         "-fpch-instantiate-templates"
-    )  # without these headers, each unit parses them again
+    )  # Without the parsed headers, each unit parses these headers again.
     text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {arguments}\n"
     if header.exists() and header.read_text(encoding="utf-8") == text:
         return

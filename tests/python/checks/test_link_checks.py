@@ -1,4 +1,4 @@
-"""Dead links of a site, and the place of each link in the sources."""
+"""The dead links of a site, and the place of each link in the sources."""
 
 from __future__ import annotations
 

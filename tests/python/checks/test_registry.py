@@ -1,4 +1,4 @@
-"""Every check is described, and every clause is decided."""
+"""Each check is described, and each clause is decided."""
 
 from __future__ import annotations
 

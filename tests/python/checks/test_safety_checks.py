@@ -1,4 +1,4 @@
-"""hazard-*: bounds, results and names that the seeded faults in tests/drift do not test."""
+"""hazard-*: bounds, results and names that no seeded fault in tests/drift tests."""
 
 from __future__ import annotations
 
@@ -32,8 +32,14 @@ def check(root: Path, model: Model) -> list[Finding]:
     [
         (("base =", "base ="), ""),
         (("time = 0.35", "time = 0.32"), ""),
-        (("time = 0.35", "time = 0.31"), "SG-1 has 0.31 s, but its formula gives 0.353 s"),
-        (("time = 0.35", "time = 0.36"), "SG-1 has 0.36 s, but its formula gives 0.353 s"),
+        (
+            ("time = 0.35", "time = 0.31"),
+            "the time of SG-1 is 0.31 s, but its formula gives 0.353 s",
+        ),
+        (
+            ("time = 0.35", "time = 0.36"),
+            "the time of SG-1 is 0.36 s, but its formula gives 0.353 s",
+        ),
         (("0.3 / 0.85", "way / speed"), "the formula of SG-1 has no value: way / speed"),
         (("reaction = 0.2", "reaction = 0.35"), ""),
         (
@@ -106,7 +112,7 @@ def test_a_scenario_passes_in_this_run(
     ("test", "played", "found"),
     [
         ("TEST(Safety, FR1_Stops) {\n}\n", [], True),
-        (FOLDER, [], False),  # the test has not run, so it may play each scenario
+        (FOLDER, [], False),  # The test has not run, so it may play each scenario.
         (FOLDER, ["Files_Safety.FR1_Stops_lost"], False),
         (FOLDER, ["Files_Safety.FR1_Stops_found"], True),
     ],

@@ -1,4 +1,4 @@
-"""The robot in Python for the tests of the client."""
+"""The robot in Python, which the tests of the client use."""
 
 import importlib.util
 import sys
@@ -33,7 +33,7 @@ def mcu() -> Iterator[Any]:
 
 @pytest.fixture
 def control(mcu: Any, tmp_path: Path) -> Iterator[Path]:
-    """Path of a control socket of the robot."""
+    """Returns the path of a control socket of the robot."""
     path = tmp_path / "control"
     server = load_fake().FakeControl(path, mcu)
     yield path

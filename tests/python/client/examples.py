@@ -1,6 +1,6 @@
-"""The worked examples of the protocol. The script writes them in the present layout.
+"""The worked examples of the protocol. This script writes them again in the present layout.
 
-Missing fields at the end of a payload become 0, and the schema hash becomes the present hash.
+If a payload has new fields at its end, they become 0. The schema hash becomes the present hash.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ def examples() -> list[list[str]]:
 
 
 def with_present_layout(name: str, sender: str, old: str) -> str:
-    """Returns the line of an example from its body."""
+    """Returns the line of an example. It is made from the body of the example."""
     version, kind, sequence, *values = bytes.fromhex(old)
     layout = BY_KIND[kind]
     payload = bytearray(values).ljust(layout.size, b"\0")
@@ -33,7 +33,7 @@ def with_present_layout(name: str, sender: str, old: str) -> str:
 
 
 def present() -> str:
-    """Returns the file with the present layout."""
+    """Returns the text of the file in the present layout."""
     head = EXAMPLES.read_text(encoding="utf-8").splitlines()[0]
     return "\n".join([head, *(with_present_layout(*one[:3]) for one in examples())]) + "\n"
 

@@ -1,5 +1,5 @@
-"""A robot in Python at the other end of a pseudo-terminal: protocol version 2, arming, protective
-stop, remote control, emergency stop, and four wheels that turn freely."""
+"""A robot in Python at the other end of a pseudo-terminal. It has protocol version 2, arming,
+protective stop, remote control and emergency stop. Its four wheels turn freely."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ EMERGENCY_STOP = 1
 
 @dataclass
 class FakeWheel:
-    """A wheel off the ground."""
+    """A wheel that is off the ground."""
 
     leads_swapped: bool = False
     hall_swapped: bool = False
@@ -48,7 +48,8 @@ class FakeWheel:
 
 @dataclass
 class FakeRobot:
-    """Answers Hello, Confirm, orders; reports in each cycle while it is connected."""
+    """A robot that answers Hello, Confirm and orders. While it is connected, it reports in each
+    cycle."""
 
     versions: tuple[int, int] = (2, 2)
     schema: int = SCHEMA_HASH
@@ -63,7 +64,7 @@ class FakeRobot:
     angle: int = 0
     enable: str = "pc"
     transmitter: bool = True
-    hold_last: bool = False  # true: the receiver has no fail-safe
+    hold_last: bool = False  # If true, the receiver has no fail-safe.
     estop: bool = False
     estop_wired: bool = True
     stop: bool = False
@@ -81,7 +82,7 @@ class FakeRobot:
         self._line, self._client_end = os.openpty()
         tty.setraw(self._line)
         tty.setraw(self._client_end)
-        os.set_blocking(self._line, False)  # frames that nobody reads are lost
+        os.set_blocking(self._line, False)  # Frames that nobody reads are lost.
         self.path = Path(os.ttyname(self._client_end))
         self._cycle = 0
         self._order = struct.pack("<HIhBhBhBhBhB", *[0] * 12)
@@ -103,7 +104,7 @@ class FakeRobot:
         return [frame for frame in list(self.received) if frame.kind == kind]
 
     def control(self, words: str) -> str:
-        """Executes an action of the bring-up, and answers like the simulator."""
+        """Executes an action of the bring-up, and answers in the same way as the simulator."""
         match words.split():
             case ["fault" | "repair" as what, "left-end"]:
                 self.left_end = what == "fault"
@@ -242,7 +243,7 @@ class FakeRobot:
 
 
 class FakeControl:
-    """The control socket of the simulator, in front of a fake robot."""
+    """The control socket of the simulator. It passes the actions to a fake robot."""
 
     def __init__(self, path: Path, robot: FakeRobot) -> None:
         self._robot = robot

@@ -1,4 +1,5 @@
-"""The bring-up: each step on the robot in Python, right and wrong, and the record."""
+"""The bring-up. Each step is tested on the robot in Python, with a right and with a wrong robot.
+The record is tested too."""
 
 import argparse
 import json
@@ -27,7 +28,8 @@ WHEEL_0 = "wheel 0, front left"
 
 @pytest.fixture(autouse=True)
 def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The robot in Python has no inertia, so shorter times are sufficient."""
+    """Shortens the times of the bring-up. The robot in Python has no inertia, so shorter times are
+    sufficient."""
     monkeypatch.setattr(bring_up, "OBSERVE_S", 0.2)
     monkeypatch.setattr(bring_up, "WHEEL_S", 0.5)
     monkeypatch.setattr(SimulatedOperator, "patience_s", 1.0)
@@ -35,7 +37,7 @@ def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def images(tmp_path: Path) -> Path:
-    """A folder with the image that the robot in Python reports as its own."""
+    """Returns a folder with an image. The robot in Python reports this image as its own."""
     folder = tmp_path / "k64"
     folder.mkdir()
     (folder / "weeding_robot.bin").write_bytes(b"code 0123abcd code")
@@ -43,7 +45,7 @@ def images(tmp_path: Path) -> Path:
 
 
 class First(BringUp):
-    """The first steps, up to a given step."""
+    """The first steps of the bring-up, up to a given step."""
 
     last = ""
 
@@ -62,7 +64,7 @@ def go(
     volts: float = 24.0,
     last: str = "",
 ) -> Record:
-    """Executes all steps, or the steps up to a named step, with the simulated operator."""
+    """Executes all steps, or the steps up to a named step. The simulated operator answers."""
     record = Record("2026-01-01T00:00:00", str(mcu.path), simulated=True)
     operator = SimulatedOperator(Control(control), volts)
     with Link(mcu.path) as link:
@@ -179,7 +181,7 @@ def test_a_receiver_that_keeps_the_last_pulses_fails(mcu: Any, control: Path, im
     off = step(go(mcu, control, images, last=name), name)
     assert off.verdict == "fail"
     assert "fail-safe of the receiver" in off.advice
-    assert mcu.transmitter  # it is on again for the steps that follow
+    assert mcu.transmitter  # The transmitter is on again for the steps that follow.
 
 
 def test_a_product_without_remote_control_has_no_steps_for_it(
@@ -374,7 +376,9 @@ def test_a_person_is_led_and_ctrl_c_stops_the_robot(mcu: Any, tmp_path: Path) ->
         person.types("")
         person.reads("off the ground, and is the robot secured? [yes/no]")
         person.types("")
-        person.reads("off the ground, and is the robot secured? [yes/no]")  # asked again
+        person.reads(
+            "off the ground, and is the robot secured? [yes/no]"
+        )  # The program asks again.
         person.program.send_signal(signal.SIGINT)
         assert person.program.wait(10) == 130
     finally:

@@ -1,4 +1,5 @@
-"""The capture of the line, as Wireshark shows it, against the frames that the client decodes."""
+"""The capture of the line. The values that Wireshark shows are compared with the values that the
+client decodes."""
 
 import os
 import random
@@ -22,7 +23,8 @@ tshark = pytest.mark.skipif(not shutil.which("tshark"), reason="tshark is not in
 
 
 def frames_shown(capture: Path, folder: Path) -> list[dict[str, str]]:
-    """Returns the fields that the dissector adds to each packet: filter name and value."""
+    """Returns the fields that the dissector adds to each packet, as pairs of filter name and
+    value."""
     script = folder / "dissector.lua"
     write_dissector(script)
     done = subprocess.run(
@@ -44,7 +46,7 @@ def frames_shown(capture: Path, folder: Path) -> list[dict[str, str]]:
 
 
 def value_of(field: ET.Element) -> str:
-    """Returns the text of a value if it has a text, otherwise the value."""
+    """Returns the text of a value. If the value has no text, returns the value itself."""
     words = str(field.get("showname"))
     _, _, named = words.partition(": ")
     text = named.rpartition(" (")[0] if named.endswith(")") else "Unknown"
@@ -69,7 +71,7 @@ def random_payload(layout: Layout, source: random.Random) -> bytes:
 
 
 def assert_same(shown: dict[str, str], layout: Layout, payload: bytes) -> None:
-    """Checks that the dissector shows every value of the frame as the client decodes it."""
+    """Checks that the dissector shows every value of the frame in the same way as the client."""
     prefix = f"{layout.name.lower()}."
     for name, value in layout.decode(payload).items():
         text = shown.get(prefix + name)
@@ -138,7 +140,7 @@ def test_a_bad_frame_is_marked(line: bytes, error: str, tmp_path: Path) -> None:
 
 
 def packets_of(path: Path) -> list[tuple[int, bytes]]:
-    """Returns direction and bytes of each packet, read block by block."""
+    """Returns the direction and the bytes of each packet. The packets are read block by block."""
     data = path.read_bytes()
     found = []
     while data:

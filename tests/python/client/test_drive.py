@@ -1,4 +1,4 @@
-"""Driving by keyboard and by script, and the display and record of reports."""
+"""Driving by keyboard and by script, and the display and recording of reports."""
 
 import argparse
 import csv
@@ -42,7 +42,8 @@ def script_in(folder: Path, text: str) -> Path:
 
 
 def orders(mcu: Any) -> list[tuple[int, int, int]]:
-    """Returns velocity of the first wheel, steering and commands of each order, as on the line."""
+    """Returns the velocity of the first wheel, the steering and the commands of each order, as they
+    are on the line."""
     return [
         (
             int.from_bytes(frame.payload[9:11], "little", signed=True),
@@ -435,7 +436,7 @@ def test_driving_by_keyboard_tells_when_a_fault_begins_and_ends(
 
 
 def read_until(terminal: int, text: bytes, seconds: float = 10.0) -> bytes:
-    """Returns the output of the program until the text is there."""
+    """Returns the output of the program as soon as it contains the text."""
     data = b""
     end = time.monotonic() + seconds
     while text not in data and time.monotonic() < end:
@@ -463,14 +464,15 @@ def start_drive(mcu: Any, *words: str, stdin: int) -> subprocess.Popen[bytes]:
 
 @dataclass
 class Terminal:
-    """A terminal in which the program for the keyboard runs."""
+    """A terminal that runs the program for driving by keyboard."""
 
     keys: int
     inner: int
     program: subprocess.Popen[bytes]
 
     def type(self, text: bytes, seconds: float = 0.0) -> None:
-        """Types a text once, or repeatedly for a time, like a pressed key."""
+        """Types a text. With a time, types it repeatedly during this time, like a key that is held
+        down."""
         end = time.monotonic() + seconds
         os.write(self.keys, text)
         while time.monotonic() < end:
@@ -504,7 +506,7 @@ def test_the_keyboard_drives_while_a_key_is_held(mcu: Any, terminal: Terminal) -
     terminal.type(b"\x1b[D")
     terminal.type(b"\x1b[A", seconds=0.5)
     read_until(terminal.keys, b"ordered: +50 rpm, +1 deg")
-    wait_for(lambda: orders(mcu)[-1] == (0, 100, 0))  # the key is released
+    wait_for(lambda: orders(mcu)[-1] == (0, 100, 0))  # The key is released.
     terminal.type(b"q")
     assert terminal.program.wait(10) == 0
     ordered = orders(mcu)

@@ -1,4 +1,4 @@
-"""Messages of the client, against the worked examples of the protocol."""
+"""The messages of the client, compared with the worked examples of the protocol."""
 
 import os
 import random

@@ -1,5 +1,5 @@
 """The client with the firmware, which runs in real time on a pseudo-terminal. The tests run with
-the firmware of this machine, and with the image of the K64 on the virtual board.
+the firmware for this machine, and with the image for the K64 on the virtual board.
 """
 
 import itertools
@@ -38,7 +38,7 @@ def program(request: pytest.FixtureRequest, build: Callable[..., None]) -> list[
 
 @pytest.fixture
 def robot(program: list[Path | str], tmp_path: Path) -> Iterator[Path]:
-    """A robot that was just switched on; its remote control is silent."""
+    """Starts a robot that was just switched on. Its remote control sends no pulses."""
     path = tmp_path / "pc-link"
     words = [*program, "--link", path, "--control", tmp_path / "control"]
     process = subprocess.Popen(words, stdout=subprocess.DEVNULL)
@@ -53,7 +53,7 @@ def robot(program: list[Path | str], tmp_path: Path) -> Iterator[Path]:
 
 @pytest.fixture
 def world(robot: Path) -> Iterator[Control]:
-    """The control socket of the robot."""
+    """Returns the path of the robot's control socket."""
     control = Control(robot.parent / "control")
     yield control
     control.close()
@@ -77,7 +77,7 @@ def drive(
     stop: bool = False,
     wheel: WheelSetPoint = VELOCITY,
 ) -> list[Report]:
-    """Sends an order at once after each report, and returns the reports."""
+    """Sends an order immediately after each report, and returns the reports."""
     found: list[Report] = []
     for report in link.reports(5.0):
         found.append(report)
@@ -105,7 +105,7 @@ def test_from_power_up_with_a_silent_remote_control_the_pc_commands_within_n_and
     driven = reports[working:]
     assert {(report.mode, report.source) for report in driven} == {("PC", "PC")}
     read = [report for report in driven if report.state == "Working" and report.order_read]
-    assert len(read) >= 0.8 * len(driven)  # a busy machine sometimes sends an order too late
+    assert len(read) >= 0.8 * len(driven)  # A busy machine sometimes sends an order too late.
 
 
 def test_the_robot_tells_why_it_started_and_no_fault(
@@ -119,8 +119,8 @@ def test_the_robot_tells_why_it_started_and_no_fault(
 
 
 def test_an_order_sent_before_a_clock_pulse_is_in_the_report_of_that_cycle(robot: Path) -> None:
-    """Checks each order that was written at least 20 ms before a clock pulse, by the clock of this
-    computer.
+    """Checks each order that was written at least 20 ms before a clock pulse. The clock of this
+    computer measures this time.
     """
     received: list[tuple[float, Report]] = []
     sent: list[float] = []
@@ -226,7 +226,7 @@ def brought_up(robot: Path, world: Control, images: Path) -> Record:
 
 @pytest.fixture
 def images(program: list[Path | str], tmp_path: Path) -> Path:
-    """A folder with the program that runs, instead of the built image."""
+    """Returns a folder with the program that runs. It takes the place of the built image."""
     folder = tmp_path / "images"
     folder.mkdir()
     (folder / "weeding_robot.bin").symlink_to(program[-1])

@@ -1,4 +1,5 @@
-"""Recordings in MCAP, their schema, and the page of curves that is drawn from a recording."""
+"""Recordings in MCAP, their schema, and the page of curves that the client draws from a
+recording."""
 
 import json
 import re
@@ -26,7 +27,7 @@ SCENARIO = ROOT / "sim" / "scenario" / "examples" / "velocity_step.scenario"
 
 @pytest.fixture
 def recorded(mcu: Any, tmp_path: Path) -> tuple[Path, Path]:
-    """The same drive in both formats."""
+    """Returns recordings of the same drive in both formats."""
     script = tmp_path / "script"
     script.write_text("at 0s velocity 50 rpm\nat 1s steering 10 deg\nat 2s end\n")
     table, mcap = tmp_path / "a.csv", tmp_path / "a.mcap"
@@ -79,7 +80,8 @@ def test_a_full_disk_ends_only_its_recording(
 @pytest.mark.parametrize("format_", [0, 1])
 def test_a_recording_becomes_one_page(recorded: tuple[Path, Path], format_: int) -> None:
     page = recording_page(recorded[format_])
-    # Velocity and voltage of each wheel, and the steering; this robot measures no current.
+    # The page shows velocity and voltage of each wheel, and the steering. This robot measures no
+    # current.
     assert page.count('<ul class="plot-key">') == 9
     assert "Wheel 3, velocity [rpm]" in page
     assert "set-point" in page
@@ -98,7 +100,9 @@ def test_the_table_of_a_scenario_is_drawn_in_units(
     reports = read_recording(table)
     velocity = plots(reports)[0]
     ordered, measured = velocity.curves
-    assert 0 < max(value for _, value in ordered.points) <= 300  # rpm; on the line it is 0.1 rpm
+    assert (
+        0 < max(value for _, value in ordered.points) <= 300
+    )  # The value is in rpm. On the line, its unit is 0.1 rpm.
     last = measured.points[-1][1]
     assert max(value for _, value in measured.points) >= last
     assert any(change.name == "armed" and change.after == "true" for change in changes(reports))

@@ -1,4 +1,4 @@
-"""The differences of two revisions, and the form in which they are shown."""
+"""The differences between two revisions, and the form in which they are shown."""
 
 from dataclasses import replace
 from pathlib import Path

@@ -1,5 +1,4 @@
-"""The CMSIS-SVD file fits the schema of Arm, and its addresses equal the addresses in the
-firmware."""
+"""The CMSIS-SVD file fits the schema of Arm. Its addresses equal the addresses in the firmware."""
 
 import re
 from pathlib import Path
@@ -14,7 +13,7 @@ from traceability.reading.register_table import TABLE, read_registers
 ROOT = Path(__file__).parents[3]
 BLOCKS = (
     ROOT / "sim/emulator/Blocks.hpp"
-)  # was written from the manual, independent of the firmware
+)  # This table was written from the manual, independently of the firmware.
 BLOCK = re.compile(r'\{"(\w+)", (0x[0-9A-F]{8}), \d')
 REGISTER = re.compile(r"Register<std::uint(\d+)_t, (0x[0-9A-F]+).*> \w+;")
 
@@ -61,7 +60,7 @@ def test_each_block_is_where_the_manual_has_it(device: SVDDevice) -> None:
     shown = {block.name: block.base_address for block in device.peripherals}
     common = shown.keys() & of_manual.keys()
     assert {"PORTE", "UART4", "ADC1", "FTM0", "WDOG"} < common
-    upper = {"SIM": 0x1000}  # the registers in use are in the second half of the block
+    upper = {"SIM": 0x1000}  # The registers in use are in the second half of the block.
     for name in common:
         assert shown[name] == of_manual[name] + upper.get(name, 0), name
 

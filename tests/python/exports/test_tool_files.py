@@ -1,4 +1,4 @@
-"""The exports for other tools: an independent tool reads each file, or the file fits a published
+"""The exports for other tools. An independent tool reads each file, or the file fits a published
 schema."""
 
 import csv
@@ -31,7 +31,7 @@ SARIF = json.loads((Path(__file__).parent / "sarif-2.1.0.schema.json").read_text
 
 @pytest.fixture
 def model() -> Model:
-    """A requirement whose text has characters with a special meaning in the formats."""
+    """Returns a model with a requirement whose text contains special characters of the formats."""
     model = make_model()
     (requirement,) = (one for one in model.requirements.values() if one.id == "FR-15")
     hard = replace(
@@ -69,7 +69,7 @@ def test_reqif_fits_the_schema_and_is_read_back(model: Model, tmp_path: Path) ->
 
 
 def test_reqif_has_no_empty_value(model: Model) -> None:
-    """StrictDoc does not import a file with an empty value."""
+    """StrictDoc cannot import a file with an empty value."""
     assert 'THE-VALUE=""' not in reqif_text(model, REPORT)
     assert any(not value for one in trace_items(model, REPORT) for value in one.values.values())
 

@@ -1,4 +1,4 @@
-"""Contents of an image: its vectors, its symbols, its sections."""
+"""The contents of an image: its vectors, its symbols and its sections."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ COMPILER = "arm-none-eabi-g++"
 CORE = ("-mcpu=cortex-m4", "-mthumb")
 
 SRAM_LOWER = 0x1FFF0000
-BORDER = 0x20000000  # end of SRAM_L, begin of SRAM_U
+BORDER = 0x20000000  # end of SRAM_L and begin of SRAM_U
 VECTORS = 16 + 86
 CODE = 0x410
 
 
 @dataclass(frozen=True)
 class Symbol:
-    """A symbol of a program; a missing address or size is 0."""
+    """A symbol of a program. An address or size that is missing is 0."""
 
     name: str
     address: int = 0
@@ -44,7 +44,7 @@ def symbols(program: Path) -> list[Symbol]:
 
 
 def sections(program: Path) -> dict[str, tuple[int, int]]:
-    """Returns address and size of each section."""
+    """Returns the address and the size of each section."""
     pattern = r"^ *\[ *\d+\] (\S+) +\S+ +([0-9a-f]{8}) [0-9a-f]+ ([0-9a-f]+) "
     text = output("arm-none-eabi-readelf", "--sections", "--wide", program)
     return {
@@ -54,14 +54,15 @@ def sections(program: Path) -> dict[str, tuple[int, int]]:
 
 
 def across_border(program: Path) -> list[str]:
-    """Returns the sections and objects of a program that are on both sides of the border."""
+    """Returns the sections and objects of a program that are partly below and partly above the
+    border."""
     places = [(name, *place) for name, place in sections(program).items()]
     places += [(one.name, one.address, one.size) for one in symbols(program)]
     return [name for name, address, size in places if address < BORDER < address + size]
 
 
 def vector_problems(image: bytes) -> list[str]:
-    """Returns the faults of the vectors of an image."""
+    """Returns the faults in the vectors of an image."""
     stack, *handlers = struct.unpack_from(f"<{VECTORS}I", image)
     problems = []
     if not SRAM_LOWER < stack <= BORDER or stack % 8:

@@ -1,4 +1,4 @@
-"""Makes an image with mistakes seeded in its drivers, and runs it on the virtual K64."""
+"""Makes an image with mistakes in its drivers, and runs this image on the virtual K64."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from pathlib import Path
 from tests.python.firmware.contents import BUILD, ROOT
 
 BOARD = ROOT / "build" / "host" / "sim" / "weeding_robot_board"
-FOUND = 4  # exit code of the board program: the run ended with a finding
+FOUND = 4  # exit code of the board program that means that the run ended with a finding
 SOURCES = ROOT / "src" / "k64"
 
-# Two seconds of a robot that is driven: reports are sent and orders are received.
+# Two seconds of a robot that is driven. Reports are sent, and orders are received.
 DRIVE = """\
 at 300 connect
 from 640 to 1940 every 100 order velocity 300 steering 150
@@ -27,7 +27,7 @@ at 2000 end
 
 @dataclass(frozen=True)
 class Change:
-    """A piece of a source of src/k64, and its replacement."""
+    """A part of a source of src/k64, and the text that replaces it."""
 
     file: str
     before: str
@@ -37,22 +37,22 @@ class Change:
 @dataclass(frozen=True)
 class Run:
     code: int
-    finding: str  # its id, or empty
+    finding: str  # id of the finding, or empty
     text: str
 
 
 @dataclass(frozen=True)
 class Program:
-    """The image under test, linked once. A changed driver needs only its own compilation, because
-    the drivers take no part in the optimisation at link time."""
+    """The image under test, which is linked once. After a change of a driver, only this driver is
+    compiled, because the drivers take no part in the optimisation at link time."""
 
     compiled: dict[str, list[str]]  # source of src/k64 -> the command that compiles it
     link: list[str]
 
     def seeded(self, folder: Path, changes: tuple[Change, ...]) -> Path:
-        """Compiles copies of the changed sources and links them with the other objects.
+        """Compiles copies of the changed sources, and links them with the other objects.
 
-        Returns the image without its suffix.
+        Returns the name of the image without its suffix.
         """
         link = list(self.link)
         for file in {change.file for change in changes}:
@@ -62,7 +62,8 @@ class Program:
             words = list(self.compiled[file])
             original = words[words.index("-o") + 1]
             words[words.index("-c") + 1] = str(source)
-            prefix = f"-ffile-prefix-map={folder}=src/k64"  # so that findings show the true place
+            # With this option, findings show the place in the original source.
+            prefix = f"-ffile-prefix-map={folder}=src/k64"
             made = compiled_to(source.with_suffix(".obj"), [*words, prefix])
             link[link.index(original)] = made
         image = folder / "weeding_robot_paper"
@@ -73,7 +74,7 @@ class Program:
 
 
 def link_once(folder: Path) -> Program:
-    """Compiles the drivers without optimisation at link time, and optimises the other parts."""
+    """Compiles the drivers without optimisation at link time. The other parts are optimised."""
     link = link_command()
     compiled = {}
     for entry in json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8")):
@@ -84,16 +85,17 @@ def link_once(folder: Path) -> Program:
             link[link.index(original)] = made
             words[words.index("-o") + 1] = made
             compiled[str(source.relative_to(SOURCES))] = words
-    # -g0 omits the debug information, because it refers to the parts of the compiler.
+    # -g0 omits the debug information. It would refer to intermediate files of the compiler.
     linked_to(f"{folder / 'all'}.elf", [*link, "-g0", "-save-temps"])
     (optimised,) = folder.glob("all.elf.*.ltrans.o")
-    link.insert(link.index("-o"), str(optimised))  # before the libraries
+    link.insert(link.index("-o"), str(optimised))  # This object must be before the libraries.
     others = [word for word in link if not word.startswith("-flto")]
     return Program(compiled, [*others, "-fno-use-linker-plugin"])
 
 
 def compiled_to(target: Path, words: list[str]) -> str:
-    """Runs a command of the build that compiles, with another output. Returns the output."""
+    """Runs a command of the build that compiles, but with a different output. Returns the
+    output."""
     words = list(words)
     words[words.index("-o") + 1] = str(target)
     subprocess.run(words, check=True, cwd=BUILD, timeout=60)
@@ -101,7 +103,7 @@ def compiled_to(target: Path, words: list[str]) -> str:
 
 
 def linked_to(target: str, words: list[str]) -> None:
-    """Runs the link command of the build with another output."""
+    """Runs the link command of the build, but with a different output."""
     words = list(words)
     words[words.index("-o") + 1] = target
     subprocess.run(words, check=True, cwd=BUILD, timeout=60)
@@ -117,18 +119,20 @@ def changed(file: str, changes: tuple[Change, ...]) -> str:
 
 
 def link_command() -> list[str]:
-    """Returns the command that links the image, without the map file of the build."""
+    """Returns the command that links the image. The command writes no map file."""
     ninja = ["ninja", "-C", str(BUILD), "-t", "commands", "weeding_robot_paper.elf"]
     done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
     line = done.stdout.splitlines()[-1].removeprefix(": && ")
     words = shlex.split(line[: line.index(" && ")])
-    place = words.index("-dumpdir")  # of files of the compiler that the build keeps
+    place = words.index(
+        "-dumpdir"
+    )  # These files are intermediate files of the compiler that the build keeps.
     del words[place : place + 2]
     return [word for word in words if not word.startswith("-Wl,-Map=")]
 
 
 def driven(image: Path, folder: Path) -> Run:
-    """Runs an image, named without its suffix, for two seconds of the robot's time."""
+    """Runs an image for two seconds of the robot's time. The image is named without its suffix."""
     scenario = folder / "drive.scenario"
     scenario.write_text(DRIVE, encoding="utf-8")
     words: list[str | Path] = [BOARD, "--image", f"{image}.bin", "--elf", f"{image}.elf"]

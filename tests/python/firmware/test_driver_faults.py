@@ -1,4 +1,5 @@
-"""Mistakes of drivers, each seeded in a copy, stop the image on the virtual K64 with a finding."""
+"""Mistakes of drivers. Each mistake is made in a copy, and stops the image on the virtual K64 with
+a finding."""
 
 from __future__ import annotations
 
@@ -20,7 +21,7 @@ CALCULATION = Change(
     "  stop();\n  volatile float ratio = 1.5F;\n  ratio = ratio * ratio;\n  const auto ticks",
 )
 
-# The fault, its finding, and the changes; the first change names the driver.
+# For each fault: its finding and its changes. The first change names the driver.
 FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
     "clock gate of UART0 left closed": (
         "clock-gate",
@@ -97,7 +98,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "received byte of the UART not taken": (
-        "uart-overrun",  # detected before the interrupt counts as a storm
+        "uart-overrun",  # The fault is detected before the interrupt counts as a storm.
         (Change("K64Uart.cpp", "uart::D.at(offset()).read()", "uart::BDL.at(offset()).read()"),),
     ),
     "transmit interrupt of the UART never switched off": (
@@ -150,7 +151,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "inputs b of the converters not chosen": (
-        "unmodelled-register",  # the program then reads the inputs a of these channels
+        "unmodelled-register",  # The program then reads the inputs a of these channels.
         (Change("K64Adc.cpp", "write(adc::CFG2_MUXSEL_B)", "write({0})"),),
     ),
     "result of a converter not taken": (
@@ -165,7 +166,9 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "interrupt-storm",
         (
             Change("K64Port.cpp", "    flags.write(port::ISFR.bit(number_));\n", ""),
-            Change("K64Port.cpp", "    ++edges_;\n", ""),  # otherwise the bound ends the storm
+            Change(
+                "K64Port.cpp", "    ++edges_;\n", ""
+            ),  # Without this change, the bound would end the storm.
         ),
     ),
     "vector of the Hall sensors missing": (
@@ -177,7 +180,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         (Change("K64Board.cpp", "  scb::CPACR.set(scb::CPACR_FPU);\n", ""), CALCULATION),
     ),
     "vector of PIT0 missing": (
-        "reset-request",  # the vector leads to the handler of unexpected interrupts
+        "reset-request",  # The vector leads to the handler of unexpected interrupts.
         (Change("start_up/vectors.cpp", "  lines[kCycleTimerLine] = cycleTimerInterrupt;\n", ""),),
     ),
     "vector of the main controller's thread missing": (
@@ -238,8 +241,8 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Program:
 
 @pytest.fixture(scope="module")
 def table() -> Iterator[dict[str, dict[str, object]]]:
-    """Yields the table of findings. When all faults were seeded, the list of findings is a result
-    of the run."""
+    """Yields the table of findings. If all faults were tried, the list of findings is a result of
+    the run."""
     rows: dict[str, dict[str, object]] = {}
     yield rows
     for fault, row in rows.items():
@@ -274,8 +277,8 @@ def test_the_image_itself_has_no_finding(tmp_path: Path) -> None:
 
 
 def test_an_image_that_is_linked_again_has_no_finding(tmp_path: Path, program: Program) -> None:
-    """This verifies that the change causes the finding, and not the method that applies the
-    change."""
+    """Verifies that the change causes the finding, and that the method of applying the change does
+    not cause it."""
     run = driven(program.seeded(tmp_path, ()), tmp_path)
     assert (run.code, run.finding) == (0, ""), run.text
 

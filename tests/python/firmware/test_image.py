@@ -1,4 +1,4 @@
-"""The image of the K64 contains all parts that the chip needs, and no forbidden part."""
+"""The image of the K64 contains all parts that the chip needs. It contains no forbidden part."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ ELF = BUILD / "weeding_robot.elf"
 BIN = BUILD / "weeding_robot.bin"
 HARD_FLOAT = ("-mfloat-abi=hard", "-mfpu=fpv4-sp-d16")
 
-# For each forbidden part: a program that contains it, and the options of its compiler.
+# For each forbidden part: a program that contains it, and the compiler options for this program.
 HOLDERS = {
     "heap": ("int* f() { return new int; }", HARD_FLOAT),
     "heap, in C": ('extern "C" void free(void*); void f(int* p) { free(p); }', HARD_FLOAT),
@@ -72,8 +72,8 @@ def image() -> bytes:
 def test_the_image_does_not_lock_the_chip(image: bytes) -> None:
     assert lock_problems(image) == []
     field = image[0x400:0x410]
-    assert field[0xC] == 0xFE  # not secured, mass erase allowed
-    assert field[0xD] == 0xFD  # no EzPort when PTA4 is low at the reset
+    assert field[0xC] == 0xFE  # The chip is not secured, and mass erase is allowed.
+    assert field[0xD] == 0xFD  # EzPort is disabled, even if PTA4 is low at the reset.
     assert set(field[:0xC] + field[0xE:]) == {0xFF}
 
 
@@ -91,7 +91,7 @@ def test_the_vectors_lead_to_code_and_the_stack_is_in_the_lower_memory(image: by
     address = {symbol.name: symbol.address for symbol in symbols(ELF)}
     stack, reset = struct.unpack_from("<2I", image)
     assert stack == address["stackTop"]
-    assert address["stackBottom"] == SRAM_LOWER  # an overflow leaves the memory
+    assert address["stackBottom"] == SRAM_LOWER  # If the stack overflows, it leaves the memory.
     assert reset & ~1 == address["resetHandler"] & ~1
 
 
@@ -143,7 +143,7 @@ def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Pa
 
 
 def test_the_binary_holds_what_the_program_does(image: bytes, tmp_path: Path) -> None:
-    """All loaded data are in flash, and end at the end of the binary."""
+    """All loaded data are in the flash. They end at the end of the binary."""
     copy = tmp_path / "copy.bin"
     output("arm-none-eabi-objcopy", "-O", "binary", ELF, copy)
     assert copy.read_bytes() == image

@@ -1,4 +1,4 @@
-"""The libraries of the logic modules: a use that the design does not allow fails the build."""
+"""The libraries of the logic modules. The build fails if the design does not allow a use."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ REFUSED = "module switch does not depend on a module exporting 'bulb/Bulb.hpp'"
 
 
 def build(root: Path, file: str, before: str, after: str) -> str:
-    """Builds the lamp after one change of a file; returns the messages."""
+    """Builds the lamp after one change of a file. Returns the messages of the build."""
     for name, text in TREE.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")
@@ -53,7 +53,7 @@ def build(root: Path, file: str, before: str, after: str) -> str:
 @pytest.mark.parametrize(
     ("file", "before", "after", "message"),
     [
-        ("main.cpp", "\n", INCLUDE, ""),  # only logic modules have rules
+        ("main.cpp", "\n", INCLUDE, ""),  # The rules concern only logic modules.
         ("src/switch/Switch.cpp", "\n", INCLUDE, REFUSED),
         ("src/switch/Switch.cpp", "\n", INCLUDE.replace("bulb/", "../bulb/"), "does not depend"),
         ("src/switch/Switch.hpp", "\n", INCLUDE, REFUSED),
@@ -62,7 +62,7 @@ def build(root: Path, file: str, before: str, after: str) -> str:
             "on()",
             "on(std::int32_t)",
             "int32_t",
-        ),  # the header does not compile alone
+        ),  # The header does not compile alone.
         ("design/uses.toml", "switch/states", "bulb", "does not depend"),
         ("src/switch/Switch.cpp", "return on", "int glow(); return glow", "undefined reference"),
     ],
@@ -76,7 +76,8 @@ def test_a_forbidden_use_fails_the_build(
 
 
 def test_cmake_reads_each_use() -> None:
-    """CMake reads lines, and Python reads TOML. Each use must be in a line that CMake can read."""
+    """CMake reads lines, and Python reads TOML. Each use must therefore be in a line that CMake can
+    read."""
     lines = (ROOT / "design" / "uses.toml").read_text(encoding="utf-8").splitlines()
     allowed = read_declared(ROOT).allowed
     assert allowed

@@ -1,4 +1,4 @@
-"""The pin table of the firmware: an invalid entry does not compile."""
+"""The pin table of the firmware. An invalid entry does not compile."""
 
 import subprocess
 from pathlib import Path

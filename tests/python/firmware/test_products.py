@@ -1,4 +1,4 @@
-"""The image of each product contains all parts that the product needs, and no others."""
+"""The image of each product contains all parts that the product needs, and no other parts."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from traceability.reading.products import (
 )
 
 ROOT = Path(__file__).parents[3]
-# In a template, methods that only the remote control calls must not be in other images.
+# If only the remote control calls a method of a template, the method must not be in other images.
 INLINED = {"Pipe"}
 
 
@@ -67,7 +67,7 @@ def test_all_else_is_the_same_in_all_products(product: str) -> None:
 
 @pytest.mark.parametrize("product", PRODUCTS)
 def test_an_intruder_is_found(product: str) -> None:
-    """Each part of a product would be detected in a product that must not have it."""
+    """If a product contained a part that it must not have, the check would find the part."""
     for module in HAS[product]:
         assert intruders(held(product), HAS[product] - {module}) == {module}
 
@@ -90,7 +90,7 @@ def test_the_sizes_of_the_products_are_those_of_their_images(
         said = subprocess.run(words, check=True, capture_output=True, text=True).stdout
         text, data, bss = map(int, said.splitlines()[1].split()[:3])
         assert record["flash"] == text + data
-        copied = record["ram"] - data - bss  # the program runs from RAM
+        copied = record["ram"] - data - bss  # The program runs from RAM.
         assert 0.9 * text < copied < text
         assert 0 < record["stack"] < record["ram"]
         assert set(record["modules"]) == held(product)

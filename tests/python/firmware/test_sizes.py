@@ -1,4 +1,4 @@
-"""Sizes of the parts of the image: each byte belongs to one part."""
+"""The sizes of the parts of the image. Each byte belongs to one part."""
 
 from pathlib import Path
 

@@ -1,4 +1,5 @@
-"""A small safety case: one hazard, one goal, one requirement, one scenario, one assumption."""
+"""A small safety case with one hazard, one goal, one requirement, one scenario and one
+assumption."""
 
 from __future__ import annotations
 
@@ -81,7 +82,7 @@ TEST = '/// @brief It stops.\nTEST(Safety, FR1_Stops) {\n  playScenario("lost");
 
 
 def write_case(root: Path, *changes: tuple[str, str]) -> None:
-    """Writes the case, and replaces parts of its text."""
+    """Writes the case. Parts of its text can be replaced."""
     text = CASE
     for old, new in changes:
         assert old in text, old
@@ -121,7 +122,8 @@ def make_model(root: Path, result: str | None = "passed", *, fresh: bool = True)
 
 
 def report_of(model: Model, states: Mapping[str, str] | None = None) -> Report:
-    """Returns the report of a model with these states of its requirements; FR-1 is verified."""
+    """Returns the report of a model with these states of its requirements. By default, FR-1 is
+    verified."""
     verdicts = {
         name: Verdict(state) for name, state in {"FR-1": "verified", **(states or {})}.items()
     }

@@ -1,10 +1,11 @@
-"""A small tree of sources with the structure of the real tree: two modes, two states, one test."""
+"""A small tree of sources with the structure of the real tree. It has two modes, two states and one
+test."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-# Two modes and two states, which differ only in their names.
+# The two modes, and the two states, differ only in their names.
 MODE_HEADER = """\
 #pragma once
 

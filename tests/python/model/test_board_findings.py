@@ -1,4 +1,5 @@
-"""Results of the virtual K64: results of tests, and findings of seeded faults in drivers."""
+"""Results of the virtual K64: the results of tests, and the findings for seeded faults in
+drivers."""
 
 from __future__ import annotations
 
@@ -67,6 +68,6 @@ def test_results_of_the_board_are_stale_on_their_own(tmp_path: Path) -> None:
     record_task(root, TESTS_BOARD, "src", "tests")
     model = build(root).model
     assert not model.stale_on(VIRTUAL_K64)
-    assert model.results_stale  # results of the host are missing
+    assert model.results_stale  # The results of the host are missing.
     assert model.tests["Findings.ClockGate"].passed
     assert model.tests["Findings.Nothing"].gave("failed") == [VIRTUAL_K64]

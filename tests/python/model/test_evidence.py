@@ -1,4 +1,4 @@
-"""Requirements that tools measure."""
+"""Requirements that are verified by the measurements of tools."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_evidence_holds_or_says_why_not(text: str, wrong: list[str]) -> None:
     assert verdict.state == ("unverified" if wrong else "verified")
     own = (
         [] if text.startswith("checks.module-name ") else wrong
-    )  # other checks report the other findings
+    )  # Other checks report the other findings.
     assert [one.check for one in unmet(model, measured, found)] == ["req-evidence"] * len(own)
 
 

@@ -1,4 +1,4 @@
-"""The metrics of build/metrics.json that depend on files alone."""
+"""The metrics of build/metrics.json that depend only on files."""
 
 from __future__ import annotations
 

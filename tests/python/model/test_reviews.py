@@ -1,4 +1,5 @@
-"""The baseline of a requirement, the changes that make it suspect, and the review by a person."""
+"""The baseline of a requirement, the changes that make the requirement suspect, and the review by a
+person."""
 
 from __future__ import annotations
 
@@ -77,7 +78,7 @@ def tree(sound: Path, tmp_path: Path) -> Path:
 
 @pytest.fixture
 def answers(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Types the answers of the person: yes to each question, and a remark."""
+    """Types the answers of the person. They are yes to each question, and a remark."""
     typed = [*("yes" for _ in QUESTIONS), REMARK]
     rest: Iterator[str] = iter(typed)
 
@@ -262,7 +263,7 @@ def test_no_question_can_be_skipped(
     [
         ({"name": "Ida Author", "email": "other@example.org"}, "Ida Author wrote lines of"),
         ({"name": "Someone Else", "email": "ida@example.org"}, "Someone Else wrote lines of"),
-        ({"name": "maintainers", "email": "ada@example.org"}, "first and the last name"),
+        ({"name": "maintainers", "email": "ada@example.org"}, "first and last name"),
     ],
 )
 def test_an_author_does_not_review(tree: Path, person: dict[str, str], says: str) -> None:
@@ -276,7 +277,9 @@ def test_a_record_that_is_no_review_is_found(tree: Path) -> None:
     assert review(tree, options("FR-15", **OTHER)) == 0
     change(tree, str(REVIEWS), "Ada Reader", "Ida Author")
     change(tree, str(REVIEWS), 'tests = "yes"', 'tests = "later"')
-    found = sorted(text.split("is no review: ")[1] for _, text in findings(tree, "req-review"))
+    found = sorted(
+        text.split("is not a valid review: ")[1] for _, text in findings(tree, "req-review")
+    )
     assert len(found) == 2
     assert found[0].startswith("Ida Author wrote lines of")
     assert found[1].startswith("the question tests needs an answer")

@@ -170,7 +170,7 @@ def test_what_was_not_measured_is_null(tmp_path: Path) -> None:
         "safety.goals_verified": 1,
         "safety.fault_scenarios": 1,
         "safety.fault_scenarios_passed": 1,
-        "safety.existing_lines_touched": None,  # there is no history
+        "safety.existing_lines_touched": None,  # There is no history.
     }
     stale = safety(model.safety, report, fresh=False)
     assert stale["safety.goals_verified"] is None

@@ -1,4 +1,4 @@
-"""The largest use of the stack, from frames and calls."""
+"""The largest use of the stack, computed from frames and calls."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ CALLED = Place("src/robot.cpp", 7)
 
 
 class Targets:
-    """The expected result: each call reaches the methods that its argument names."""
+    """The expected targets of calls. Each call reaches the methods that its argument names."""
 
     def targets(self, call: CallFact) -> list[str]:
         return call.on
@@ -67,7 +67,8 @@ def test_the_deepest_chain_counts_and_not_the_longest() -> None:
 
 
 def test_an_object_of_an_ordered_chain_calls_no_object_before_it() -> None:
-    """The inner stage seems to call the outer stage, because both have the same interface."""
+    """The inner stage seems to call the outer stage, because both stages have the same
+    interface."""
     functions = graph(
         Loop_run=(8, ["Outer_follow", "Inner_follow"]),
         Outer_follow=(100, ["Inner_follow"]),

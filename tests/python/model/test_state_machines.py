@@ -8,7 +8,8 @@ from traceability.model.state_machines import Change, MachineCode, Seen, Watcher
 from traceability.schema import Place
 
 PLACE = Place("src/lamp/Lamp.cpp", 1)
-# A press switches a lamp. After some time the lamp goes off. Off inherits the operation "wait".
+# A press switches a lamp. After some time, the lamp goes off. The state Off inherits the operation
+# "wait".
 CODE = MachineCode(
     holders={"Lamp": "Lamp::changeState"},
     operations=["press", "wait"],
@@ -31,7 +32,8 @@ STAYS_OFF = Seen("Off", "press", "Off")
 
 
 def watched(calls: str) -> list[Seen]:
-    """Each word enters a call, and ``/`` leaves the last call."""
+    """Returns the changes in some calls. Each word enters a call, and ``/`` leaves the last
+    call."""
     events: list[tuple[str, bool]] = []
     stack: list[str] = []
     for word in calls.split():
@@ -58,15 +60,15 @@ def test_an_operation_stays_unless_it_always_changes_the_state() -> None:
 @pytest.mark.parametrize(
     ("calls", "seen"),
     [
-        (ON, []),  # only the next call shows the state
+        (ON, []),  # Only the next call would show the state.
         (f"{ON} Lamp::tick On::wait / /", [SWITCHED_ON, Seen("On", "wait", "On")]),
         (f"{OFF} Lamp::tick Off::press / /", [SWITCHED_OFF, STAYS_OFF]),
-        ("Off::press Lamp::changeState / / On::wait /", []),  # the state is not called by a lamp
+        ("Off::press Lamp::changeState / / On::wait /", []),  # No lamp calls the state.
         (f"{ON} Lamp::tick Blinking::wait / /", []),
         (
             f"{ON} Lamp::Lamp / Lamp::tick Off::press / /",
             [STAYS_OFF],
-        ),  # the states belong to another lamp
+        ),  # The states belong to another lamp.
     ],
 )
 def test_a_change_is_seen_when_the_next_call_shows_the_state(calls: str, seen: list[Seen]) -> None:

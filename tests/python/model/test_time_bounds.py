@@ -34,7 +34,7 @@ START = """
     .global run
 run:
 """
-# Ten rounds: one cycle for each of the two additions, and the jump back.
+# Ten iterations. Each has two additions of one cycle, and the jump back.
 LOOP = """
     movs r0, #10
 1:  adds r1, r1, #1
@@ -91,7 +91,7 @@ MEMORY = """
     push {r4, lr}
     pop {r4, pc}
 """
-# A thread that halts a wheel: a call with a loop.
+# A thread that halts a wheel. It calls a function with a loop.
 ROUNDS = 10
 HALT = """
     push {r4, lr}
@@ -146,7 +146,7 @@ def test_a_loop_that_is_entered_at_two_places_costs_its_rounds(tmp_path: Path) -
     code = code_of(tmp_path, ENTERED_TWICE)
     (loop,) = code.loops
     assert len(loop.blocks) == 2
-    # The bound permits a part of a round before the first complete round.
+    # The bound permits a part of an iteration before the first complete iteration.
     first = REFILL + 3 + REFILL
     assert longest(code, 10) == 1 + 1 + first + 10 * 4 + 9 * REFILL + 1 + REFILL
 
@@ -154,7 +154,7 @@ def test_a_loop_that_is_entered_at_two_places_costs_its_rounds(tmp_path: Path) -
 def test_a_loop_with_its_condition_in_the_middle_begins_once_more_than_it_has_rounds(
     tmp_path: Path,
 ) -> None:
-    """With ten rounds, the part before the condition is executed eleven times."""
+    """With ten iterations, the part before the condition is executed eleven times."""
     before, first, second, after = 1, 1 + REFILL + 2, 2 + REFILL, REFILL + 1 + REFILL
     assert longest(code_of(tmp_path, MIDDLE), 10) == before + 11 * first + 10 * second + after
 
@@ -214,7 +214,7 @@ def test_the_constant_in_the_head_of_a_loop_is_its_bound(tmp_path: Path) -> None
 
 
 def test_a_table_of_jumps_is_seen(tmp_path: Path) -> None:
-    """The paths of this function cannot be followed, so it has no bound."""
+    """The paths of this function cannot be followed, so the function has no bound."""
     table = "    tbb [pc, r0]\n    .byte 1, 2\n    .align 1\n    bx lr\n"
     assert code_of(tmp_path, table).hidden
     assert not code_of(tmp_path, MEMORY).hidden
@@ -227,7 +227,7 @@ def test_a_loop_that_nothing_bounds_has_no_longest_path(tmp_path: Path) -> None:
 
 
 def test_a_fact_limits_a_sum_of_executions(tmp_path: Path) -> None:
-    """Each round of the loop uses one of seven units, and the exit from the loop uses two units."""
+    """Each iteration of the loop uses one of seven units. The exit from the loop uses two units."""
     code = code_of(tmp_path, LOOP)
     cost = {start: block.cycles for start, block in code.blocks.items()}
     (loop,) = code.loops
@@ -264,10 +264,10 @@ def context(name: str, cycles: int, priority: int, entries: int | None = None) -
 
 def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() -> None:
     contexts = [context("thread", CLOCK, 12), context("edge", 1_000, 1, entries=2)]
-    # The cycle lasts more than a tick. The requests that wait at its beginning are not older than
-    # the greatest response time: all these requests are in two windows of a tick.
+    # The cycle lasts longer than a tick. The requests that wait at its beginning are not older than
+    # the greatest response time. All these requests are therefore in two windows of a tick.
     assert cycle_response(contexts, noise=False) == CLOCK + 2 * 2 * (1_000 + RETRY)
-    # With noise the handler of the first tick may be late.
+    # With noise, the handler of the first tick may be late.
     assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
 
 
@@ -287,7 +287,8 @@ def test_only_higher_and_equal_priorities_delay_an_interrupt() -> None:
 
 
 def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:
-    """A cycle is shorter than a tick. With the waiting time, it may be longer than a tick."""
+    """A cycle is shorter than a tick. Together with the waiting time, it may be longer than a
+    tick."""
     waits = context("edge", 20_000, 1, entries=1)
     alone = [context("thread", 70_000, 12), waits]
     assert cycle_response(alone, noise=False) == 70_000 + 2 * (20_000 + RETRY)
@@ -305,7 +306,7 @@ def test_an_activation_does_not_cost_the_methods_that_it_does_not_call(tmp_path:
 
 
 def test_a_fact_limits_the_rounds_of_a_callee(tmp_path: Path) -> None:
-    """A round costs a subtraction and a jump. The call itself has no round."""
+    """An iteration costs a subtraction and a jump. The call itself has no iteration."""
     costs = []
     for rounds in (0, 5):
         spread = Spread("Halt::execute", "Thread::run", counter="rounds")

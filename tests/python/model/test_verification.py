@@ -1,4 +1,4 @@
-"""Only code that tests of a requirement executed verifies this requirement."""
+"""Code verifies a requirement only if tests of this requirement executed the code."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def write_results(root: Path, result: str = "COMPLETED") -> None:
 
 
 def write_trace(root: Path, calls: list[str]) -> None:
-    """Writes a recording in which each call is within the previous call."""
+    """Writes a recording in which each call is made by the previous call."""
     executable = root / SOURCES[HOST].executable
     executable.parent.mkdir(parents=True, exist_ok=True)
     executable.write_text("is no program")
@@ -90,7 +90,7 @@ def tree(sound: Path, tmp_path: Path) -> Path:
 
 
 def checked(root: Path) -> tuple[str, set[str], Model, Report]:
-    """Returns the state of the requirement, and the checks with a finding about it."""
+    """Returns the state of the requirement, and the checks that have a finding about it."""
     model, facts = build(root)
     report = run_checks(model, facts)
     checks = {

@@ -1,4 +1,4 @@
-"""A small project with a model, which has every kind of page."""
+"""A small project whose model has data for every kind of page."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ SOURCE = "namespace wr {\n\nvoid {name}::read() {{\n  act();\n}}\n}}\n"
 
 
 def make_project(root: Path) -> Model:
-    """Writes the files of the project and returns its model."""
+    """Writes the files of the project, and returns the model of the project."""
     for name in ("MainController", "Mode", "RC"):
         folder = root / "src" / (MODES if name != "MainController" else "main_control")
         folder.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""Reads the headings, links, cells of tables, and text of a page."""
+"""Reads the headings, the links, the cells of tables, and the text of a page."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from html.parser import HTMLParser
 
 @dataclass
 class Shown:
-    """The content of a page. White space counts as one blank."""
+    """The content of a page. Several white spaces count as one blank."""
 
     parts: list[str] = field(default_factory=list)
     headings: list[str] = field(default_factory=list)
-    links: dict[str, str] = field(default_factory=dict)  # address -> text of its last link
+    links: dict[str, str] = field(default_factory=dict)  # address -> text of the last link to it
     rows: list[list[str]] = field(default_factory=list)
 
     @property
@@ -21,7 +21,7 @@ class Shown:
 
 
 class Reader(HTMLParser):
-    """Collects the text of each element that is of interest when the element ends."""
+    """Reads a page. If an element is needed, its text is stored at the end of the element."""
 
     WANTED = ("h1", "h2", "h3", "a", "td")
 

@@ -1,4 +1,4 @@
-"""The drawing of the headers has each pin of the firmware, at its place."""
+"""The drawing of the headers shows each pin of the firmware at its place."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def test_each_pin_of_the_firmware_on_a_header_is_drawn_once_with_its_task() -> N
 
 
 def test_a_wheel_has_its_pins() -> None:
-    """Voltage, orientation, enable, two Hall sensors and the current."""
+    """The pins of a wheel are: voltage, orientation, enable, two Hall sensors and the current."""
     parts = [part for _, part, _ in PIN.findall(board_figure(ROOT))]
     assert {part: parts.count(part) for part in ("fl", "fr", "rl", "rr")} == dict.fromkeys(
         ("fl", "fr", "rl", "rr"), 6

@@ -1,4 +1,4 @@
-"""The callers of a method on the page of its module."""
+"""The callers of a method, on the page of its module."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from tests.python.portal.fixture import make_model
 
 
 def test_callers_include_nested_classes_and_values_of_constants() -> None:
-    """A function that is not a method, a nested class or a constant of a module is left out."""
+    """The page leaves out a function that is not a method, a nested class, and a constant of a
+    module."""
     model = make_model()
     callers = ["MainController::read", "MainController::States::States", "Mode::kLimit", "helper"]
     rc = model.modules["RC"]

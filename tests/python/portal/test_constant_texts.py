@@ -1,4 +1,4 @@
-"""Constants on hand-written pages: value and unit for a reader."""
+"""Constants on hand-written pages. A reader sees the value and the unit."""
 
 from __future__ import annotations
 

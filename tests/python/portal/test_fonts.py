@@ -1,4 +1,4 @@
-"""The font of the pages as files for the program that measures the labels of diagrams."""
+"""The font of the pages, as files for the program that measures the labels of diagrams."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def test_a_font_keeps_its_tables_and_their_check_sums() -> None:
             tag, expected, offset, length = struct.unpack_from(">4sIII", font, 12 + 16 * number)
             table = bytearray(font[offset : offset + length] + b"\0" * (-length % 4))
             if tag == b"head":
-                table[8:12] = bytes(4)  # the check sum of the file leaves out its own field
+                table[8:12] = bytes(4)  # The check sum of the file does not include its own field.
             assert sum(struct.unpack(f">{len(table) // 4}I", table)) % 2**32 == expected, tag
 
 

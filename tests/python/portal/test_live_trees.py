@@ -1,4 +1,4 @@
-"""The page finds declared trees in recorded calls by the rule of the checks."""
+"""The page finds declared trees in recorded calls by the same rule as the checks."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from traceability.reading.traces import EXIT, Row, Traces, embed
 from traceability.schema import TreeNode
 
 SCRIPT = Path(__file__).parents[3] / "site/theme/static/live/trees.js"
-METHODS, HARDWARE = 6, 6  # methods 0 to 5; only the hardware calls 6
+METHODS, HARDWARE = 6, 6  # There are methods 0 to 5. Only the hardware calls method 6.
 NODE = """
 const trees = require(process.argv[1]);
 const cases = JSON.parse(require("fs").readFileSync(0, "utf8"));
@@ -34,7 +34,7 @@ pytestmark = pytest.mark.skipif(shutil.which("node") is None, reason="Node is no
 
 @dataclass
 class Node:
-    """The parts of a node of a tree that embed() reads."""
+    """The parts of a tree node that embed() reads."""
 
     methods: set[str]
     kind: str = "call"
@@ -55,7 +55,7 @@ class Recorded(Traces):
 
 
 def random_calls(chance: random.Random) -> list[int]:
-    """Returns random calls. Sometimes the record contains the exit of a call, but not its entry."""
+    """Returns random calls. Sometimes the record contains the exit of a call without its entry."""
     found: list[int] = []
     open_calls: list[int] = []
     for _ in range(chance.randrange(4, 60)):
@@ -76,7 +76,7 @@ def random_tree(chance: random.Random, depth: int = 0) -> dict[str, Any]:
     if depth and chance.random() < 0.2:
         found["post"] = 1
     if not children and depth and chance.random() < 0.1:
-        found["m"] = []  # the recording does not contain the implementation
+        found["m"] = []  # The recording does not contain the implementation of this node.
     return found
 
 
@@ -113,4 +113,4 @@ def test_the_page_finds_the_trees_that_the_checks_find() -> None:
         assert got == [(row.method, row.depth, row.end, row.activation) for row in own]
         assert embedded == wanted, case
         found += wanted
-    assert 40 < found < 360, "the cases are too easy, or too hard"
+    assert 40 < found < 360, "the cases are too easy or too hard"

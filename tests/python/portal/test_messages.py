@@ -1,4 +1,4 @@
-"""The messages of the commands are read from their code."""
+"""The messages of the commands, which are read from the code of the commands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The facts of a module: its share of the stack."""
+"""The facts of a module, such as its share of the stack."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The diagram of the packages follows the contracts of the imports."""
+"""The diagram of the packages agrees with the contracts of the imports."""
 
 from __future__ import annotations
 

@@ -32,7 +32,8 @@ COST = SafetyCost(
 
 
 def portal_of(root: Path, state: str, cost: SafetyCost | None = None) -> Portal:
-    """A project with a safety case of one goal, whose requirement has a state."""
+    """Returns the portal of a project. Its safety case has one goal, and the requirement of the
+    goal has the given state."""
     model = make_project(root)
     write_case(root)
     other = make_model(root)

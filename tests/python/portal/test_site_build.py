@@ -1,4 +1,4 @@
-"""The site of a small model: the files, the warnings, and the effect of a second run."""
+"""The site of a small model: its files, its warnings, and the effect of a second run."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ BY_DOXYGEN = """<doxygen version="1.9.8"><compounddef id="classwr_1_1RC" kind="c
 
 
 class Site:
-    """A project, its model, and the site that is built from them."""
+    """A project, its model, and the site that is built from both."""
 
     def __init__(self, root: Path) -> None:
         self.root = root

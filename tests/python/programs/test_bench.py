@@ -1,5 +1,5 @@
-"""The bench with the image: the row of a slowed module shows it, and a board is measured through
-its serial line."""
+"""The bench with the image. The row of a slowed module shows the slowdown. A board is measured
+through its serial line."""
 
 import json
 import shlex
@@ -27,7 +27,7 @@ FEW = "at 50 arm\nfrom 1550 to 101050 every 100 order velocity 500\nat 101150 en
 
 
 def slowed(folder: Path) -> Path:
-    """The image with a busy loop in an algorithm; returns its name without suffix."""
+    """Returns the image with a busy loop in an algorithm. The name of the image has no suffix."""
     source = folder / ALGORITHM.name
     begin = "  setPoint_.fill(setPoint);\n"
     text = ALGORITHM.read_text(encoding="utf-8")
@@ -72,7 +72,7 @@ def test_a_slowed_algorithm_shows_in_its_row(tmp_path: Path) -> None:
     assert max(more, key=lambda name: more[name]) == "VelocityAlgorithm"
     assert (
         more["VelocityAlgorithm"] > 4 * 1000 * 3
-    )  # four wheels, at least three instructions per round
+    )  # There are four wheels, and at least three instructions in each iteration.
     others = sum(abs(count) for name, count in more.items() if name != "VelocityAlgorithm")
     assert others < more["VelocityAlgorithm"] / 10
 

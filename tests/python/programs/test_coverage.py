@@ -1,4 +1,4 @@
-"""Two measurements of coverage agree: gcovr on the whole run, and the records by test."""
+"""Two measurements of coverage agree: gcovr on the whole run, and the records of each test."""
 
 import json
 from pathlib import Path
@@ -14,18 +14,20 @@ from traceability.schema import HOST, VIRTUAL_K64
 
 ROOT = Path(__file__).parents[3]
 
-Lines = dict[int, list[dict[str, Any]]]  # a line -> the records of gcovr, one for each function
+Lines = dict[
+    int, list[dict[str, Any]]
+]  # line -> the records of gcovr, with a record for each function
 
 
 @pytest.fixture(scope="module", autouse=True)
 def run() -> None:
     if read_totals(ROOT) is None or not is_fresh(ROOT, TESTS_TRACE):
-        pytest.skip("no tests with records ran on these sources")
+        pytest.skip("the tests with records did not run on these sources")
 
 
 @pytest.fixture(scope="module")
 def counted() -> dict[str, Lines]:
-    """Returns the records of gcovr, by file."""
+    """Returns the records of gcovr for each file."""
     found: dict[str, Lines] = {}
     for file in json.loads((ROOT / COVERAGE_LINES).read_text(encoding="utf-8"))["files"]:
         lines = found.setdefault(file["file"], {})
@@ -71,10 +73,10 @@ def test_both_saw_the_same_lines_executed(counted: dict[str, Lines], recorded: C
 
 
 def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: Coverage) -> None:
-    """The test compares sources only. Functions of headers are in several objects, with separate
-    branches in gcov.
+    """The test compares only source files. Functions of headers are in several objects, and gcov
+    counts their branches separately.
 
-    For a line that several functions share, gcov reports the branches of each function, or of none.
+    If several functions share a line, gcov reports the branches of each function, or no branches.
     """
     taken = recorded.all
     compared = 0

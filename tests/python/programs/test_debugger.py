@@ -1,4 +1,4 @@
-"""GDB at the virtual board: the image runs, stops, and goes back in time."""
+"""GDB at the virtual board. The image runs, stops, and goes back in time."""
 
 import re
 import shutil
@@ -36,7 +36,7 @@ Board = subprocess.Popen[str]
 
 @pytest.fixture
 def start() -> Iterator[Callable[..., tuple[Board, str]]]:
-    """Starts the board with a debugger's port; returns it and the port."""
+    """Starts the board with a port for a debugger. Returns the board and the port."""
     started: list[Board] = []
 
     def run(*options: str | Path) -> tuple[Board, str]:
@@ -82,7 +82,8 @@ def gdb(port: str, *commands: str) -> str:
 
 
 def instants(text: str) -> list[tuple[float, int]]:
-    """Returns the answers of `monitor time`: ms, and number of instructions."""
+    """Returns the answers of `monitor time`. Each answer has a time in ms and a number of
+    instructions."""
     found = re.findall(r"^([\d.]+) ms, (\d+) instructions", text, re.MULTILINE)
     return [(float(ms), int(count)) for ms, count in found]
 
@@ -99,12 +100,12 @@ def test_it_stops_before_the_first_instruction_and_at_a_function(start: Start) -
     text = gdb(port, "monitor time", f"break {CYCLE}", "continue", "monitor time", "bt", "kill")
     begin, stopped = instants(text)
     assert begin == (0.0, 0)
-    assert 100 < stopped[0] < 120  # the first clock pulse comes after the start
+    assert 100 < stopped[0] < 120  # The first clock pulse is after the start.
     assert re.search(r"Breakpoint 1, .*MainController::cycle", text)
     assert re.search(r"^#\d+ +<signal handler called>", text, re.MULTILINE)
     assert re.search(
         r"^#\d+ .*resetHandler", text, re.MULTILINE
-    )  # the stack is unwound through the exception
+    )  # The debugger unwinds the stack through the exception.
     assert board.wait(10) == 0
 
 
@@ -164,7 +165,7 @@ def test_a_variable_is_watched(start: Start) -> None:
     assert changes[0][1] == changes[1][0]
     assert (
         changes[2] == changes[1][::-1]
-    )  # backwards, the same change from the new value to the old value
+    )  # Backwards, the same change is from the new value to the old value.
     assert first[1] < second[1]
     assert first[1] <= back[1] < second[1]
 
@@ -196,11 +197,16 @@ def test_registers_and_memory_are_read_and_written(start: Start) -> None:
     assert seen[0] == "0x12345678"
     assert seen[2] == "1.5"
     assert seen[3:6] == ["0xabcdef01", "0xabcdef01", "0x12345678"]
-    assert seen[6:] == ["0x0", "0x410fc241", "0x1"]  # CPUID of a Cortex-M4; gates in SIM_SCGC5
+    assert seen[6:] == [
+        "0x0",
+        "0x410fc241",
+        "0x1",
+    ]  # CPUID of a Cortex-M4, and clock gates in SIM_SCGC5
 
 
 def test_a_read_with_an_effect_is_refused(start: Start) -> None:
-    """The data register of UART0 returns its byte only once, so the debugger does not read it."""
+    """The data register of UART0 returns its byte only once. The debugger therefore does not read
+    this register."""
     _, port = start("--scenario", SCENARIO)
     words = gdb_words(port, f"break {CYCLE}", "continue", "x/1xb 0x4006a002", "x/1xb 0x4006a007")
     done = subprocess.run(words, capture_output=True, text=True, timeout=60, check=False)
@@ -248,7 +254,7 @@ def test_a_finding_stops_and_leads_back_to_its_cause(start: Start) -> None:
 
 
 def test_the_time_stands_still_while_the_program_is_stopped(start: Start) -> None:
-    """In real time: the robot waits for its debugger, and Ctrl-C stops it."""
+    """In real time, the robot waits for its debugger, and Ctrl-C stops the robot."""
     _, port = start("--robot", "--uart0", "tcp:0")
     words = gdb_words(
         port,
@@ -294,8 +300,10 @@ def test_bytes_of_the_pc_come_again_at_the_same_instant(start: Start) -> None:
         guard.start()
         for said in run.stdout:
             shown.append(said)
-            if len(instants("".join(shown))) == 1 and instants(said):  # its port is open
-                for number in range(3):  # each byte causes its own interrupt
+            if len(instants("".join(shown))) == 1 and instants(
+                said
+            ):  # The port of the board is open.
+                for number in range(3):  # Each byte causes its own interrupt.
                     Timer(0.2 * number, pc.sendall, [b"x"]).start()
     guard.cancel()
     _, third, second, start_again, second_again, third_again = instants("".join(shown))

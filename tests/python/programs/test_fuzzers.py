@@ -1,4 +1,4 @@
-"""The fuzzer of short inputs: it finds faults that are seeded in the firmware."""
+"""The fuzzer of short inputs finds faults that are seeded in the firmware."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from tools.campaign.fuzz_program import fuzz
 ROOT = Path(__file__).parents[3]
 BUILD = ROOT / "build" / "fuzz"
 FUZZER = BUILD / "tests/fuzz/fuzz_frames"
-INPUTS = 200_000  # of a run: at most 10 s of a processor
+INPUTS = 200_000  # number of inputs of a run; a run needs at most 10 s of processor time
 
 
 @dataclass(frozen=True)
 class Fault:
-    """A seeded fault, and the rule that it breaks."""
+    """A seeded fault, and the rule that the firmware then breaks."""
 
     name: str
     file: str
@@ -76,14 +76,14 @@ def built(build: Callable[..., None]) -> None:
 
 
 def faulty(fault: Fault, folder: Path) -> Path:
-    """Links the fuzzer with a copy of one file that has the fault."""
+    """Links the fuzzer with a copy of one file. The copy contains the fault."""
     source = ROOT / fault.file
     text = source.read_text(encoding="utf-8")
     assert text.count(fault.find) == 1
     changed = folder / source.name
     changed.write_text(text.replace(fault.find, fault.put), encoding="utf-8")
     commands = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
-    # The files of an extension are compiled for its library too.
+    # The files of an extension are also compiled for the library of the extension.
     part = "fuzz_frames.dir" if fault.file.startswith("extensions/") else ""
     (command,) = (
         one["command"] for one in commands if one["file"] == str(source) and part in one["command"]
@@ -104,7 +104,7 @@ def faulty(fault: Fault, folder: Path) -> Path:
     link[link.index("-o") + 1] = str(program)
     if replaced in link:
         link[link.index(replaced)] = str(changed_object)
-    else:  # an object is linked before that of a library
+    else:  # The linker takes this object before the object of the same name in a library.
         link.insert(link.index("-o"), str(changed_object))
     subprocess.run(link, cwd=BUILD, check=True)
     return program

@@ -1,4 +1,5 @@
-"""The page runs the robot in a browser: to an instant of a scenario, by hand, and step by step."""
+"""The page runs the robot in a browser in three ways: to a time of a scenario, by hand, and step by
+step."""
 
 from __future__ import annotations
 
@@ -27,7 +28,7 @@ COPIED = (
     EXAMPLES / "rc_drive.scenario",
     Path("design/frames.toml"),
 )
-# A page that opens another page in a frame, runs a probe there, and sends the result.
+# A page that opens another page in a frame. It runs a probe there, and sends the result.
 PAGE = """<!doctype html><title>probe</title><body><script>
 const frame = document.createElement("iframe");
 frame.style.cssText = "width:%WIDTH%px;height:900px;border:0";
@@ -57,7 +58,7 @@ document.body.append(frame);
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     if not (ROOT / MODULE).exists():
-        pytest.skip("the module is not built: its compiler is not installed")
+        pytest.skip("the module is not built, because its compiler is not installed")
     root = tmp_path_factory.mktemp("project")
     model = make_project(root)
     for name in COPIED:

@@ -1,4 +1,5 @@
-"""The programs that run the firmware: on this machine, and its image on the virtual K64."""
+"""The programs that run the firmware: the program for this machine, and the image on the virtual
+K64."""
 
 import csv
 import json
@@ -47,27 +48,27 @@ Row = dict[str, str]
 # decides all other columns of a report.
 MEASURED = {"time_ms", "steering", "velocity", "current", "position", "tension"}
 MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}
-# Orders of the remote control are measured too: each is the width of a pulse. The steering follows
-# these orders, so it may turn by one more step in one of the two runs.
+# Orders of the remote control are also measured. Each order is the width of a pulse. The steering
+# follows these orders, so in one of the two runs it may turn by one more step.
 REMOTE_CONTROL = "0"
 SET_POINTS = {"set_point", "steering_set_point", "turn", "steering_state"}
-# The greatest value that can be ordered for each column, in the unit of the report.
+# For each column, the greatest value that can be ordered, in the unit of the report.
 RANGES = {"steering": 3200, "velocity": 3000, "current": 10_000, "tension": 24_000}
 RANGES_OF_REMOTE_CONTROL = {"set_point": 3000, "steering_set_point": 3200}
 WHEELS = "0123"
 # The greatest difference of a value in one cycle, and the greatest difference in 94 of 100 cycles
-# [%]. A wheel may reverse one cycle earlier in one of the two runs: no report shows this
-# difference. A wheel at rest keeps the voltage of the last velocity that was measured. A velocity
-# that only one of the two runs measures, such as 2.3 rpm, changes the current at rest by 0.13 A.
+# [%]. In one of the two runs, a wheel may reverse one cycle earlier, and no report shows this
+# difference. A wheel at rest keeps the voltage of the last velocity that was measured. If only one
+# of the two runs measures a velocity such as 2.3 rpm, the current at rest changes by 0.13 A.
 ONCE = 8
 USUALLY = 1.3
-# A wheel with one Hall sensor measures no usable velocity: its values are random.
+# A wheel with one Hall sensor measures no usable velocity. Its values are random.
 CHANCE = {"one_hall_sensor"}
 RARE = 0.06  # share of the cycles
 
 
 def decided(row: Row) -> Row:
-    """Returns the decisions of the firmware: states, sources, set-points, faults, counts."""
+    """Returns the decisions of the firmware: states, sources, set-points, faults and counts."""
     of_report = list(row)[: list(row).index("at_ms")]
     measured = MEASURED | (SET_POINTS if row["mode"] == REMOTE_CONTROL else set())
     return {name: row[name] for name in of_report if name.rstrip(WHEELS) not in measured}
@@ -88,12 +89,12 @@ def difference(first: Row, second: Row) -> float:
 def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:
-    """Both runs make the same decisions; a decision that depends on a measured value may differ by
-    a cycle.
+    """Both runs make the same decisions. If a decision depends on a measured value, one run may
+    make it one cycle later.
 
-    Measured and applied values differ by at most 1.2 % of the range in 94 of 100 cycles. They
+    Measured and applied values differ by at most 1.3 % of the range in 94 of 100 cycles. They
     differ by more than 8 % only in a cycle next to such a decision. While pulses of the remote
-    control are the orders, they differ by at most 8 %. At the end of a connection, and of the
+    control are the orders, they differ by at most 8 %. At the end of a connection and of the
     scenario, one program may have sent one more report.
     """
     reports = []
@@ -121,8 +122,8 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 
 
 def shifted_decisions(common: list[tuple[Row, Row]]) -> list[int]:
-    """Returns the cycles in which the two runs decide differently, and one run decides one cycle
-    later.
+    """Returns the cycles in which the two runs decide differently. In such a cycle, one run makes
+    the decision one cycle later.
     """
     found = []
     for index, (first, second) in enumerate(common):
@@ -226,7 +227,8 @@ def test_without_link_the_same_run_gives_the_same_trace(tmp_path: Path) -> None:
 
 
 def test_a_finding_is_printed_and_has_its_own_exit_code(tmp_path: Path) -> None:
-    """Without a vector for the cycle timer, the first clock pulse has no handler."""
+    """The vector table has no handler for the cycle timer. The first clock pulse therefore has no
+    handler."""
     image = tmp_path / "broken.bin"
     content = bytearray(IMAGE.read_bytes())
     content[CYCLE_TIMER_VECTOR : CYCLE_TIMER_VECTOR + 4] = bytes(4)

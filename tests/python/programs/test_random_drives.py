@@ -1,8 +1,9 @@
-"""Random drives of robots whose parts vary: without a fault no stop, with a fault a stop.
+"""Random drives of robots whose parts vary. A robot without a fault does not stop. A robot with a
+fault stops.
 
 ``python tests/python/programs/test_random_drives.py [SERIES ...]`` plays whole series. It prints
 the number of drives that ended with a stop, the distance until the stop, and the greatest velocity.
-A series has the name of a fault of a scenario, such as "leads 0". The series "none" has drives
+The name of a series is the fault of a scenario, such as "leads 0". The series "none" has drives
 without a fault. The exceptions in design/safety_case.toml are the results of these series.
 """
 
@@ -26,7 +27,7 @@ WHEELBASE, TRACK = 1.582, 1.054  # m
 PROTECTIVE_STOP = "4"
 SPEEDS = (0, 200, 500, 1000, 2000, 3000, -300, -1000)  # 0.1 rpm
 ANGLES = (0, 0, 5, -5, 12, -12, 20, -20)  # degrees
-FAULT_AT, DRIVE_END = 6040, 16040  # ms; the fault comes between two cycles
+FAULT_AT, DRIVE_END = 6040, 16040  # in ms; the fault occurs between two cycles
 LIMIT = 3300  # 0.1 rpm
 WITHOUT_FAULT = (*range(1, 81), *range(1000, 1120))  # seeds
 SERIES = tuple(itertools.product((100, 200, 500, 1000, 2000, 3000), (0, 20), (-10, 0, 10)))
@@ -34,14 +35,15 @@ SERIES = tuple(itertools.product((100, 200, 500, 1000, 2000, 3000), (0, 20), (-1
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result of a drive: distance until the stop [mm], and greatest velocity [0.1 rpm]."""
+    """The result of a drive: the distance until the stop [mm] and the greatest velocity [0.1
+    rpm]."""
 
     way: float | None
     fastest: float
 
 
 def wheels(velocity: int, degrees: int) -> str:
-    """Returns set-points that match the steering angle: each wheel rolls on a separate circle."""
+    """Returns set-points that match the steering angle. Each wheel rolls on its own circle."""
     if degrees == 0:
         return str(velocity)
     middle = WHEELBASE / math.tan(math.radians(abs(degrees)))
@@ -85,7 +87,7 @@ def without_fault(seed: int) -> Outcome:
 
 
 def with_fault(fault: str, seed: int, velocity: int, degrees: int, slope: int) -> Outcome:
-    """Drives a varied robot steadily while a part breaks."""
+    """Drives a varied robot at a constant velocity while a part breaks."""
     order = f"order velocity {wheels(velocity, degrees)} steering {degrees}00"
     lines = [f"seed {seed}", "plant varied", f"at 20 slope {slope}", "at 50 arm"]
     lines += [f"from 1550 to {DRIVE_END} every 100 {order}", f"at {FAULT_AT} mark"]

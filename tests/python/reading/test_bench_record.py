@@ -1,4 +1,4 @@
-"""The times of the bench, from the measurements of the board program."""
+"""The times of the bench, computed from the measurements of the board program."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[3]
 
 
 def raw(**changes: object) -> dict[str, object]:
-    """A run of 1000 cycles at 120 MHz. The last cycle costs twice as much as the others."""
+    """Returns a run of 1000 cycles at 120 MHz. The last cycle takes twice as long as the others."""
     twice = [1] * (CYCLES - 1) + [2]
     one = {
         "clock_hz": 120_000_000,

@@ -1,4 +1,5 @@
-"""The kits of likely changes: lines, classes and tests, and the conditions of a proven change."""
+"""The folders of likely changes: their lines, classes and tests, and the conditions of a proven
+change."""
 
 from __future__ import annotations
 
@@ -81,7 +82,7 @@ def test_a_change_is_proven_by_tests_that_passed_on_both_targets(
 
 def test_a_change_that_is_not_proven_has_a_reason() -> None:
     passed = KitTest("A.B", HOST, "passed", PLACE)
-    assert unproven(a_change([passed])) == f"it has no test on this target: {VIRTUAL_K64}"
+    assert unproven(a_change([passed])) == f"the change has no test on this target: {VIRTUAL_K64}"
     failed = KitTest("AOnBoard.B", VIRTUAL_K64, "failed", PLACE)
     assert unproven(a_change([passed, failed])) == "AOnBoard.B did not pass"
     not_run = KitTest("AOnBoard.B", VIRTUAL_K64, None, PLACE)

@@ -1,4 +1,4 @@
-"""Comments: their tags, texts and lines, and the declarations to which they belong."""
+"""Comments, with their tags, texts and lines, and with the declarations to which they belong."""
 
 from __future__ import annotations
 

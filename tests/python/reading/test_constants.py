@@ -1,4 +1,4 @@
-"""Constants of the code have their value and unit, under the names that texts use."""
+"""Constants of the code have their value and their unit, under the names that texts use."""
 
 from __future__ import annotations
 

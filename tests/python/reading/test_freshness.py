@@ -33,7 +33,7 @@ def writer(path: Path, content: object) -> Callable[[Path], object]:
 
 
 class Case(NamedTuple):
-    """A result of a task, with its writer, its reader and the value that is read."""
+    """A result of a task, with its writer, its reader, and the value that the reader returns."""
 
     task: str
     write: Callable[[Path], object]
@@ -84,7 +84,7 @@ def test_a_result_of_other_sources_is_none(tmp_path: Path, case: Case) -> None:
     source.write_text("int a;\n")
     assert case.read(tmp_path) == case.unknown
     case.write(tmp_path)
-    assert case.read(tmp_path) == case.unknown, "no task made it"
+    assert case.read(tmp_path) == case.unknown, "no task wrote this result"
     record_task(tmp_path, case.task, "src")
     assert case.read(tmp_path) == case.known
     source.write_text("int b;\n")

@@ -1,4 +1,5 @@
-"""The ports: their files and changed lines, and the results that belong to the present sources."""
+"""The ports, with their files and changed lines, and with the results that belong to the present
+sources."""
 
 from __future__ import annotations
 

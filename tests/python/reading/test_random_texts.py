@@ -31,7 +31,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def read_with(copy: Path, path: Path, text: str) -> Declared:
-    """Reads the design with another text of one file."""
+    """Reads the design with a different text in one file."""
     changed = copy / path.relative_to(ROOT)
     changed.write_text(text, encoding="utf-8")
     try:
@@ -89,7 +89,8 @@ def test_each_line_of_a_damaged_tree_is_a_node_or_an_error(copy: Path, data: st.
 
 
 def below_doubled(text: str, name: str, declared: Declared) -> int:
-    """Lines of trees whose requirement has another tree: the error is at its first line."""
+    """Returns the number of lines in trees whose requirement has another tree. The error is at the
+    first line of such a tree."""
     doubled = any(
         "already" in said for place, said, _ in declared.tree_errors if place.file == name
     )

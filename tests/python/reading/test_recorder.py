@@ -1,4 +1,4 @@
-"""The calls of a test that the recorder of tests/support/trace.cpp records."""
+"""The calls of a test, as the recorder in tests/support/trace.cpp records them."""
 
 from __future__ import annotations
 
@@ -49,9 +49,9 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def shape(folder: Path, test: str) -> str:
-    """Returns the calls as brackets, with a letter for each function in order of appearance.
+    """Returns the calls as brackets. Each function has a letter, in the order of appearance.
 
-    A repeated call is the number of the event at which the first equal call begins.
+    A repeated call is shown as the number of the event at which the first equal call begins.
     """
     events: array[int] = array("Q")
     events.frombytes((folder / f"Calls.{test}.bin").read_bytes())

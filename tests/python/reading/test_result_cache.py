@@ -1,4 +1,4 @@
-"""The cache of results: a result is valid as long as its inputs are the same."""
+"""The cache of results. A result is valid as long as its inputs are the same."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Results and sizes, as the tools write them."""
+"""Results and sizes, in the form that the tools write."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cost of the safety extensions, as git counts it."""
+"""The cost of the safety extensions, as git counts it."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def commit(root: Path, **files: str) -> str:
 
 @pytest.fixture
 def project(tmp_path: Path) -> tuple[Path, str]:
-    """Edits of a module, and of a module with a correction; a new module of the robot, and an
-    extension."""
+    """Returns a project with edits of a module and of a module with a correction. It also has a new
+    module of the robot, and an extension."""
     git(tmp_path, "init", "-q")
     base = commit(
         tmp_path,

@@ -1,4 +1,4 @@
-"""The entries of the design. The reader reports the line of an unreadable entry."""
+"""The entries of the design. If an entry cannot be read, the reader reports its line."""
 
 from __future__ import annotations
 
@@ -44,11 +44,11 @@ def test_a_sound_file_has_no_problem(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "line", "text"),
     [
-        ('"green"', '"green', 9, "lamps.toml is no TOML: "),
+        ('"green"', '"green', 9, "lamps.toml is not valid TOML: "),
         ('pins = ["PTA2"]\n', "", 8, "the entry has no pins, which is a list"),
         ('pins = ["PTA2"]', 'pins = "PTA2"', 8, "the entry has no pins, which is a list"),
         ("why =", "because =", 11, "the entry has the key because, which no reader uses"),
-        ('"green"', '"red"', 8, "name red has an entry in line 4 already"),
+        ('"green"', '"red"', 8, "line 4 already has an entry with the name red"),
         ("total =", "sum =", 1, "no reader uses the values under sum"),
         ("[[lamp]]\nname = ", "[[lamps]]\nname = ", 4, "no reader uses the values under lamps"),
         ("[[lamp]]\n", "[[ lamp ]]  # first\n", 0, ""),

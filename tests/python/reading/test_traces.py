@@ -56,7 +56,7 @@ def test_symbols_of_functions_outside_classes(symbol: str, function: str) -> Non
 
 
 def recorded(tmp_path: Path, calls: str, vectors: Set[str] = frozenset()) -> list[Row]:
-    """Writes ``a(b c(d))`` as events, and reads it back."""
+    """Writes calls such as ``a(b c(d))`` as events, and reads the events back."""
     traces = Traces(tmp_path)
     addresses: dict[str, int] = {}
     events: list[int] = []
@@ -124,7 +124,7 @@ def test_what_an_interrupt_calls_is_no_call_of_what_it_interrupted(tmp_path: Pat
 
 
 def node(text: str) -> TreeNode:
-    """Returns ``a(b c(d))`` as a tree; ``>b`` is posted."""
+    """Returns calls such as ``a(b c(d))`` as a tree. The node ``>b`` is posted."""
     place = Place("t.tree", 1)
     stack: list[TreeNode] = []
     root: TreeNode | None = None

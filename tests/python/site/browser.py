@@ -18,7 +18,8 @@ from typing import Any
 BROWSER = next(
     filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), ""
 )
-# A page that opens other pages in a frame, one after the other, and collects the results.
+# A page that opens other pages in a frame. It opens them one after the other, and collects the
+# results.
 HARNESS = """<!doctype html><title>probe</title><body><pre id="out"></pre><script>
 const pages = %PAGES%, seen = {};
 const frame = document.createElement("iframe");
@@ -63,7 +64,7 @@ def look(
 ) -> tuple[dict[str, Any], list[str]]:
     """Returns the result of the probe for each page, and the errors on the console.
 
-    A page is a name without the suffix, and may have a query.
+    A page is a name without a suffix. It may have a query.
     """
     address, site = server
     values = {"PAGES": json.dumps(pages), "WIDTH": str(width), "PROBE": probe}

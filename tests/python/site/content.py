@@ -1,4 +1,5 @@
-"""Reads the pages of the built site like a reader who follows only the links of the content."""
+"""Reads the pages of the built site in the same way as a reader who follows only the links of the
+content."""
 
 from __future__ import annotations
 
@@ -14,13 +15,13 @@ from lxml.html import HtmlElement, HTMLParser, fromstring
 SITE = Path(__file__).parents[3] / "build" / "site"
 FIRST = "index.html"
 LISTING = re.compile(r"source/.+\.\w+\.html")  # pages of code
-# Classes of elements for navigation: the side navigation, the path to the page, the search.
+# Classes of elements for navigation: the side navigation, the path to the page, and the search.
 NAVIGATION = re.compile(r"\b(search|crumbs|side|skip)\b")
 
 
 @dataclass
 class Code:
-    """A text set as code, and whether it is in a link or in a listing."""
+    """A text that is set as code. It may be in a link or in a listing."""
 
     text: str
     linked: bool
@@ -32,7 +33,9 @@ class Content:
     """The links, the ids and the text of the content of a page."""
 
     links: list[str] = field(default_factory=list)
-    ids: dict[str, tuple[int, int]] = field(default_factory=dict)  # id -> part of the text
+    ids: dict[str, tuple[int, int]] = field(
+        default_factory=dict
+    )  # id -> the part of the text that it names
     codes: list[Code] = field(default_factory=list)
     text: str = ""
 
@@ -47,8 +50,8 @@ class Reader:
         self.size = 0
 
     def read(self, element: HtmlElement, linked: bool = False, listing: bool = False) -> None:
-        """Reads an element. ``linked`` and ``listing`` state whether the element is in a link or
-        listing."""
+        """Reads an element. ``linked`` and ``listing`` state whether the element is in a link or in
+        a listing."""
         tag = element.tag
         if tag == "nav" or NAVIGATION.search(element.get("class", "")):
             return
@@ -77,7 +80,7 @@ class Reader:
 
 
 def resolved(page: str, link: str) -> str:
-    """Returns the address of a link, from the root of the site."""
+    """Returns the address of a link. The address is relative to the root of the site."""
     path, mark, part = link.partition("#")
     if not path:
         return f"{page}{mark}{part}"
@@ -99,7 +102,8 @@ def words(text: str) -> str:
 
 
 def section(address: str) -> str:
-    """Returns the text of the element that an address names, or else the text of the whole page."""
+    """Returns the text of the element that an address names. If the address names no element,
+    returns the text of the page."""
     page, _, part = address.partition("#")
     found = content(page)
     start, end = found.ids[part] if part else (0, len(found.text))
@@ -107,7 +111,8 @@ def section(address: str) -> str:
 
 
 def searched() -> list[list[str]]:
-    """Returns the entries of the search: group, key, title, text, address and more words."""
+    """Returns the entries of the search. Each entry has a group, a key, a title, a text, an address
+    and further words."""
     script = (SITE / "_static" / "search_index.js").read_text(encoding="utf-8")
     entries: list[list[str]] = json.loads(script.partition("=")[2].rstrip().rstrip(";"))["entries"]
     return entries
@@ -115,8 +120,8 @@ def searched() -> list[list[str]]:
 
 @cache
 def clicks() -> dict[str, int]:
-    """Returns the number of clicks from the first page to each address. A page contributes all its
-    ids. Links in a listing of code do not count.
+    """Returns the number of clicks from the first page to each address. If a page is reached, all
+    its ids are reached. Links in a listing of code do not count.
     """
     found = {FIRST: 0}
     read = {FIRST}

@@ -1,4 +1,4 @@
-"""Pages in a browser have no error and no sideways scroll, and search and theme work."""
+"""In a browser, the pages have no error and no sideways scroll. The search and the theme work."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_no_page_scrolls_sideways(server: tuple[str, Path], width: int) -> None:
     assert {name: wide for name, wide in seen.items() if wide > width} == {}
 
 
-# Words in any order, with typing errors, from any page -> the first page that is found.
+# Words in any order and with typing errors, searched from any page -> the page that is found first.
 SEARCHES = {
     "modules/RC?q=FR-15": "../requirements/FR-15.html",
     "index?q=mode": "modules/Mode.html",
@@ -150,7 +150,7 @@ def test_a_wide_diagram_fits_a_narrow_window_and_is_enlarged_in_a_window(
         "let place = null;"
         "for (let tries = 0; tries < 100 && !place; tries++) {"
         "  await new Promise((done) => view.setTimeout(done, 20));"
-        "  await view.fetch('');"  # the virtual time stops, so that a slow machine draws the page
+        "  await view.fetch('');"  # The virtual time stops, so even a slow machine draws the page.
         "  place = doc.querySelector('.scroll.wide');"
         "}"
         "const svg = place.querySelector('svg');"
@@ -218,7 +218,7 @@ def test_a_label_of_a_diagram_has_the_width_that_was_measured(server: tuple[str,
     seen, _ = look(server, ["patterns/reading-modes"], probe)
     labels = seen["patterns/reading-modes"]
     assert {"MainController", "read()"} <= {label for label, *_ in labels}
-    # Java rounds the width of each letter: up to a tenth of a label.
+    # Java rounds the width of each letter. The difference is up to a tenth of a label.
     assert [one for one in labels if abs(one[1] - one[2]) > 2 + 0.1 * one[2]] == []
 
 

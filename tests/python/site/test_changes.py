@@ -1,5 +1,5 @@
-"""The page of likely changes: costs, reasons and both designs in its table; and the page of each
-change.
+"""The page of likely changes, with costs, reasons and both designs in its table. The page of each
+change is tested too.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The files for other tools, of this project: each fits its published schema."""
+"""The files of this project for other tools. Each file fits its published schema."""
 
 import csv
 import json
@@ -22,7 +22,7 @@ IMPORTED = re.compile(r"^UID: (\S+)\nSTATEMENT: >>>\n(.*?)\n<<<$", re.MULTILINE 
 
 @pytest.fixture
 def strictdoc() -> Path:
-    """StrictDoc with its packages, in a separate environment."""
+    """Returns StrictDoc with its packages, in a separate environment."""
     stamp = STRICTDOC / "installed.lock"
     if not stamp.exists() or stamp.read_bytes() != LOCK.read_bytes():
         venv.create(STRICTDOC, clear=True, with_pip=True)

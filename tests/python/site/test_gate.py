@@ -1,4 +1,5 @@
-"""Built pages are accessible, do not scroll sideways, and are at most twice as tall if narrow."""
+"""The built pages are accessible and do not scroll sideways. On a narrow screen, they are at most
+twice as tall."""
 
 from __future__ import annotations
 
@@ -26,7 +27,7 @@ PAGES = [
     "docs/glossary", "source/index", "source/src/main_control/operation_modes/RC.cpp", "exports",
     "modules/RC", "modules/MainController", "plot",
 ]  # fmt: skip
-# Pages that axe checks. They contain all parts of pages.
+# The pages that axe checks. Together they contain all parts of pages.
 LOOKED_AT = [
     "index", "answers/index", "answers/is-rc-a-state-or-a-decorator", "architecture", "structure",
     "patterns/index", "patterns/reading-modes", "machines", "changes/reading-modes", "products",
@@ -35,9 +36,9 @@ LOOKED_AT = [
     "plot", "usual_design", "mutation", "secrets",
 ]  # fmt: skip
 WIDTHS = (320, 390, 600, 768, 821, 900, 1024, 1280, 1920)
-AXE_WIDTHS = (390, 768, 1024)  # at 1440, all rules are checked
+AXE_WIDTHS = (390, 768, 1024)  # At a width of 1440, all rules are checked.
 TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
-# A width changes the layout, a theme the colours; other properties are checked only once.
+# Some rules depend on the width, and some on the theme. The other rules are checked only once.
 BY_WIDTH = ["target-size", "scrollable-region-focusable"]
 BY_THEME = ["color-contrast", "link-in-text-block"]
 AXE = "axe.min.js"
@@ -101,7 +102,7 @@ def site() -> Iterator[Site]:
 
 @pytest.fixture(scope="module")
 def sizes(site: Site) -> dict[str, dict[str, list[int]]]:
-    """Returns width and height of each page, for each width of the window."""
+    """Returns the width and the height of each page, for each width of the window."""
     probe = MEASURE.replace("%WIDTHS%", json.dumps([*WIDTHS, 1440]))
     seen, _ = look(site, PAGES, probe)
     return seen
@@ -155,7 +156,7 @@ def test_pages_are_accessible(
 
 
 def test_escape_gives_the_focus_back_and_every_stop_is_seen(site: Site) -> None:
-    """The focus moves from the name of a module into its card and back. The skip link leads into
+    """The focus moves from the name of a module into its card, and back. The skip link leads into
     the content."""
     seen, errors = look(site, ["patterns/reading-modes"], KEYBOARD)
     assert seen["patterns/reading-modes"] == [True, True, True, True, "main"]

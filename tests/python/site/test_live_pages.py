@@ -1,4 +1,4 @@
-"""The robot on other pages: a drive with the real image, whose calls the page marks."""
+"""The robot on other pages. The real image drives the robot, and the page marks its calls."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from weeding_robot_client.layout import read_frames
 
 SCRIPTS = SITE / "_static" / "live"
 STATES = ["OperationState", "Working", "Waiting", "WaitingN", "Reconnecting", "MainController"]
-# The worker in Node: its scripts and files are read from the site.
+# The worker runs in Node. Its scripts and files are read from the site.
 NODE = """
 const fs = require("fs"), vm = require("vm"), path = require("path");
 const [scripts, site, orders, cycles] = process.argv.slice(1);
@@ -47,7 +47,8 @@ vm.runInContext(fs.readFileSync(path.join(scripts, "worker.js"), "utf8"), contex
   process.stdout.write(JSON.stringify(sent.filter((message) => message.kind !== "loaded")));
 })();
 """
-# In a page: start the drive, wait for ten cycles, pause, and collect the marked parts.
+# In a page, the drive is started. After ten cycles it is paused, and the marked parts are
+# collected.
 PROBE = """<!doctype html><meta charset="utf-8">
 <iframe style="width:1200px;height:900px"></iframe>
 <script>
@@ -86,7 +87,8 @@ process.stdout.write(JSON.stringify({
   active: at.map((instant) => lanes.activeAt(found, instant).map((context) => context.id)),
 }));
 """
-# On the page of the execution: play ten cycles, pause, and select the time of the clock pulse.
+# On the page of the execution, ten cycles are played. Then the drive is paused, and the time of the
+# clock pulse is selected.
 LANES_OF_PAGE = """<!doctype html><meta charset="utf-8">
 <iframe style="width:1200px;height:900px"></iframe>
 <script>
@@ -163,11 +165,13 @@ def test_each_node_of_a_tree_has_the_time_and_the_arguments_of_its_last_call() -
     found = next(message for message in sent if message["kind"] == "found")
     nodes = {node["name"]: node for node in found["nodes"]}
     read, change = nodes["MainController::read"], nodes["MainController::changeOpState"]
-    # The clock pulse calls MainController::read, and 100 ms later comes the next clock pulse.
+    # The clock pulse calls MainController::read. The next clock pulse is 100 ms later.
     assert 0 < change["at"] - read["at"] < 100
     assert change["at"] <= found["at"] + 100
     (argument,) = change["values"]
-    assert re.fullmatch(r"\w+ at 0x[12]f?f?[0-9a-f]{5,7}", argument), "an object in RAM"
+    assert re.fullmatch(r"\w+ at 0x[12]f?f?[0-9a-f]{5,7}", argument), (
+        "the value is an object in RAM"
+    )
 
 
 @pytest.mark.parametrize(
@@ -191,7 +195,7 @@ def test_a_parameter_has_a_kind_up_to_the_first_that_may_not_be_in_a_register(
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
-    """In the same drive, the warning occurs one failed read before the last waiting state."""
+    """In the same drive, the warning state occurs one failed read before the last waiting state."""
     products = ["weeding_robot_paper", "weeding_robot_warning"]
     order = {"do": "compare", "folder": "live/", "products": products, "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, order], 0)
@@ -219,7 +223,8 @@ process.stdout.write(JSON.stringify(lines.map((line) => frames.partsOf(line, lay
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_the_parts_of_a_frame_are_those_that_the_client_decodes() -> None:
-    """Compares the order of the bytes and the number in each field, for all frames of a drive."""
+    """The test compares the order of the bytes and the number in each field, for all frames of a
+    drive."""
     play = {"do": "play", "folder": "live/", "modules": [], "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, play], 20)
     lines = [frame["bytes"] for beat in sent for frame in beat.get("frames", ())]
@@ -274,7 +279,7 @@ def test_the_lanes_of_a_cycle_show_which_interrupt_runs_and_which_waits() -> Non
         switch(48, True, 0),
         switch(48, False, 100),
         switch(70, False, 300),
-        switch(99, True, 400),  # exception that belongs to no context
+        switch(99, True, 400),  # an exception that belongs to no context
         switch(99, False, 420),
         switch(71, True, 500),
         switch(48, True, 600),
@@ -306,7 +311,7 @@ def test_the_lanes_of_the_page_execution_show_the_cycle_that_runs() -> None:
     finally:
         probe.unlink()
     assert {"cycle-timer", "tick-timer", "main-thread", "wheel-threads"} <= set(found["active"])
-    # The clock pulse is the first activation of a cycle; nothing is left of the tick after it.
+    # The clock pulse is the first activation of a cycle.
     assert found["instants"][0].startswith("0.001 ms: cycle timer")
     assert any("tick timer \u00d7" in lane for lane in found["lanes"])
     assert max(found["sizes"]) <= 0

@@ -1,4 +1,4 @@
-"""Facts of the project in the exported model, which readers of the code computed."""
+"""Facts of the project in the exported model. Readers of the code computed these facts."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_a_context_reaches_the_objects_that_the_composition_connects(
 
 @pytest.mark.parametrize(
     ("pipe", "kind", "writer", "reader"),
-    [  # places of a member, and of an object outside classes
+    [  # the places of a member and of an object outside classes
         (
             "WheelSystemBuilder::velocities_",
             "Pipe<Velocity>",

@@ -11,7 +11,7 @@ import pytest
 from tests.python.site.content import SITE, content
 
 MODEL = SITE / "model.json"
-# Not the data dictionary: some of its enumerators have the name of their module.
+# The data dictionary is left out, because some of its enumerators have the name of their module.
 SAMPLE = [
     "index", "structure", "guide", "interfaces", "inheritances", "secrets", "changes",
     "concordance", "architecture", "machines", "uses", "trees", "products",
@@ -30,7 +30,7 @@ def model() -> dict[str, Any]:
 
 
 def linkable(model: dict[str, Any]) -> set[str]:
-    """Names that have a page: modules, requirements, and methods with their class."""
+    """Returns the names that have a page: modules, requirements, and methods with their class."""
     modules = model["modules"]
     methods = {
         method["id"]
@@ -55,7 +55,9 @@ def test_a_name_set_as_code_is_a_link(page: str, model: dict[str, Any]) -> None:
 
 def test_types_in_a_signature_are_links() -> None:
     links = content("modules/Wheel.html").links
-    assert links.count("datatypes.html#Tension") == 2  # links of setTension, in interface and guide
+    assert (
+        links.count("datatypes.html#Tension") == 2
+    )  # links to setTension, in the interface and in the guide
 
 
 def test_a_call_of_a_function_outside_classes_has_its_name_alone() -> None:

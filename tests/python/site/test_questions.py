@@ -1,4 +1,4 @@
-"""The questions of a newcomer: each answer is at most three clicks from the first page."""
+"""The questions of a newcomer. Each answer is at most three clicks from the first page."""
 
 from __future__ import annotations
 

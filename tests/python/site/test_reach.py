@@ -1,4 +1,5 @@
-"""A reader reaches every page from the first page with few clicks on links of the content."""
+"""A reader reaches every page from the first page with few clicks. The clicks are on links of the
+content."""
 
 from __future__ import annotations
 
@@ -20,7 +21,7 @@ def model() -> dict[str, Any]:
 
 
 def farther(addresses: list[str], most: int) -> dict[str, int | None]:
-    """Returns the addresses that need more clicks, or that no link reaches."""
+    """Returns the addresses that need more clicks than allowed, or that no link reaches."""
     found = clicks()
     return {name: found.get(name) for name in addresses if found.get(name, 99) > most}
 

@@ -1,4 +1,4 @@
-"""The page that draws a recording in the browser: the same curves as ./wr plot."""
+"""The page that draws a recording in the browser. It draws the same curves as ./wr plot."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ RANGES = {
 }
 REPORTS = 60
 PERIOD_MS = 100
-RESET = 30  # the first report after a reset of the robot, with a time that begins again
-# Chooses or drops a file, and returns the drawings, the changes and the findings of axe.
+RESET = 30  # the first report after a reset of the robot; its time begins again
+# Chooses or drops a file. Returns the drawings, the changes and the findings of axe.
 SHOW = """
 const files = new view.DataTransfer();
 files.items.add(new view.File([%TEXT%], "drive.csv"));
@@ -93,7 +93,7 @@ def site() -> Iterator[Site]:
 
 @pytest.fixture(scope="module")
 def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Reports with all quantities, with missing values, and with a reset."""
+    """Returns reports with all quantities, with missing values and with a reset."""
     path = tmp_path_factory.mktemp("recording") / "drive.csv"
     chance = random.Random(1)
     report = LAYOUTS["Report"]

@@ -1,4 +1,4 @@
-"""The search of the built site: each page is found, and the first hit is the expected page."""
+"""The search of the built site. Each page is found, and the first hit is the expected page."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ SEARCHES: dict[str, list[str]] = {
         Path(__file__).with_name("searches.toml").read_text(encoding="utf-8")
     ).items()
 }
-LEAST = 0.9  # minimum share of searches with an expected first hit
-SCREEN = 12  # rows that the list shows without scrolling
-SIZE = 5  # rows of a group that are shown at first
+LEAST = 0.9  # minimum share of searches whose first hit is the expected page
+SCREEN = 12  # number of rows that the list shows without scrolling
+SIZE = 5  # number of rows of a group that are shown at first
 SCRIPTS = ("minisearch", "search_index", "search")
-# The pages are opened without a server, as a reader opens the portal from a folder.
+# The pages are opened without a server. A reader can open the portal from a folder in the same way.
 PROBE = """<!doctype html><meta charset="utf-8"><pre id="out"></pre>
 %SCRIPTS%
 <script>
@@ -50,7 +50,7 @@ def test_each_entry_leads_to_a_place() -> None:
 def test_each_page_is_found() -> None:
     found = {entry[4].partition("#")[0] for entry in searched()}
     pages = {str(path.relative_to(SITE)) for path in SITE.rglob("*.html")}
-    # A sheet of the dossier has the content of the page of its requirement.
+    # A sheet of the dossier has the same content as the page of its requirement.
     apart = ("probe", "dossier/")
     assert {page for page in pages - found if not page.startswith(apart)} == set()
 
@@ -102,7 +102,7 @@ def expects(text: str, addresses: list[str]) -> bool:
 
 
 def asked(folder: Path, texts: list[str]) -> dict[str, list[str]]:
-    """Returns for each text the addresses on the first screen of its hits."""
+    """Returns for each text the addresses of the hits on the first screen."""
     scripts = (f'<script src="{SITE.as_uri()}/_static/{name}.js"></script>' for name in SCRIPTS)
     values = {"SCRIPTS": "".join(scripts), "SEARCHES": json.dumps(texts)}
     page = PROBE

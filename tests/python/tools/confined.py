@@ -1,5 +1,6 @@
 """Environments in which ./wr must end with a message: a full disk, a folder that cannot be written,
-no network, a user without rights. They are Linux namespaces, so no test changes the machine.
+no network, and a user without rights. The environments are Linux namespaces, so no test changes the
+machine.
 """
 
 from __future__ import annotations
@@ -17,19 +18,20 @@ NOBODY = 65534
 
 @functools.cache
 def namespaces() -> str:
-    """Returns the reason why this system makes no namespaces; empty if it makes them."""
+    """Returns the reason why this system cannot make namespaces. The reason is empty if it can make
+    them."""
     words = ["unshare", "--map-root-user", "--mount", "--net", "true"]
     try:
         done = subprocess.run(words, capture_output=True, text=True, check=False)
     except FileNotFoundError:
-        return "there is no program unshare"
+        return "the program unshare is missing"
     return done.stderr.strip()
 
 
 def confined(*options: str, first: str, then: list[str | Path]) -> list[str]:
     """Returns a command that executes ``first`` and ``then`` in separate namespaces.
 
-    Skips the test, with the reason, if the system does not allow namespaces.
+    If the system does not allow namespaces, the test is skipped with the reason.
     """
     if reason := namespaces():
         pytest.skip(f"this system makes no namespaces: {reason}")
@@ -38,7 +40,7 @@ def confined(*options: str, first: str, then: list[str | Path]) -> list[str]:
 
 
 def with_disk(folder: Path, size: str, then: list[str | Path]) -> list[str]:
-    """Returns the command with a small disk at the folder."""
+    """Returns the command with a small disk that is mounted at the folder."""
     first = f"mount -t tmpfs -o size={size} none {shlex.quote(str(folder))}"
     return confined("--mount", first=first, then=then)
 

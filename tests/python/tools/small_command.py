@@ -1,5 +1,5 @@
-"""A small command of ./wr: a graph of three tasks, whose programs write their files in several
-steps."""
+"""A small command of ./wr. It is a graph of three tasks, and the programs of the tasks write their
+files in several steps."""
 
 from __future__ import annotations
 
@@ -17,8 +17,9 @@ from weeding_robot_client.exit_codes import BUSY, INTERRUPTED, MISSING
 SOURCES = ("src/a.txt", "src/b.txt")
 OBJECTS = ("build/a.out", "build/b.out")
 RESULT = "build/results/sum.txt"
-_past = itertools.count(1)  # different times of the sources, before each run
-# Empties the output, then writes it in pieces, so that a killed program leaves a part.
+_past = itertools.count(1)  # The sources have a different time before each run.
+# Empties the output, and then writes it in pieces. A killed program therefore leaves an incomplete
+# output.
 COPY = """
 : > "$2"
 while read -r line; do sleep 0.01; echo "$line"; done < "$1" > "$2"

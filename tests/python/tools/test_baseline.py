@@ -1,4 +1,4 @@
-"""Measurement of the two designs: the counts from runs, images and sources."""
+"""The measurement of the two designs: the counts from runs, images and sources."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,5 @@
-"""The book: all pages in their order, with links that stay inside, and the same bytes each time."""
+"""The book. It contains all pages in their order, its links stay inside, and its bytes are the same
+each time."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ needs_browser = pytest.mark.skipif(not works(find_browser()), reason="there is n
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    """A project whose portal has all pages of the book, each with a title."""
+    """Returns a project whose portal has all pages of the book. Each page has a title."""
     site = tmp_path / "build/site"
     for page in [*PAGES, "index"]:
         path = site / f"{page}.html"
@@ -55,7 +56,7 @@ def test_each_link_of_the_book_has_its_target(project: Path) -> None:
 
 def test_a_missing_page_is_named(project: Path) -> None:
     (project / "build/site/proofs.html").unlink()
-    with pytest.raises(MissingError, match="the page proofs is missing: make the portal first"):
+    with pytest.raises(MissingError, match="the page proofs is missing; make the portal first"):
         print_book(project, project / "book.pdf")
 
 
@@ -63,7 +64,7 @@ def test_without_a_browser_the_message_names_the_package(
     project: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(book, "find_browser", lambda: None)
-    with pytest.raises(MissingError, match="package chromium"):
+    with pytest.raises(MissingError, match="package is chromium"):
         print_book(project, project / "book.pdf")
 
 

@@ -25,7 +25,7 @@ from tools.steps import FailureError
 from traceability.reading.fault_record import OUTCOMES, campaign_metrics
 from traceability.reading.published import publish, read_published
 
-# A program whose cases depend on the seed alone; it needs 0.05 s.
+# A program whose cases depend only on the seed. It needs 0.05 s.
 PROGRAM = """#!{python}
 import json, random, sys, time
 seed, count = (int(sys.argv[sys.argv.index(name) + 1]) for name in ("--seed", "--count"))
@@ -42,13 +42,13 @@ root = Path(sys.argv[1])
 sys.exit(run(root, *sys.argv[2:]))
 """
 SOURCE = Path(__file__).resolve().parents[3]
-SLOW = 60  # [s] time limit of a whole test on a busy machine
+SLOW = 60  # time limit of a whole test on a busy machine [s]
 
 
 def small(root: Path) -> Kind:
-    """A kind of campaign with chunks of five cases."""
+    """Returns a kind of campaign whose chunks have five cases."""
     program = root / "program"
-    if not program.exists():  # a worker of a killed campaign may still execute it
+    if not program.exists():  # A worker of a killed campaign may still execute this program.
         program.write_text(PROGRAM.format(python=sys.executable), encoding="utf-8")
         program.chmod(0o755)
     return replace(
@@ -162,7 +162,7 @@ def test_the_number_of_workers_does_not_matter(tmp_path: Path) -> None:
 
 def test_a_chunk_counts_once(tmp_path: Path) -> None:
     run(tmp_path, "--count", "12", "--publish")
-    run(tmp_path, "--count", "20", "--resume", "--publish")  # the third chunk now has five cases
+    run(tmp_path, "--count", "20", "--resume", "--publish")  # The third chunk now has five cases.
     assert record_of(tmp_path)["cases"] == 20
 
 
@@ -200,7 +200,7 @@ def test_two_campaigns_with_the_same_chunks_do_not_run_at_once(tmp_path: Path) -
     store = Store(tmp_path, "faults", "program", 1)
     with store.only_one(), pytest.raises(BusyError, match="Another process"), store.only_one():
         pass
-    with store.only_one():  # the lock is free again
+    with store.only_one():  # The lock is free again.
         pass
 
 

@@ -28,7 +28,7 @@ FINDING = {
 
 @pytest.fixture
 def tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A project whose documents have one finding."""
+    """Returns a project whose documents have one finding."""
     for name in ("src/a.hpp", "src/b.hpp"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text("first")
@@ -94,8 +94,8 @@ def test_findings_of_earlier_documents_are_not_shown_when_the_process_ends_early
     monkeypatch.setattr(check, "pages_graph", lambda root: Graph(root, [made]))
     assert check.check(tmp_path) == 1
     printed = capsys.readouterr().out
-    assert "its process ended early" in printed
-    assert printed.splitlines()[-1] == "findings unknown"
+    assert "the process of the documents ended early" in printed
+    assert printed.splitlines()[-1] == "the findings are not known"
 
 
 def test_a_file_that_is_not_text_is_found_at_its_line(tmp_path: Path) -> None:

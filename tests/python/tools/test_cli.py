@@ -1,4 +1,4 @@
-"""The command line: help, wrong usage, and the shell script that installs."""
+"""The command line: help, wrong use, and the shell script that installs the packages."""
 
 import os
 import re
@@ -77,8 +77,8 @@ def test_set_up_does_nothing_when_nothing_is_missing() -> None:
 
 
 def tools_without(tmp_path: Path, *missing: str, **scripts: str) -> str:
-    """Returns a search path with the tools that wr calls, without some tools, or with
-    replacements.
+    """Returns a search path with the tools that wr calls. Some tools can be left out or
+    replaced.
     """
     for tool in ("sh", "dirname", "cat", "sed", "tr", "grep", "id", "env", "sha256sum"):
         if tool not in missing:

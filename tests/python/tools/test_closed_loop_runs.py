@@ -1,4 +1,4 @@
-"""The scenarios of the closed loop, played by stubs of the two programs of the project."""
+"""The scenarios of the closed loop. Stubs of the two programs of the project play them."""
 
 import json
 import sys

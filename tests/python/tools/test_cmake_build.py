@@ -1,4 +1,4 @@
-"""The repetition and the counts of test runs."""
+"""The repetition of test runs, and the counts of their tests."""
 
 import io
 import json
@@ -26,7 +26,8 @@ def gtest_json(*tests: dict[str, object]) -> str:
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A project with a script as its tests, which counts its runs and copies results.json."""
+    """Returns a project whose test program is a script. The script counts its runs and copies
+    results.json."""
     monkeypatch.setattr(cmake_build, "jobs", lambda: "2")
     tests = tmp_path / "build/trace/tests/firmware_tests"
     tests.parent.mkdir(parents=True)
@@ -104,7 +105,7 @@ def test_failures_of_googletest_are_told_with_their_seed(tmp_path: Path) -> None
     results, log = tmp_path / "results.json", io.StringIO()
     results.write_text(gtest_json(PASSED, {**FAILED, "seed": "42"}))
     cmake_build.write_failures(results, log)
-    command = "to debug it: ./wr debug Wheel.Falls"
+    command = "to debug this test: ./wr debug Wheel.Falls"
     assert log.getvalue() == f"\nFAILED Wheel.Falls, WR_SEED=42\n{command}\nx\n"
 
 
@@ -138,7 +139,8 @@ def test_results_of_the_board_and_of_this_machine_are_kept_apart(root: Path) -> 
 
 
 def test_tests_of_the_image_run_with_two_more_images(root: Path) -> None:
-    """The stub writes the same results for each image: the test compares its arguments."""
+    """The stub writes the same results for each image. The test therefore compares the arguments of
+    the stub."""
     tests = root / "build/host/tests/board_tests"
     tests.parent.mkdir(parents=True)
     write_program(tests, f'echo "$WR_IMAGE $GTEST_FILTER" >>{root}/asked')

@@ -1,5 +1,5 @@
 """./wr when space on the disk, a writable folder, the network or rights are missing. Each message
-shows the fault, its place, and the next action. The run after the correction succeeds.
+shows the fault, its place and the next action. The run after the correction succeeds.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ def command(root: Path) -> list[str | Path]:
 
 @pytest.fixture
 def copy() -> Iterator[Path]:
-    """A copy of ./wr without its Python packages. Each user can read its folder, whose name has a
-    blank.
+    """Returns a copy of ./wr without its Python packages. Each user can read its folder. The name
+    of the folder has a blank.
     """
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder) / "a copy"
@@ -64,7 +64,7 @@ def copy() -> Iterator[Path]:
 
 @pytest.mark.parametrize("size", ["4k", "8k", "12k", "16k", "20k", "24k", "28k"])
 def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size: str) -> None:
-    """The disk is mounted at build, so the sources need no space on it."""
+    """The disk is mounted at build. The sources therefore need no space on it."""
     write_sources(tmp_path, "text")
     (tmp_path / "build").mkdir()
     keep = tmp_path / "kept"
@@ -76,7 +76,7 @@ def test_a_full_disk_is_named_and_the_run_after_it_is_right(tmp_path: Path, size
     assert full.returncode in (1, MISSING)
     assert "No space left on device" in full.stdout + full.stderr
     (tmp_path / "build").rmdir()
-    keep.rename(tmp_path / "build")  # the files of the full disk
+    keep.rename(tmp_path / "build")  # the files on the full disk
     assert run([*map(str, command(tmp_path))]).returncode == 0
     assert (tmp_path / RESULT).read_text() == expected(tmp_path)
 
@@ -108,7 +108,7 @@ def test_a_folder_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     assert done.returncode == MISSING
     assert done.stderr == (
         f"cannot write {tmp_path}/build: Read-only file system; "
-        "make it writable, or copy the project to a folder that is\n"
+        "make it writable, or copy the project to a folder that is writable\n"
     )
 
 
@@ -131,7 +131,7 @@ def test_set_up_of_a_user_without_rights_names_the_folder(copy: Path) -> None:
 
 
 def test_after_set_up_no_network_is_needed(tmp_path: Path) -> None:
-    """The set-up finds nothing to do, and tasks run."""
+    """The set-up finds nothing to do, and the tasks run."""
     write_sources(tmp_path, "text")
     for words in ([SOURCE / "wr", "setup"], command(tmp_path)):
         done = run(without_network(words))
@@ -180,7 +180,8 @@ def test_a_set_up_waits_for_another_and_does_not_repeat_it(copy: Path) -> None:
 
 
 def test_an_interrupted_set_up_is_never_taken_for_a_whole_one(copy: Path) -> None:
-    """The packages have a stamp. The test kills the set-up while it removes the packages."""
+    """The packages have a stamp. The test kills the set-up while the set-up removes the
+    packages."""
     (copy / ".venv/bin").mkdir(parents=True)
     (copy / ".venv/stamp").write_text("of another lock file\n")
     tools = copy / "tools"

@@ -1,4 +1,4 @@
-"""./wr debug: its choice of the debugger and the program."""
+"""./wr debug: its choice of the debugger and of the program."""
 
 import json
 import re

@@ -1,4 +1,4 @@
-"""./wr diff and ./wr impact of commits: real commits of a small project."""
+"""./wr diff, and ./wr impact with commits. The commits are real commits of a small project."""
 
 import re
 from pathlib import Path
@@ -23,7 +23,8 @@ OTHERS = {
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A project with two commits: the second changes a text, and a file of a module."""
+    """Returns a project with two commits. The second commit changes a text and a file of a
+    module."""
     root = write_tree(tmp_path / "project")
     (root / ".gitignore").write_text("/build/\n")
     git(root, "init", "--quiet")
@@ -65,7 +66,8 @@ def test_the_sources_of_two_commits_are_compared(
 def test_changed_files_that_are_not_followed_are_listed(
     root: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The changed files are a Python test, the tool that it imports, a page, and a scenario."""
+    """Returns the project with changed files. They are a Python test, the tool that it imports, a
+    page and a scenario."""
     for name, text in OTHERS.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text)

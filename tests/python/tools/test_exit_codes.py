@@ -1,4 +1,4 @@
-"""All commands explain themselves, and end with the codes of one table."""
+"""All commands explain themselves. They end with the exit codes of one table."""
 
 import re
 import subprocess
@@ -17,7 +17,8 @@ assert COMMANDS is not None
 NEEDED = {"review": ["FR-15"], "diff": ["HEAD"], "impact": ["FR-15"], "plot": ["a.csv"]}
 NEEDED["campaign"] = ["faults"]
 NONE = "/no-folder/none"
-# Words of a command that name an input file that does not exist, and the next action.
+# A command that names an input file that does not exist -> a part of the next action in its
+# message.
 WITHOUT_FILE = {
     f"plot {NONE}.mcap": "./wr monitor",
     f"debug {NONE}.scenario": "sim/scenario/examples",
@@ -54,7 +55,7 @@ UNKNOWN_NAMES = (
 
 
 def ended(capsys: pytest.CaptureFixture[str], words: list[str]) -> tuple[int, str, str]:
-    """Returns the exit code of a command, its output, and its errors."""
+    """Returns the exit code of a command, its output and its errors."""
     try:
         code = cli.main(words)
     except SystemExit as exited:

@@ -1,4 +1,4 @@
-"""./wr flash: the ways to a board, and images that are not written."""
+"""./wr flash: the ways to write to a board, and images that are not written."""
 
 import contextlib
 import threading
@@ -19,12 +19,12 @@ CODE = bytes(0x400) + WANTED + bytes(100)
 
 
 class Desk:
-    """A machine without tools, probes or drives, until a test adds some."""
+    """A machine without tools, probes and drives. A test can add some of them."""
 
     def __init__(self, root: Path, capsys: pytest.CaptureFixture[str]) -> None:
         self.root = root
         self.capsys = capsys
-        self.tools = root / "tools"  # the whole PATH
+        self.tools = root / "tools"  # the whole PATH of the machine
         self.image = root / "image.bin"
         self.tools.mkdir()
         (root / "usb").mkdir()
@@ -36,11 +36,12 @@ class Desk:
         (self.tools / name).chmod(0o755)
 
     def add_tool(self, name: str, end: str = "exit 0") -> None:
-        """Adds a stub of a tool: it records its arguments, one per line."""
+        """Adds a stub of a tool. The stub records its arguments, one on each line."""
         self.add_program(name, f'printf "%s\\n" {name} "$@" >"{self.root}/called"\n{end}')
 
     def add_pyocd(self, read_back: str = "flashed") -> None:
-        """Adds a stub of pyOCD: it records the arguments of ``flash`` and reads back a file."""
+        """Adds a stub of pyOCD. The stub records the arguments of ``flash``, and reads back a
+        file."""
         self.add_program(
             "pyocd",
             'for word; do case "$word" in "savemem "*)'
@@ -94,7 +95,7 @@ def desk(
 
 @contextlib.contextmanager
 def board(drive: Path, failure: str = "", comes: bool = True) -> Iterator[None]:
-    """Acts as a debug probe: after a copy, its drive disappears, and returns with the outcome."""
+    """Acts as a debug probe. After a copy, its drive disappears, and returns with the outcome."""
     end = threading.Event()
 
     def take() -> None:
@@ -159,7 +160,7 @@ def test_the_way_can_be_chosen(desk: Desk, way: str) -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (CODE[:0x420] + b"\1" + CODE[0x421:], "flash at 0x420 holds 0x01, not 0x00"),
+        (CODE[:0x420] + b"\1" + CODE[0x421:], "flash at 0x420 is 0x01, but the image has 0x00"),
         (CODE[:-4], f"only {len(CODE) - 4} of {len(CODE)} bytes"),
         (None, "could not be read back"),
     ],
@@ -235,7 +236,7 @@ def test_two_drives_need_a_choice(desk: Desk) -> None:
     first = desk.add_drive("DAPLINK")
     desk.add_drive("DAPLINK1")
     assert desk.run() == 3
-    assert "choose with --drive" in desk.said()
+    assert "choose one with --drive" in desk.said()
     with board(first):
         assert desk.run("--drive", str(first)) == 0
 
@@ -256,7 +257,7 @@ def test_a_probe_that_waits_for_its_own_software_gets_no_image(
 ) -> None:
     drive = desk.add_drive(name, mode)
     assert desk.run("--with", "drive") == 3
-    assert "without its reset button" in desk.said()
+    assert "without pressing its reset button" in desk.said()
     assert not (drive / "image.bin").exists()
 
 
@@ -302,9 +303,9 @@ def test_a_dry_run_writes_nothing(desk: Desk) -> None:
 @pytest.mark.parametrize(
     ("address", "value", "why"),
     [
-        (0x40C, 0xFF, "only a mass erase opens it again"),
+        (0x40C, 0xFF, "only a mass erase could open it again"),
         (0x40C, 0xEF, "locked for ever"),
-        (0x40C, 0xEE, "mass erase would be off"),
+        (0x40C, 0xEE, "mass erase would be disabled"),
         (0x40C, 0x7E, "keys"),
         (0x408, 0xFE, "protected"),
         (0x40D, 0xFB, "other options"),

@@ -14,7 +14,7 @@ from traceability.reading.fault_record import campaign_metrics
 from traceability.reading.published import Published
 
 SOURCE = Path(__file__).resolve().parents[3]
-# Prints as libFuzzer does. With the seed 2000 the first input fails.
+# Prints the same lines as libFuzzer. With the seed 2000, the first input fails.
 FUZZER = """#!{python}
 import sys
 words = dict(word[1:].split("=", 1) for word in sys.argv[1:] if word.startswith("-"))

@@ -1,4 +1,4 @@
-"""The packages import each other in one direction, and a wrong import is found."""
+"""The packages import each other in one direction. A wrong import is found."""
 
 import shutil
 from pathlib import Path
@@ -30,7 +30,7 @@ def lint(root: Path) -> str:
 
 @pytest.fixture
 def copy(tmp_path: Path) -> Path:
-    """A copy of the packages and of the contracts."""
+    """Returns a copy of the packages and of the contracts."""
     for name in ("traceability", "site/portal", "tools"):
         ignored = shutil.ignore_patterns("__pycache__")
         shutil.copytree(ROOT / name, tmp_path / name, ignore=ignored)

@@ -1,5 +1,5 @@
-"""A command that is ended at any instant: the next run has the right results, and repeats no
-completed task.
+"""A command that is ended at any time. The next run has the right results, and repeats no completed
+task.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from tools.lock import HOLDER, only_one, outliving, programs_of
 from weeding_robot_client.exit_codes import BUSY, INTERRUPTED
 
 SOURCE = Path(__file__).resolve().parents[3]
-# The command as ./wr begins it. It prints a line when it can handle interrupts.
+# The command, as ./wr begins it. The program prints a line as soon as it can handle interrupts.
 COMMAND = """
 import sys
 from pathlib import Path
@@ -33,7 +33,7 @@ try:
 except KeyboardInterrupt:
     sys.exit(130)
 """
-# A command that is interrupted in the callback of a weak reference, where Python ignores errors.
+# A command that is interrupted in the callback of a weak reference. Python ignores errors there.
 IN_CALLBACK = """
 import signal, sys, time, weakref
 from tools.steps import heed_interrupts
@@ -47,7 +47,7 @@ try:
 except KeyboardInterrupt:
     sys.exit(130)
 """
-KILLS = 8  # for each signal
+KILLS = 8  # number of times that each signal is sent
 SEED = int(os.environ.get("WR_SEED", "1"))
 
 
@@ -104,7 +104,9 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         assert "Traceback" not in errors
         if program.returncode == INTERRUPTED:
             assert programs_of(tmp_path) == []
-        if chosen.random() < 0.5:  # the sources of the previous run, whose record is complete
+        if (
+            chosen.random() < 0.5
+        ):  # These are the sources of the previous run, whose record is complete.
             write_sources(tmp_path, f"text {turn - 1}")
             run(tmp_path)
         else:
@@ -113,7 +115,7 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         assert unchanged(run(tmp_path)) == {"copy src/a.txt", "copy src/b.txt", "sum"}
         write_sources(tmp_path, f"text {turn}")
         run(tmp_path)
-    assert ended > KILLS // 3, "most signals came when the run had ended"
+    assert ended > KILLS // 3, "most signals arrived after the run had ended"
 
 
 def test_an_interrupt_during_a_callback_is_not_lost() -> None:
@@ -160,7 +162,7 @@ def test_of_commands_that_start_at_once_one_runs_and_the_others_say_so(tmp_path:
     for program in programs:
         if program is not owner:
             assert program.wait() == BUSY
-            text = f"process {owner.pid}.* at work in this folder. Wait until that"
+            text = f"process {owner.pid}.* is running in this folder. Wait until that"
             assert program.stderr is not None
             assert re.search(text, program.stderr.read())
     owner.send_signal(signal.SIGINT)

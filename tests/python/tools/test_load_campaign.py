@@ -64,7 +64,10 @@ def test_a_drive_with_noise_has_its_own_bound() -> None:
 
 def test_a_path_that_takes_longer_than_its_bound_is_a_finding() -> None:
     (text,) = findings(1.0, replace(PROOF, paths=[replace(PATH, seen_ms=101.1)]))
-    assert "the path 'Order to duty cycle' took 101.100 ms, more than the bound of 101.000" in text
+    assert (
+        "the path 'Order to duty cycle' took 101.100 ms, which is more than the bound of 101.000"
+        in text
+    )
 
 
 def test_without_a_bound_nothing_exceeds_it() -> None:

@@ -1,4 +1,5 @@
-"""When two commands run at once, the second command ends and names the first command."""
+"""If two commands run at the same time, the second command ends. Its message names the first
+command."""
 
 import os
 import subprocess
@@ -39,7 +40,7 @@ def test_the_second_command_says_who_is_at_work(
         assert cli.main(["check"]) == BUSY
         assert f"./wr portal (process {program.pid}, since" in capsys.readouterr().err
         program.kill()
-    with only_one(tmp_path, "check"):  # the lock of a process that was killed is free
+    with only_one(tmp_path, "check"):  # If a process was killed, its lock is free.
         pass
 
 

@@ -1,4 +1,5 @@
-"""./wr portal: pages first, then results; the open page shows the running step."""
+"""./wr portal builds the pages first, and adds the results later. The open page shows the running
+step."""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ import pytest
 from tools.documents import METRICS
 from tools.lock import HOLDER
 
-# A project whose tests wait for a permission to continue, and whose page shows whether they ended.
+# A project whose tests wait for a permission to continue. Its page shows whether the tests ended.
 PORTAL = """
 import sys, time
 from pathlib import Path
@@ -100,7 +101,7 @@ class Project:
             except (OSError, HTTPException):
                 pass
             time.sleep(0.02)
-        raise AssertionError("this state was not reached")
+        raise AssertionError("the page never had this state")
 
 
 @pytest.fixture

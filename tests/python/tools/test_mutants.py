@@ -1,4 +1,4 @@
-"""Mutants of a small class: their places, the compiled copy, and the tests that find them."""
+"""Mutants of a small class, with their places, the compiled copy, and the tests that find them."""
 
 from __future__ import annotations
 
@@ -134,7 +134,7 @@ def test_each_number_switches_its_own_mutant_on(tree: Path) -> None:
     printed = {one.change: said(number) for number, one in enumerate(held, 1)}
     assert said(0) == "3 9 9"
     assert printed["return {} at once"] == "0 0 0"
-    assert printed["without count()"] == "3 9 9", "the output does not depend on it"
+    assert printed["without count()"] == "3 9 9", "the output does not depend on this mutant"
     assert printed["not value < kMost && value != narrow"] == "9 8 10"
     assert printed["<= for < in value < kMost"] == "3 9 10"
     assert printed[">= for < in value < kMost"] == "9 9 10"
@@ -158,8 +158,8 @@ def test_results_are_read_from_what_the_program_prints() -> None:
     assert outcome.passed == {"A.One", "B.Two"}
 
 
-# One fails with mutant 1, Two ends the program with mutant 2 and never ends with mutant 4, Three
-# sleeps with mutant 3. With mutant 5 the set-up of the suite ends the program.
+# With mutant 1, test One fails. With mutant 2, Two ends the program. With mutant 3, Three sleeps.
+# With mutant 4, Two never ends. With mutant 5, the set-up of the suite ends the program.
 PROGRAM = """\
 #!/bin/sh
 echo "[----------] 3 tests from A"
@@ -202,7 +202,7 @@ def test_a_failure_an_end_and_a_hang_each_find_a_mutant(
 
 
 def test_a_busy_computer_does_not_end_a_test(tmp_path: Path) -> None:
-    """The test waits longer than its limit, which counts only the time of the processor."""
+    """The test waits longer than its limit. The limit counts only the time of the processor."""
     path = tmp_path / "program"
     lines = (
         "#!/bin/sh",

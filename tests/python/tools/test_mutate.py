@@ -33,7 +33,7 @@ MUTANTS = [
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A project in which building and testing are replaced: the first mutant is found."""
+    """Returns a project in which building and testing are replaced. The first mutant is found."""
     (tmp_path / "build/results").mkdir(parents=True)
     replace_tests(monkeypatch, tmp_path, lambda _log: None)
     monkeypatch.setattr(traces, "read_traces", lambda _root, _cache: {HOST: None})
@@ -92,7 +92,7 @@ def test_it_shows_seed_progress_and_what_no_test_finds(
     assert "0:00 1 of 2 tried, 1 found" in printed
     assert "src/a.cpp:9: no test finds this change: 2 + 1" in printed
     assert "src/a.cpp:4: no test finds this change" not in printed
-    assert "1 of 2 mutants were found, 0 others are justified; seed 7" in printed
+    assert "1 of 2 mutants were found, and 0 others are justified; seed 7" in printed
     left = json.loads((root / "build/results/mutation.json").read_text(encoding="utf-8"))
     assert (left["sources"], left["seed"], left["total"], len(left["tried"])) == (
         "sources",
@@ -129,7 +129,7 @@ def test_a_justified_mutant_is_not_listed(
     assert run(root, "--publish") == 0
     printed = capsys.readouterr().out
     assert "no test finds this change" not in printed
-    assert "1 of 2 mutants were found, 1 others are justified" in printed
+    assert "1 of 2 mutants were found, and 1 others are justified" in printed
     model = read_mutation(root, "sources")
     assert model is not None
     assert (model.found, model.justified, len(model.tried)) == (1, 1, 2)

@@ -1,4 +1,4 @@
-"""The proofs: a defect in the design is found, and its counterexample can be read and played."""
+"""The proofs. A defect in the design is found, and its counterexample can be read and played."""
 
 from __future__ import annotations
 
@@ -84,7 +84,7 @@ def test_a_stop_that_one_state_loses_is_found(design: Path) -> None:
 
 @needs_spin
 def test_a_false_property_has_a_scenario_that_plays_its_counterexample(design: Path) -> None:
-    """The robot of the model can drive, so the property that it never drives is false."""
+    """The robot of the model can drive. The property that it never drives is therefore false."""
     declared = read_declared(design)
     (result,) = prove(design, declared, [TRIED], print).values()
     assert result.verdict == "false"
@@ -117,7 +117,7 @@ def test_without_spin_nothing_is_recorded(design: Path, monkeypatch: pytest.Monk
     monkeypatch.setattr(proof_runs, "SPIN", "no-such-spin")
     with (design / "log").open("w") as log:
         outcome = prove_all(design, log)
-    assert outcome.note == "not run in this build: no-such-spin is not installed"
+    assert outcome.note == "not run in this build, because no-such-spin is not installed"
     assert not (design / PROOFS).exists()
 
 

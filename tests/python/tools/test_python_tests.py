@@ -1,4 +1,4 @@
-"""The inputs of the tests of a folder."""
+"""The files on which the tests of a folder of tests/python depend."""
 
 from __future__ import annotations
 
@@ -43,5 +43,5 @@ def test_a_change_of_a_page_does_not_repeat_the_tests_of_the_readers() -> None:
 
 
 def test_helpers_of_another_folder_are_inputs() -> None:
-    """The tests of the checks use the small case of the tests of the model."""
+    """The tests of the checks import the small safety case from the tests of the model."""
     assert "tests/python/model/small_case.py" in imported_files(ROOT, "checks")

@@ -1,4 +1,5 @@
-"""./wr release: archives that depend only on their content, the list of the parts, the notes."""
+"""./wr release: archives that depend only on their content, the list of the parts, and the
+notes."""
 
 import hashlib
 import json
@@ -61,7 +62,7 @@ def test_the_sums_are_those_that_sha256sum_checks(tmp_path: Path) -> None:
 
 
 def validator() -> jsonschema.Draft7Validator:
-    """The schemas that CycloneDX publishes, without a network."""
+    """Returns the schemas that CycloneDX publishes. They are read without a network."""
     folder = Path(str(cyclonedx_schemas.__file__)).parent / "_res"
     registry: Registry[object] = Registry()
     for name in ("bom-1.6", "spdx", "jsf-0.82"):
@@ -146,7 +147,7 @@ def test_different_releases_are_found(tmp_path: Path) -> None:
     (second / "file").write_text("other")
     (second / "more").touch()
     assert release.differences(first, second) == [
-        "more: only in one of the two",
+        "more is only in one of the two releases",
         "file: the bytes differ",
     ]
 

@@ -25,7 +25,7 @@ from traceability.reading.task_record import FIRMWARE_FAULTS, RECORD
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A project whose tasks do nothing."""
+    """Returns a project whose tasks do nothing."""
 
     def graph_of(*names: str) -> Graph:
         return Graph(tmp_path, [Task(name, lambda _log: None, always=True) for name in names])

@@ -1,7 +1,7 @@
-"""Each check has a seeded fault, and each fault can be seeded. The record is valid only for this
+"""Each check has a seeded fault, and each fault can be inserted. The record is valid only for this
 state.
 
-``./wr check --drift``, which ``./wr test`` runs, tests whether the checks find the faults.
+``./wr check --drift`` tests whether the checks find the faults. ``./wr test`` runs this command.
 """
 
 from __future__ import annotations
@@ -21,7 +21,9 @@ FAULTS = read_faults(ROOT)
 
 def test_every_check_has_a_seeded_fault() -> None:
     missing = set(KNOWN) - {fault.check for fault in FAULTS}
-    assert not missing, f"write a fault in tests/drift for: {', '.join(sorted(missing))}"
+    assert not missing, (
+        f"write a fault in tests/drift for these checks: {', '.join(sorted(missing))}"
+    )
 
 
 def test_every_fault_names_a_check_and_says_what_it_is() -> None:

@@ -1,4 +1,4 @@
-"""A fault that hides the other faults of its group causes few additional runs."""
+"""A fault that hides the other faults of its group causes only a few additional runs."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from traceability.schema import Finding
 
 
 class Hiding(Copy):
-    """Finds no other fault of a copy with the fault ``hides``, and never finds the fault
-    ``lost``."""
+    """A copy of the project. If the fault ``hides`` is in it, no other fault is found. The fault
+    ``lost`` is never found."""
 
     def __init__(self) -> None:
         self.runs: list[list[str]] = []

@@ -1,4 +1,4 @@
-"""./wr sim: its choice of the program and of its options."""
+"""./wr sim: its choice of the program and of the program's options."""
 
 import os
 import subprocess
@@ -17,7 +17,8 @@ from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, VIRTUAL_BO
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A project whose two programs print their name and their options, one a line."""
+    """Returns a project with two programs. Each program prints its name and its options, with one
+    option on each line."""
     folder = tmp_path / "build/host/sim"
     folder.mkdir(parents=True)
     for name in (sim.PROGRAM, BOARD_PROGRAM):
@@ -31,7 +32,7 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def replace_builds(monkeypatch: pytest.MonkeyPatch, root: Path, broken: str = "") -> None:
-    """Replaces the builds by builds that do nothing, or fail."""
+    """Replaces the builds by builds that do nothing or that fail."""
 
     def action(name: str, _log: TextIO) -> None:
         if name == broken:

@@ -1,4 +1,5 @@
-"""The task graph: no task runs twice on the same files; after a change its dependents run again."""
+"""The task graph. No task runs twice on the same files. After a change, all tasks that depend on
+the change run again."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ RESULT = "build/results/tests.json"
 
 
 class Project:
-    """A small project: a program of two sources, its tests, a measurement, tools, and pages."""
+    """A small project with a program of two sources, its tests, a measurement, tools and pages."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -52,7 +53,7 @@ class Project:
         return run
 
     def run(self, *names: str, **replaced: Task) -> list[str]:
-        """Returns the tasks that ran, except the build, which Ninja does."""
+        """Returns the tasks that ran. The build is left out, because Ninja runs it."""
         found = Outcome("", values={"file_dep": self.sources})
         tasks = {
             "build": Task("build", self.action("build", found), always=True),
@@ -97,7 +98,7 @@ def test_only_what_depends_on_a_change_runs_again(
     project: Project, changed: str, expected: list[str]
 ) -> None:
     if "coverage" in expected:
-        # The tests write other results, so the task that counts them runs too.
+        # The tests write different results, so the task that counts them runs too.
         results = Task(
             "tests",
             lambda _log: project.action("tests")(_log) or write(project.root / RESULT, changed),

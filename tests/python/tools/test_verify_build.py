@@ -17,7 +17,7 @@ ROW = {"id": "FR-1", "state": "verified", "tests": {"A.B": {"host": "passed"}}}
 
 @pytest.fixture
 def built(tmp_path: Path) -> Path:
-    """A project with a commit, its images and its verdicts."""
+    """Returns a project with a commit, its images and its verdicts."""
     root = tmp_path / "project"
     root.mkdir()
     (root / ".gitignore").write_text("/build/\n/.venv\n")
@@ -57,7 +57,7 @@ def test_each_verdict_and_each_result_counts() -> None:
     other = {"id": "FR-1", "state": "failed", "tests": {"A.B": {"host": "failed"}}}
     found = list(compare_verdicts({"requirements": [ROW]}, {"requirements": [other]}))
     assert found == [
-        "FR-1: verified here, failed in the new folder",
+        "FR-1 is verified here, but failed in the new folder",
         "FR-1: A.B: {'host': 'passed'} here, {'host': 'failed'} there",
     ]
     assert list(compare_verdicts({"requirements": [ROW]}, {})) != []
@@ -69,7 +69,7 @@ def test_only_the_build_of_the_commit_is_repeated(built: Path) -> None:
         check_origin(built, images=False)
     git(built, "add", ".")
     git(built, "commit", "-qm", "y")
-    with pytest.raises(FailureError, match="of another commit"):
+    with pytest.raises(FailureError, match="belong to another commit"):
         check_origin(built, images=False)
     (built / image_of(next(iter(PRODUCTS)), ".bin")).unlink()
     with pytest.raises(FailureError, match=r"run \./wr portal first"):

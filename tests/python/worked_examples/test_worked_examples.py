@@ -1,5 +1,5 @@
-"""The worked examples of the page on the tools: each example is applied to a copy and tested in the
-copy."""
+"""The worked examples of the page on the tools. Each example is applied to a copy, and tested in
+this copy."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def run_tests(root: Path, *words: str) -> None:
 
 @pytest.fixture
 def example(tmp_path: Path, request: pytest.FixtureRequest) -> Path:
-    """A copy of the sources to which an example of the page was applied."""
+    """Returns a copy of the sources to which an example of the page was applied."""
     ignored = shutil.ignore_patterns("build", ".*", "__pycache__")
     root = Path(shutil.copytree(ROOT, tmp_path / "project", ignore=ignored))
     section = PAGE.read_text(encoding="utf-8").split(f".. _{request.param}:")[1]
