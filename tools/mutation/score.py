@@ -24,7 +24,7 @@ RESULT = RESULTS / "mutation.json"
 FIRST_PART = 0.2  # processor time of the tests that run first [s]
 PART_GROWTH = 4
 MUTANT = [one.name for one in fields(Mutant)]
-NO_REQUIREMENT = ""  # stands for the requirement of functions outside the trees
+NO_REQUIREMENT = ""  # means the requirement of functions outside the trees
 
 
 @dataclass

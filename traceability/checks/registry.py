@@ -100,7 +100,7 @@ _FIXED = [
         "Code without errors",
         "The syntax tree of every file below src and extensions has no error.",
         "The check does not find an error that only another compiler or another target reports.",
-        "correct the code as the message says.",
+        "correct the code as the message explains.",
     ),
     Check(
         "doc-warning",
@@ -108,7 +108,7 @@ _FIXED = [
         "Doxygen and Sphinx read every comment and every page without a warning. Each @param names "
         "a parameter. Each tag is defined in this project. Each link has a target.",
         _TEXT_BLIND,
-        "correct the comment or the page as the message says.",
+        "correct the comment or the page as the message explains.",
     ),
     Check(
         "doc-name",

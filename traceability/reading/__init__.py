@@ -1,1 +1,1 @@
-"""The readers of sources, comments, declarations and results. They do not judge what they read."""
+"""The readers of sources, comments, declarations and results. They do not judge their content."""
