@@ -30,7 +30,7 @@ TIMINGS = {
 }
 CYCLES = 1000
 PERIOD_MS = 100
-SPEED_LEAST, SPEED_GOAL = 30, 100  # speed of the simulation as a multiple of real time
+SPEED_GOAL = 100  # speed of the simulation as a multiple of real time
 SHARE = 10  # the target, as a fraction of the paper's time
 LIBRARY = "C and C++ library"
 ORDER = re.compile(r"from (\d+) to (\d+) every (\d+) order velocity (-?\d+)(?: steering (-?\d+))?$")
