@@ -36,7 +36,7 @@ constexpr std::uint32_t bits(std::initializer_list<unsigned> places) {
   return mask;
 }
 
-// The bits of SCGC1 to SCGC7 that are clock gates.
+// The bits of SCGC1, SCGC2, SCGC3, SCGC4, SCGC5, SCGC6 and SCGC7 that are clock gates.
 constexpr std::array<std::uint32_t, 8> kGates{
     0,
     bits({6, 7, 10, 11}),
