@@ -81,10 +81,11 @@ def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
     """
     from traceability.checks import message, sort
 
+    # These findings are the causes of many other findings.
     first = (
         "syntax-error",
         "design-entry",
-    )  # These findings are the causes of many other findings.
+    )
     for finding in sorted(sort(findings or []), key=lambda finding: finding.check not in first):
         print(message(finding))
     names = list(failed)

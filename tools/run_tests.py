@@ -95,8 +95,9 @@ def test(root: Path, *, long: bool, lint: bool) -> int:
         others = [TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
         style = lint_tasks(root) if lint else []
         tasks = Graph(root, [*style, *graph(root).tasks])
+        shown = [*(task.name for task in style), *shown]
         pages = LaterPages(root, shown, executor)
-        names = [*(task.name for task in style), *dict.fromkeys([*shown, *others])]
+        names = dict.fromkeys([*shown, *others])
         results = tasks.run(names, pages.changed)
         made = pages.result()
         counts = counts_of(results) + counts_of(made)

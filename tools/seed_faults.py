@@ -27,13 +27,14 @@ PROGRESS = 30.0  # time between two lines of progress [s]
 BUILT = ("build/model", "build/results", "build/tasks.json")
 FORK = get_context("fork")
 tried = FORK.Value("i", 0)  # number of faults that were tried; all workers add to it
+# These folders are only read.
 LINKED = (
     "build/trace",
     "build/host",
     "build/k64",
     "build/k64_calls",
     "build/calls",
-)  # These folders are only read.
+)
 PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
 

@@ -139,11 +139,12 @@ PYTHON_TESTS: dict[str, tuple[str, ...]] = {
     ),
     "worked_examples": SHOWN,
 }
+# Folders with tests that run programs of the build.
 RUN_PROGRAMS = (
     "client",
     "firmware",
     "programs",
-)  # Folders with tests that run programs of the build.
+)
 # Folders with tests that also run the tools as programs. The other tests use only the files that
 # they import.
 RUN_TOOLS = (*RUN_PROGRAMS, "tools", "worked_examples")

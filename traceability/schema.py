@@ -161,20 +161,18 @@ class Module:
     header: str
     source: str | None
     bases: Sequence[str] = field(default_factory=list)
-    heirs: Sequence[str] = field(default_factory=list)
+    subclasses: Sequence[str] = field(default_factory=list)
     roles: Sequence[RoleBinding] = field(default_factory=list)
     methods: Sequence[Method] = field(default_factory=list)
     parts: Sequence[DataPart] = field(default_factory=list)  # parts of a value type
     uses: Sequence[str] = field(default_factory=list)  # modules named in its header or source
     used_by: Sequence[str] = field(default_factory=list)
     requirements: Sequence[str] = field(default_factory=list)
-    hides: Sequence[str] = field(
-        default_factory=list
-    )  # headers, constants and types that its secret hides
+    # headers, constants and types that its secret hides
+    hides: Sequence[str] = field(default_factory=list)
     registers: Sequence[str] = field(default_factory=list)  # blocks of registers that it owns
-    tests: Sequence[str] = field(
-        default_factory=list
-    )  # tests that executed the module, or tests of its folder that have its name
+    # tests that executed the module, or tests of its folder that have its name
+    tests: Sequence[str] = field(default_factory=list)
     lines_total: int | None = None
     lines_covered: int | None = None
     branches_total: int | None = None
@@ -253,12 +251,10 @@ class TreeNode:
     kind: str  # "root", "call", "post"
     place: Place
     reachable: bool | None = None
-    executed: Mapping[str, bool] = field(
-        default_factory=dict
-    )  # target with a recorded test -> whether a test executed the node there
-    outside: Sequence[str] = field(
-        default_factory=list
-    )  # targets that implement the method without recording its call
+    # target with a recorded test -> whether a test executed the node there
+    executed: Mapping[str, bool] = field(default_factory=dict)
+    # targets that implement the method without recording its call
+    outside: Sequence[str] = field(default_factory=list)
     children: Sequence[TreeNode] = field(default_factory=list)
     # The code posts the method although the tree declares a call, or calls it although the tree
     # declares a post.
@@ -293,9 +289,8 @@ class TreeRun:
     test: str
     rows: Sequence[TraceRow]
     start: int  # index of the first shown row in the whole recording
-    places: Sequence[
-        int | None
-    ]  # for each node of the tree, from the root: the row that matches it
+    # for each node of the tree, from the root: the row that matches it
+    places: Sequence[int | None]
     folded: Sequence[FoldedCall] = field(default_factory=list)
 
 
@@ -340,9 +335,8 @@ class BindingResult:
     milliseconds: float | None = None
     message: str = ""
     stale: bool = False
-    recordings: Sequence[str] = field(
-        default_factory=list
-    )  # files that may contain its recorded calls
+    # files that may contain its recorded calls
+    recordings: Sequence[str] = field(default_factory=list)
     measured: str = ""  # additional text that the test reports
     instances: Mapping[str, str] = field(
         default_factory=dict
@@ -480,15 +474,12 @@ class Requirement:
     satisfied_by: Sequence[str] = field(default_factory=list)
     verified_by: Sequence[str] = field(default_factory=list)
     tree: TreeNode | None = None
-    runs: Mapping[str, TreeRun] = field(
-        default_factory=dict
-    )  # target -> run that contains the tree
-    coverage: Mapping[str, list[MethodCoverage]] = field(
-        default_factory=dict
-    )  # target -> executed parts of the methods
-    evidence: Sequence[Evidence] = field(
-        default_factory=list
-    )  # fulfils the requirement instead of calls
+    # target -> run that contains the tree
+    runs: Mapping[str, TreeRun] = field(default_factory=dict)
+    # target -> executed parts of the methods
+    coverage: Mapping[str, list[MethodCoverage]] = field(default_factory=dict)
+    # fulfils the requirement instead of calls
+    evidence: Sequence[Evidence] = field(default_factory=list)
     reviews: Sequence[Review] = field(default_factory=list)
     suspicions: Sequence[Suspicion] = field(default_factory=list)
 
@@ -578,9 +569,8 @@ class FaultScenario:
     title: str
     goals: Sequence[str]
     place: Place
-    bounds: Mapping[int, float] = field(
-        default_factory=dict
-    )  # line -> time in the expectation of this line [s]
+    # line -> time in the expectation of this line [s]
+    bounds: Mapping[int, float] = field(default_factory=dict)
     tests: Sequence[str] = field(default_factory=list)
 
 
@@ -702,9 +692,8 @@ class Mutant:
     kind: str
     change: str
     killed_by: Sequence[str]  # tests
-    own: Mapping[
-        str, bool
-    ]  # requirement with the method in its tree -> whether one of its tests finds the fault
+    # requirement with the method in its tree -> whether one of its tests finds the fault
+    own: Mapping[str, bool]
     why: str = ""  # reason why no test can find the fault; empty without a justification
 
 
@@ -782,9 +771,8 @@ class Transition:
     action: str
     place: Place
     requirements: Sequence[str] = field(default_factory=list)
-    changes: Sequence[Place] = field(
-        default_factory=list
-    )  # places in the code that make the transition; empty if the state does not change
+    # places in the code that make the transition; empty if the state does not change
+    changes: Sequence[Place] = field(default_factory=list)
     tests: Sequence[str] = field(default_factory=list)  # passed tests that made the transition
 
 
@@ -842,9 +830,8 @@ class Proofs:
     properties: Mapping[str, ProofProperty] = field(default_factory=dict)
     results: Mapping[str, ProofResult] | None = None
     text: str = ""  # the machines and their composition in Promela
-    words: Mapping[str, Sequence[tuple[str, Sequence[str]]]] = field(
-        default_factory=dict
-    )  # the cycles of each counterexample
+    # the cycles of each counterexample
+    words: Mapping[str, Sequence[tuple[str, Sequence[str]]]] = field(default_factory=dict)
 
     def of(self, requirement: str) -> list[ProofProperty]:
         """Returns the properties that formalise a requirement."""
@@ -879,12 +866,10 @@ class ExecutionContext:
     place: Place
     lines: Sequence[int] = field(default_factory=list)  # lines of the interrupt controller
     priority: int | None = None
-    first: Sequence[str] = field(
-        default_factory=list
-    )  # the first methods of modules that it executes
-    methods: Sequence[str] = field(
-        default_factory=list
-    )  # all methods of modules that it may execute
+    # the first methods of modules that it executes
+    first: Sequence[str] = field(default_factory=list)
+    # all methods of modules that it may execute
+    methods: Sequence[str] = field(default_factory=list)
     intended: int | None = None  # priority that the design states
 
 
@@ -973,14 +958,12 @@ class StackProof:
     limit: int = 0  # size of the stack in the linker script
     seen: int | None = None  # largest stack use of a run in closed loop
     contexts: Sequence[StackContext] = field(default_factory=list)
-    unresolved: Sequence[tuple[str, Place]] = field(
-        default_factory=list
-    )  # calls without a known target: function and place
+    # calls without a known target: function and place
+    unresolved: Sequence[tuple[str, Place]] = field(default_factory=list)
     cycles: Sequence[list[str]] = field(default_factory=list)
     dynamic: Sequence[str] = field(default_factory=list)  # functions whose frame has no bound
-    untold: Sequence[str] = field(
-        default_factory=list
-    )  # functions of the project for which the compiler reported no frame
+    # functions of the project for which the compiler reported no frame
+    untold: Sequence[str] = field(default_factory=list)
 
     @property
     def proven(self) -> bool:
@@ -1134,9 +1117,8 @@ class Port:
     )
     outside_lines: int  # number of changed lines of other files
     tests: Mapping[str, str] | None  # results of the tests, if the present sources gave results
-    size: Mapping[
-        str, int
-    ]  # flash and RAM of its image [bytes], if the image was built from the present sources
+    # flash and RAM of its image [bytes], if the image was built from the present sources
+    size: Mapping[str, int]
     size_on_k64: Mapping[str, int]  # flash and RAM of this design on the K64
 
     @property

@@ -133,7 +133,7 @@ def is_base_constructor(module: Module, method: str) -> bool:
 
 def is_heir_constructor(module: Module, method: Method, caller: str) -> bool:
     owner, _, name = caller.partition("::")
-    return method.kind == "constructor" and owner == name and owner in module.heirs
+    return method.kind == "constructor" and owner == name and owner in module.subclasses
 
 
 def draw(rows: list[Row]) -> Drawing:

@@ -79,9 +79,8 @@ LOCATED = re.compile(r'class="(edge|says)" data-for="([^"]*)"')
 
 EDGE = 4  # space below the lowest label
 
-SHORT_LABEL = (
-    40  # largest number of characters in a line of a label in a drawing from left to right
-)
+# A label of a drawing from left to right has at most this number of characters in a line.
+SHORT_LABEL = 40
 LONG_LABEL = 12  # the action of a transition goes below a longer event
 
 # (role of one end, role of the other end, arrow): the arrow is drawn when the first end uses the

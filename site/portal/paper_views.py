@@ -89,7 +89,7 @@ def checks_of(portal: Portal, change: LikelyChange) -> list[str]:
     pattern = portal.model.patterns[change.application].pattern.lower().replace(" ", "-")
     prefix = f"pattern-{pattern.partition('-')[0]}-"
     clauses = [name for name in portal.checks if name.startswith(prefix)]
-    roles = ["pattern-heir-unbound"] if change.role else []
+    roles = ["pattern-subclass-unbound"] if change.role else []
     return [name for name in (*COMMON_CHECKS, *roles, *clauses) if name in portal.checks]
 
 
@@ -114,7 +114,7 @@ def kind_of(name: str) -> str:
 
 
 @dataclass
-class Heir:
+class FamilyMember:
     """A module in a family of subclasses: the methods that it adds, and the methods that it
     overrides."""
 
@@ -125,18 +125,20 @@ class Heir:
     inherited: list[Method]
 
 
-def families(portal: Portal) -> list[list[Heir]]:
+def families(portal: Portal) -> list[list[FamilyMember]]:
     """Returns a family for each base class that does not derive from another module."""
     modules = portal.model.modules
-    roots = [m for m in portal.designs if any(h in modules for h in m.heirs)]
+    roots = [m for m in portal.designs if any(h in modules for h in m.subclasses)]
     return [
-        list(heirs(portal, root, 0, []))
+        list(family_members(portal, root, 0, []))
         for root in roots
         if not any(base in modules for base in root.bases)
     ]
 
 
-def heirs(portal: Portal, module: Module, depth: int, above: list[Method]) -> Iterator[Heir]:
+def family_members(
+    portal: Portal, module: Module, depth: int, above: list[Method]
+) -> Iterator[FamilyMember]:
     """Returns the module and all its subclasses. ``above`` is the interface that it inherits."""
     methods = [m for m in unique(module.methods) if m.access == "public" or m.kind != "plain"]
     methods = [m for m in methods if m.kind != "constructor" and m.name[0] != "~"]
@@ -145,10 +147,10 @@ def heirs(portal: Portal, module: Module, depth: int, above: list[Method]) -> It
     own = [m for m in methods if m.name not in inherited]
     names_here = {m.name for m in methods}
     taken = [m for m in above if m.name not in names_here]
-    yield Heir(module, depth, own, overridden, taken)
-    for heir in portal.designs:
-        if module.name in heir.bases:
-            yield from heirs(portal, heir, depth + 1, [*taken, *methods])
+    yield FamilyMember(module, depth, own, overridden, taken)
+    for subclass in portal.designs:
+        if module.name in subclass.bases:
+            yield from family_members(portal, subclass, depth + 1, [*taken, *methods])
 
 
 def unique(methods: Iterable[Method]) -> list[Method]:

@@ -24,9 +24,8 @@ class Kind:
     # presets, and the targets that are built in each preset before the campaign
     targets: tuple[tuple[str, tuple[str, ...]], ...]
     files: tuple[Path, ...]  # files that a chunk needs; the first file is the program
-    options: Callable[
-        [Sequence[Path]], list[str]
-    ]  # function that returns the options for these files
+    # function that returns the options for these files
+    options: Callable[[Sequence[Path]], list[str]]
     summarise: Callable[[Path, Cases], dict[str, Any]]
 
     def words(self, files: Sequence[Path], chunk: Chunk) -> list[str]:

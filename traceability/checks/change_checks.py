@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from traceability.checks.pattern_checks import ABSTRACTIONS, HEIRS
+from traceability.checks.pattern_checks import ABSTRACTIONS, SUBCLASS_ROLES
 from traceability.model.design_model import Model
 from traceability.reading.change_texts import Particular, Recipe
 from traceability.reading.source_facts import Facts
@@ -46,9 +46,11 @@ def _recipe(name: str, recipe: Recipe, facts: Facts) -> Iterator[tuple[Place, st
         if role and role not in roles[name]:
             yield recipe.place, role, f"{role} is not a role of {name}"
     sorts: list[tuple[str, tuple[str, ...], str]] = [
-        (role, HEIRS, "heir") for role in added if role
+        (role, SUBCLASS_ROLES, "role of a subclass") for role in added if role
     ]
-    sorts += [(role, (*HEIRS, "Singleton"), "heir") for role in recipe.alters]
+    sorts += [
+        (role, (*SUBCLASS_ROLES, "Singleton"), "role of a subclass") for role in recipe.alters
+    ]
     sorts += [(recipe.derives, ABSTRACTIONS, "abstraction")] if recipe.derives else []
     for role, fitting, sort in sorts:
         if role in roles[name] and role not in fitting:
@@ -86,11 +88,8 @@ def _particular(
             yield particular.place, module, f"{module} has no role in {name}"
     for module in particular.examples:
         if module in model.modules and not model.modules[module].extension:
-            yield (
-                particular.place,
-                module,
-                (f"{module} is part of the robot, so it is not an example"),
-            )
+            text = f"{module} is part of the robot, so it is not an example"
+            yield particular.place, module, text
 
     if application and particular.examples and bound.isdisjoint(particular.examples):
         yield particular.place, "examples", f"no example has a role in {name}"

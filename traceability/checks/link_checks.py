@@ -86,9 +86,8 @@ def _read_all(names: list[str], cache: Path) -> dict[str, _Page]:
         cached |= {name: (states[name], page) for name, page in zip(changed, read, strict=True)}
     cached = {name: cached[name] for name in names}
     cache.parent.mkdir(parents=True, exist_ok=True)
-    new = cache.with_suffix(
-        f".{os.getpid()}"
-    )  # Another process may read the cache at the same time.
+    # Another process may read the cache at the same time.
+    new = cache.with_suffix(f".{os.getpid()}")
     new.write_bytes(pickle.dumps(code) + pickle.dumps(cached))
     new.replace(cache)
     return {name: page for name, (_, page) in cached.items()}

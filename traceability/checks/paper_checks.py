@@ -11,12 +11,13 @@ from traceability.model.design_model import Model
 from traceability.reading.source_facts import Facts
 from traceability.schema import Finding, PaperElement
 
+# kinds of elements that have the same names in the code
 EXACT = (
     "module",
     "method",
     "state",
     "application",
-)  # kinds of elements that have the same names in the code
+)
 COUNT, CONSTANT = "figure-of-design", "constant"
 PAGES = ("view", "docs")  # pages that exist only in the built site
 

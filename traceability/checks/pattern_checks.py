@@ -21,7 +21,7 @@ ABSTRACTIONS = (
 DECLARING = (*ABSTRACTIONS, "Concrete Command", "Concrete Decorator", "Concrete Builder")
 APPLICATIONS = "design/applications.toml"
 # The roles of subclasses. A Decorator is a subclass of its Component, and has subclasses.
-HEIRS = (
+SUBCLASS_ROLES = (
     *("Concrete State", "Concrete Strategy", "Concrete Component", "Decorator"),
     *("Concrete Decorator", "Concrete Command", "Concrete Class", "Concrete Builder"),
     *("Concrete Reader", "Concrete Writer", "Concrete Element"),
@@ -260,38 +260,38 @@ def _heirs(model: Model, facts: Facts) -> Iterator[Finding]:
         for binding in application.roles:
             if binding.role not in ABSTRACTIONS:
                 continue
-            for heir in facts.heirs.get(binding.module, []):
-                fact = facts.classes[heir]
-                body = binding.role == "Command" and "::" in heir and not fact.local
-                if body or _plays_heir(heir, binding, model, facts):
+            for subclass in facts.subclasses.get(binding.module, []):
+                fact = facts.classes[subclass]
+                body = binding.role == "Command" and "::" in subclass and not fact.local
+                if body or _has_subclass_role(subclass, binding, model, facts):
                     continue
                 findings.setdefault(
-                    heir,
+                    subclass,
                     Finding(
                         fact.place,
                         "pattern-heir-unbound",
-                        f"{heir} derives from {binding.module}, which is {binding.role} in "
+                        f"{subclass} derives from {binding.module}, which is {binding.role} in "
                         f"{application.id}, but has no role of a subclass",
                     ),
                 )
     yield from findings.values()
 
 
-def _plays_heir(heir: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
+def _has_subclass_role(subclass: str, binding: RoleBinding, model: Model, facts: Facts) -> bool:
     """Returns whether a subclass has a role of a subclass, in this application or in an application
     that replaces it.
 
     Each subclass of a Command or of a Builder has its own application. A decorator of a component,
     or a decorated component, need not also be an alternative.
     """
-    module = model.modules.get(heir)
+    module = model.modules.get(subclass)
     for role in module.roles if module else []:
-        if role.role not in HEIRS or role.application not in model.patterns:
+        if role.role not in SUBCLASS_ROLES or role.application not in model.patterns:
             continue
         above = {
             binding.module
             for binding in model.patterns[role.application].roles
-            if binding.role in ABSTRACTIONS and heir in facts.heirs.get(binding.module, [])
+            if binding.role in ABSTRACTIONS and subclass in facts.subclasses.get(binding.module, [])
         }
         whole = binding.role not in ALTERNATIVES or role.role in EXTENDED
         if above and (whole or role.application == binding.application):

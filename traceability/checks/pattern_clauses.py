@@ -46,10 +46,10 @@ class Shape:
         return self.facts.classes[module].place
 
     def derives(self, module: str, base: str) -> bool:
-        return module in self.facts.heirs.get(base, [])
+        return module in self.facts.subclasses.get(base, [])
 
     def family(self, base: str) -> set[str]:
-        return {base, *self.facts.heirs.get(base, [])}
+        return {base, *self.facts.subclasses.get(base, [])}
 
     def methods(self, module: str) -> list[MethodFact]:
         return [method for method in self.facts.classes[module].methods if not method.deleted]
@@ -190,10 +190,11 @@ def state_unmarked(shape: Shape) -> Broken:
     for context in shape.playing("Context"):
         for name in shape.facts.names_of.get(context, []):
             state = own.get((name.target, name.member))
+            # The name is in a data type of the same header.
             beside = owner_of(name.by) not in (
                 "",
                 context,
-            )  # The name is in a data type of the same header.
+            )
             if state and context not in states and not beside:
                 yield (
                     name.place,
@@ -393,19 +394,21 @@ def template_primitives(shape: Shape) -> Broken:
     for module in shape.playing("Abstract Class"):
         pure = {method.id for method in shape.methods(module) if method.pure}
         called = set().union(*template_methods(shape, module).values()) & pure
-        for heir in shape.playing("Concrete Class"):
-            owners = {heir, *shape.bases(heir)} - {module}
+        for subclass in shape.playing("Concrete Class"):
+            owners = {subclass, *shape.bases(subclass)} - {module}
             for primitive in sorted(called):
                 overriders = shape.facts.overriders.get(primitive, [])
-                if shape.derives(heir, module) and not owners & {owner_of(m) for m in overriders}:
-                    yield shape.place(heir), f"{heir} does not override {primitive}"
+                if shape.derives(subclass, module) and not owners & {
+                    owner_of(m) for m in overriders
+                }:
+                    yield shape.place(subclass), f"{subclass} does not override {primitive}"
 
 
 def template_overrides(shape: Shape) -> Broken:
     for module in shape.playing("Abstract Class"):
         names = {method.rsplit("::", 1)[-1] for method in template_methods(shape, module)}
-        for heir in shape.playing("Concrete Class"):
-            for method in shape.methods(heir):
+        for subclass in shape.playing("Concrete Class"):
+            for method in shape.methods(subclass):
                 if method.name in names:
                     yield method.place, f"{method.id} hides the template method of {module}"
 
@@ -592,8 +595,8 @@ def singleton_one(shape: Shape) -> Broken:
         ]
         if not gives or len(instances) > 1:
             yield shape.place(module), f"{module} does not return its only instance"
-        for heir in shape.facts.heirs.get(module, []):
-            yield shape.place(heir), f"each {heir} is a second {module}"
+        for subclass in shape.facts.subclasses.get(module, []):
+            yield shape.place(subclass), f"each {subclass} is a second {module}"
         for body in shape.facts.syntax.bodies:
             made = [call.place for call in body.calls if call.target == f"{module}::{module}"]
             if body.id not in {method.id for method in gives[:1]}:

@@ -21,9 +21,8 @@ PERIPHERALS = 0x4000_0000  # the first address of the peripherals' registers
 CORE = 0xE000_0000  # the first address of the core's registers
 OWNERS = "design/register_owners.toml"
 START_UP = "/start_up/"  # only these folders contain drivers
-MEMORY = re.compile(
-    r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]'
-)  # an instruction that reads or writes memory
+# an instruction that reads or writes memory
+MEMORY = re.compile(r'"\s*(ld|st)[a-z]+[\s.]|\\[nt](ld|st)[a-z]+[\s.]')
 
 
 def check(model: Model, facts: Facts) -> Iterator[Finding]:

@@ -266,9 +266,8 @@ def _known_before(machine: StateMachine, code: MachineCode, change: Change) -> s
     """Returns the conditions of the guards of a change, and of the operation's guards before it."""
     changes = code.of(change.source, change.operation)
     before = changes[: changes.index(change) + 1]
-    before += [
-        other for other in changes if other.place == change.place
-    ]  # The other change is a target of the same call.
+    # The other change is a target of the same call.
+    before += [other for other in changes if other.place == change.place]
     evaluated = {way for other in changes for way in other.path}
     for row in _rows(machine, change.source, change.operation):
         made = matching(machine, row, code)

@@ -42,9 +42,8 @@ class Revision:
     findings: Mapping[str, int] | None = (
         None  # check -> number of findings; None if the check did not run with results
     )
-    sizes: Mapping[str, dict[str, int]] = field(
-        default_factory=dict
-    )  # product -> bytes of flash and of RAM
+    # product -> bytes of flash and of RAM
+    sizes: Mapping[str, dict[str, int]] = field(default_factory=dict)
     metrics: Mapping[str, float | None] = field(default_factory=dict)
 
 

@@ -261,7 +261,7 @@ def _modules(facts: Facts) -> dict[str, Module]:
             header=fact.place.file,
             source=source if source in sources else None,
             bases=fact.bases,
-            heirs=sorted(facts.heirs.get(fact.name, [])),
+            subclasses=sorted(facts.subclasses.get(fact.name, [])),
             roles=[
                 RoleBinding(tag.argument, tag.arguments[-1], fact.name, tag.place)
                 for tag in comment.of("role")

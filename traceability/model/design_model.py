@@ -67,15 +67,13 @@ class Model:
     commit: str
     version: str
     sources_hash: str
-    results_hashes: Mapping[
-        str, str | None
-    ]  # target with tests -> hash of the sources of its last run
+    # target with tests -> hash of the sources of its last run
+    results_hashes: Mapping[str, str | None]
     logic_modules: Mapping[str, LogicModule] = field(default_factory=dict)
     modules: Mapping[str, Module] = field(default_factory=dict)
     functions: Mapping[str, Function] = field(default_factory=dict)
-    constants: Mapping[str, Constant] = field(
-        default_factory=dict
-    )  # name that texts use -> constant
+    # name that texts use -> constant
+    constants: Mapping[str, Constant] = field(default_factory=dict)
     tuned: Sequence[Tuned] = field(default_factory=list)
     patterns: Mapping[str, PatternApplication] = field(default_factory=dict)
     requirements: Mapping[str, Requirement] = field(default_factory=dict)
@@ -110,12 +108,10 @@ class Model:
     # File of the drivers -> line -> whether the tests executed it on the virtual K64.
     board_lines: Mapping[str, dict[int, bool]] | None = None
     line_gaps: Sequence[LineGap] = field(default_factory=list)
-    suspicions: Sequence[Suspicion] = field(
-        default_factory=list
-    )  # suspicions of texts without a requirement
-    reviews_of_nothing: Sequence[str] = field(
-        default_factory=list
-    )  # requirements that have a review but no longer exist
+    # suspicions of texts without a requirement
+    suspicions: Sequence[Suspicion] = field(default_factory=list)
+    # requirements that have a review but no longer exist
+    reviews_of_nothing: Sequence[str] = field(default_factory=list)
     # The elements that the design demands. Some elements may be missing in the code.
     designed_modules: Sequence[str] = field(default_factory=list)
     designed_applications: Mapping[str, str] = field(default_factory=dict)  # id -> pattern
@@ -128,9 +124,8 @@ class Model:
         None  # runs of the robot without safety functions
     )
     products: Mapping[str, ProductImage] | None = None
-    faults: Sequence[Fault] = field(
-        default_factory=list
-    )  # faults that are inserted to test the checks
+    # faults that are inserted to test the checks
+    faults: Sequence[Fault] = field(default_factory=list)
     outcomes: Sequence[Outcome] | None = None  # results of the inserted faults
     last: Mapping[str, LastRecord] = field(default_factory=dict)  # name of a test -> record
     campaigns: Mapping[str, Published] = field(default_factory=dict)  # the published records

@@ -68,9 +68,9 @@ class Impacts:
         reason."""
         module = self.model.modules[name]
         reasons: dict[str, str] = {}
-        for heir in module.heirs:
-            if name in self._bases(heir):
-                reasons[heir] = f"derives from {name}"
+        for subclass in module.subclasses:
+            if name in self._bases(subclass):
+                reasons[subclass] = f"derives from {name}"
         for method in module.methods:
             for caller in method.called_by:
                 owner = caller.partition("::")[0]

@@ -33,9 +33,8 @@ class Problem:
     rounds: Iterable[tuple[Loop, Bound]]
     counted: Sequence[tuple[int, int]]  # block -> the greatest number of its executions
     facts: Iterable[FlowFact] = field(default_factory=list)
-    apart: Mapping[str, int] = field(
-        default_factory=dict
-    )  # callee with a separate count -> its cost
+    # callee with a separate count -> its cost
+    apart: Mapping[str, int] = field(default_factory=dict)
 
     def solve(self) -> int | None:
         """Returns the greatest cost of a path. Returns nothing when the cost has no bound, or when

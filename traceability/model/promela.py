@@ -20,10 +20,11 @@ HEAD = """\
 // Generated from design/fsm. Event 0 sets the initial state.
 #define machine_reset 0
 """
+# the lines before and after the variables
 OBSERVED, OBSERVED_END = (
     "// ---- observed",
     "// ---- environment",
-)  # the lines before and after the variables
+)
 WORD = re.compile(r"[a-z_]\w*")
 SIGNS = {"<": " below ", ">": " above ", "=": " is "}
 

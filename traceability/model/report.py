@@ -31,6 +31,5 @@ class Report:
     # Fault scenario -> "verified", "failed", "stale" or "unverified".
     scenarios: Mapping[str, str] = field(default_factory=dict)
     clauses: Mapping[str, Sequence[Clause]] = field(default_factory=dict)  # application -> clauses
-    measured: Mapping[str, float | None] = field(
-        default_factory=dict
-    )  # key: the metric of an evidence
+    # key: the metric of an evidence
+    measured: Mapping[str, float | None] = field(default_factory=dict)

@@ -37,9 +37,8 @@ FRAME_WITH_FLOATS = 104 + 4
 @dataclass
 class Declared:
     faults: list[str] = field(default_factory=list)
-    calls: dict[str, str] = field(
-        default_factory=dict
-    )  # function -> pattern of the symbols that it calls
+    # function -> pattern of the symbols that it calls
+    calls: dict[str, str] = field(default_factory=dict)
     # Class of a chain of objects -> number of its objects.
     entries: dict[str, int] = field(default_factory=dict)
     # Class of a chain with a known order -> the classes of the objects that its object wraps.

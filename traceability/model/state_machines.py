@@ -27,9 +27,8 @@ class Change:
     operation: str
     target: str  # "" when the code does not show the new state
     place: Place
-    path: tuple[
-        str, ...
-    ]  # methods of the state that are called between its operation and the change
+    # methods of the state that are called between its operation and the change
+    path: tuple[str, ...]
     sometimes: bool
     asked: list[str] = field(default_factory=list)  # operands of the conditions before the change
 
@@ -38,9 +37,8 @@ class Change:
 class MachineCode:
     """The facts about a machine in the syntax tree."""
 
-    holders: dict[str, str] = field(
-        default_factory=dict
-    )  # Context -> its method that changes the state
+    # Context -> its method that changes the state
+    holders: dict[str, str] = field(default_factory=dict)
     # Operations that the Context may call on a state.
     operations: list[str] = field(default_factory=list)
     runs: dict[str, dict[str, str]] = field(default_factory=dict)  # state -> operation -> method
@@ -130,7 +128,7 @@ class _Changes:
         self.references = facts.references
         self.names = {module: state for state, module in machine.states.items()}
         self.states = machine.states
-        self.family = {base, *facts.heirs.get(base, [])}
+        self.family = {base, *facts.subclasses.get(base, [])}
         methods = set(code.holders.values())
         # In a template, the called operation has no known class.
         self.changers = methods | {
@@ -392,7 +390,7 @@ def _passing(model: Model, seen: dict[str, list[Seen]]) -> list[tuple[str, Seen]
 def _family(machine: StateMachine, facts: Facts) -> set[str]:
     declared = facts.declared.applications.get(machine.application)
     bases = declared.roles.get("State", []) if declared else []
-    return {module for base in bases for module in (base, *facts.heirs.get(base, []))}
+    return {module for base in bases for module in (base, *facts.subclasses.get(base, []))}
 
 
 def _shown(machine: StateMachine, code: MachineCode, seen: list[tuple[str, Seen]]) -> StateMachine:

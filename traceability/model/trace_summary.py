@@ -7,12 +7,10 @@ from __future__ import annotations
 from traceability.reading.traces import Row
 from traceability.schema import FoldedCall, TreeNode
 
-Edges = dict[
-    tuple[str, str], list[str]
-]  # calling module and called module -> requirements that declare the call
-Folded = tuple[
-    list[str], list[str]
-]  # the method of each call, and the requirements that declare it
+# calling module and called module -> requirements that declare the call
+Edges = dict[tuple[str, str], list[str]]
+# the method of each call, and the requirements that declare it
+Folded = tuple[list[str], list[str]]
 
 
 def starts(nodes: list[TreeNode], placed: dict[int, int]) -> list[int]:

@@ -85,9 +85,8 @@ class CallFact:
     sometimes: bool = False
     repeated: bool = False  # The call is in a loop.
     end: int = 0  # Offset in the file. The end of a call is after the calls in its arguments.
-    asked: list[str] = field(
-        default_factory=list
-    )  # operands of the conditions before the call (see conditions)
+    # operands of the conditions before the call (see conditions)
+    asked: list[str] = field(default_factory=list)
 
 
 @dataclass
@@ -105,9 +104,8 @@ class BodyFact:
     touches: dict[str, bool] = field(default_factory=dict)  # Class::field -> whether it is changed
     floats: int = 0  # first line with a floating-point number; 0 if there is none
     branches: bool = False  # whether it has a condition or a loop
-    loops: list[int] = field(
-        default_factory=list
-    )  # lines of loops that do not count their iterations
+    # lines of loops that do not count their iterations
+    loops: list[int] = field(default_factory=list)
 
 
 @dataclass
@@ -204,9 +202,8 @@ class Syntax:
     flows: list[FlowFact] = field(default_factory=list)
     branches: list[BranchFact] = field(default_factory=list)
     initial: list[InitialFact] = field(default_factory=list)
-    constants: dict[str, int] = field(
-        default_factory=dict
-    )  # variable -> value, if it is a plain number
+    # variable -> value, if it is a plain number
+    constants: dict[str, int] = field(default_factory=dict)
     values: list[ConstantFact] = field(default_factory=list)
     variables: dict[str, FieldFact] = field(default_factory=dict)  # file:name or function name
     friends: list[NameFact] = field(default_factory=list)  # names of classes that have a friend

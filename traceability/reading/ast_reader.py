@@ -72,13 +72,14 @@ _CASTS = {
 _DECLARED = {CursorKind.VAR_DECL, CursorKind.PARM_DECL, CursorKind.FIELD_DECL}
 _ENUM_MAKERS = {*_CASTS, CursorKind.CXX_STATIC_CAST_EXPR, CursorKind.INIT_LIST_EXPR}
 _WRAPPING = {CursorKind.UNEXPOSED_EXPR, CursorKind.PAREN_EXPR, CursorKind.UNARY_OPERATOR}
+# classes of the library that contain objects as values
 _HOLDERS = (
     "optional",
     "array",
     "pair",
     "tuple",
     "variant",
-)  # classes of the library that contain objects as values
+)
 _COPIES = ("memcpy", "memmove", "__builtin_memcpy", "__builtin_memmove")
 _MAKERS = ("construct_at", "make_optional", "make_unique", "make_shared")
 _FLOATS = {TypeKind.FLOAT, TypeKind.DOUBLE, TypeKind.LONGDOUBLE}
@@ -274,9 +275,8 @@ class Reader:
         member = self.field_fact(cursor, place)
         if lasts and not member.constant and "&" not in member.type:
             marks = [p for p in cursor.get_children() if p.kind == CursorKind.UNEXPOSED_ATTR]
-            placed = any(
-                "section" in _words(mark) for mark in marks
-            )  # The variable keeps its value in a reset.
+            # The variable keeps its value in a reset.
+            placed = any("section" in _words(mark) for mark in marks)
             self.facts.objects += [] if placed else [member]
 
     def touch(self, cursor: Cursor, body: BodyFact) -> None:

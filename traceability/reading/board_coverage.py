@@ -23,9 +23,8 @@ FILE = re.compile(r"^(\S+):(?:\[\++\])?$")
 ROW = re.compile(r"^\S+\s+(\d+|-)\s+0x([0-9a-f]+)")
 
 LOWER_RAM, RAM_SIZE = 0x1FFF0000, 0x10000  # size of SRAM_L in bytes (K64 manual, table 4-1)
-Stretch = tuple[
-    str, int, int, int
-]  # file, line, first address, and the address after the last address
+# file, line, first address, and the address after the last address
+Stretch = tuple[str, int, int, int]
 
 
 def read_stretches(root: Path) -> list[Stretch]:

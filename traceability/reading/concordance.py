@@ -25,12 +25,10 @@ class Concordance:
     """The places of the paper, the names in them, and the entries of the concordance."""
 
     places: list[PaperPlace] = field(default_factory=list)
-    named: dict[tuple[str, str], list[str]] = field(
-        default_factory=dict
-    )  # element -> ids of the places that contain it
-    lines: dict[tuple[str, str], Place] = field(
-        default_factory=dict
-    )  # element -> line of its name in paper.toml
+    # element -> ids of the places that contain it
+    named: dict[tuple[str, str], list[str]] = field(default_factory=dict)
+    # element -> line of its name in paper.toml
+    lines: dict[tuple[str, str], Place] = field(default_factory=dict)
     entries: list[PaperElement] = field(default_factory=list)
     statements: list[PaperStatement] = field(default_factory=list)
 

@@ -116,9 +116,8 @@ class Declared:
     allowed: list[AllowedUse] = field(default_factory=list)
     cycles: list[Cycle] = field(default_factory=list)
     trees: dict[str, tuple[Place, TreeNode | None]] = field(default_factory=dict)
-    tree_errors: list[tuple[Place, str, str]] = field(
-        default_factory=list
-    )  # text: how to fix the finding
+    # text: how to fix the finding
+    tree_errors: list[tuple[Place, str, str]] = field(default_factory=list)
     applications: dict[str, KnownApplication] = field(default_factory=dict)
     clauses: dict[str, ClauseText] = field(default_factory=dict)
     patterns: list[KnownPattern] = field(default_factory=list)
@@ -142,9 +141,8 @@ class Declared:
     concordance: Concordance = field(default_factory=Concordance)
     tuned: list[Tuned] = field(default_factory=list)
     changes: ChangeTexts = field(default_factory=ChangeTexts)
-    kits: dict[str, Kit] = field(
-        default_factory=dict
-    )  # application -> the change that is made to it
+    # application -> the change that is made to it
+    kits: dict[str, Kit] = field(default_factory=dict)
     safety: SafetyCase = field(default_factory=SafetyCase)
     proofs: dict[str, ProofProperty] = field(default_factory=dict)
     proof_events: dict[str, ProofEvent] = field(default_factory=dict)

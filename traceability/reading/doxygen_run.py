@@ -87,9 +87,8 @@ def start_doxygen(root: Path, build: Path) -> DoxygenRun:
     last = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
     if xml.is_dir() and last.get("state") == run.state:
         return run
-    record.unlink(
-        missing_ok=True
-    )  # The record is removed first, because an interrupted run can leave an incomplete folder.
+    # The record is removed first, because an interrupted run can leave an incomplete folder.
+    record.unlink(missing_ok=True)
     shutil.rmtree(xml, ignore_errors=True)
     build.mkdir(parents=True, exist_ok=True)
     folders = " ".join(name for name in INPUTS if (root / name).exists())

@@ -28,16 +28,18 @@ CHANCES = {
     CursorKind.CONDITIONAL_OPERATOR,
     *LOOPS,
 }
+# Such a declaration can precede a condition.
 DECLARATIONS = {
     CursorKind.DECL_STMT,
     CursorKind.VAR_DECL,
-}  # Such a declaration can precede a condition.
+}
+# functions of the standard library that store a reference
 KEEPS = {
     "store",
     "exchange",
     "push_back",
     "operator=",
-}  # functions of the standard library that store a reference
+}
 ASSIGNMENTS = {CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR}
 COMPARISONS = {"==", "!=", "<", ">", "<=", ">="}
 INDEXED = {CursorKind.ARRAY_SUBSCRIPT_EXPR, CursorKind.CALL_EXPR}

@@ -15,9 +15,8 @@ class Inequality:
     """An inequality whose left side is not greater than the right side. A term without a name is a
     number."""
 
-    factors: Mapping[
-        str, int
-    ]  # counter -> factor, which is positive on the left side and negative on the right side
+    # counter -> factor, which is positive on the left side and negative on the right side
+    factors: Mapping[str, int]
     most: int
 
 

@@ -42,9 +42,8 @@ class Result:
     message: str
     recordings: list[str] = field(default_factory=list)  # names of the files of recorded calls
     measured: str = ""  # text of the property "measured" that the test reports
-    instances: dict[str, str] = field(
-        default_factory=dict
-    )  # instance of a parameterised test -> result
+    # instance of a parameterised test -> result
+    instances: dict[str, str] = field(default_factory=dict)
     images: list[str] = field(default_factory=list)  # products whose images the test ran
 
 

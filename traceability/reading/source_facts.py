@@ -31,7 +31,7 @@ class Facts:
     comments: Comments
     syntax: Syntax
     declared: Declared
-    heirs: dict[str, list[str]]  # class -> all classes that derive from it, directly or not
+    subclasses: dict[str, list[str]]  # class -> all classes that derive from it, directly or not
     overriders: dict[str, list[str]]  # method -> all methods that override it
     bodies: dict[str, list[BodyFact]]
     classes: dict[str, ClassFact]
@@ -133,7 +133,7 @@ class Facts:
 
 def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
     classes = {fact.name: fact for fact in syntax.classes}
-    heirs: dict[str, list[str]] = {}
+    subclasses: dict[str, list[str]] = {}
     overriders: dict[str, list[str]] = {}
     methods = {method.id: method for fact in syntax.classes for method in fact.methods}
     for fact in syntax.classes:
@@ -143,7 +143,7 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
             if base in visited:
                 continue
             visited.add(base)
-            heirs.setdefault(base, []).append(fact.name)
+            subclasses.setdefault(base, []).append(fact.name)
             above += classes[base].bases if base in classes else []
     for method in methods.values():
         upper = method.overrides
@@ -160,7 +160,9 @@ def gather_facts(root: Path, syntax: Syntax, declared: Declared) -> Facts:
         for file in (fact.place.file, str(Path(fact.place.file).with_suffix(".cpp")))
     }
     comments = Comments(root)
-    return Facts(root, comments, syntax, declared, heirs, overriders, bodies, classes, written_in)
+    return Facts(
+        root, comments, syntax, declared, subclasses, overriders, bodies, classes, written_in
+    )
 
 
 # ---- references: their possible objects, and the methods that a call may reach ----
@@ -226,7 +228,7 @@ class References:
         self.next.setdefault(source, set()).add(target)
 
     def _places_of(self, kind: str) -> list[str]:
-        family = {kind, *self.facts.heirs.get(kind, [])}
+        family = {kind, *self.facts.subclasses.get(kind, [])}
         return [
             place for place, objects in self.known.items() if any(o.kind in family for o in objects)
         ]
@@ -245,7 +247,7 @@ class References:
     def objects(self, places: list[str], kind: str = "") -> set[Object]:
         """Returns the objects that places may refer to. If a class is given, returns only objects
         of this class and its subclasses."""
-        family = {kind, *self.facts.heirs.get(kind, [])}
+        family = {kind, *self.facts.subclasses.get(kind, [])}
         reachable = {item for place in places for item in self.known.get(place, set())}
         return {item for item in reachable if not kind or item.kind in family}
 

@@ -156,9 +156,8 @@ class Entries:
         lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
         pattern = re.compile(rf"(?<![\w-]){re.escape(words)}(?![\w-])")
         header = lines[place.line - 1] if place.line <= len(lines) else ""
-        below = (
-            header.strip().rstrip("]") + "."
-        )  # prefix of the parts of the entry, as in [[entry.part]]
+        # prefix of the parts of the entry, as in [[entry.part]]
+        below = header.strip().rstrip("]") + "."
         for number, line in enumerate(lines[place.line - 1 :], place.line):
             if number > place.line and line.startswith("[[") and not line.startswith(below):
                 break

@@ -37,9 +37,8 @@ SOURCES = {
     ),
 }
 EXIT = 1 << 63
-REPEAT = (
-    1 << 62
-)  # This bit is a flag. The other bits are the number of the event at which the same calls begin.
+# This bit is a flag. The other bits are the number of the event at which the same calls begin.
+REPEAT = 1 << 62
 SHOWN = 60
 
 

@@ -79,9 +79,8 @@ def prepare_standard(root: Path, cache: Path, board: bool) -> None:
     arguments = [
         "c++-header" if argument == "c++" else argument for argument in clang_arguments(board)
     ]
-    arguments.append(
-        "-fpch-instantiate-templates"
-    )  # Without the parsed headers, each unit parses these headers again.
+    # Without the parsed headers, each unit parses these headers again.
+    arguments.append("-fpch-instantiate-templates")
     text = "".join(f"#include {name}\n" for name in sorted(names)) + f"// {arguments}\n"
     if header.exists() and header.read_text(encoding="utf-8") == text:
         return

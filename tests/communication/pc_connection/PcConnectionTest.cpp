@@ -156,8 +156,8 @@ TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
     const Bytes body = sent().back();
     const std::size_t offset = 3 + 15;
     ASSERT_GE(body.size(), offset + 8 + 2);
-    const Bytes told(body.begin() + offset, body.begin() + offset + 8);
-    EXPECT_EQ(told, (Bytes{7, 6, 0x50, 0x01, 0xEF, 0xCD, 0xAB, 0x89}));
+    const Bytes reported(body.begin() + offset, body.begin() + offset + 8);
+    EXPECT_EQ(reported, (Bytes{7, 6, 0x50, 0x01, 0xEF, 0xCD, 0xAB, 0x89}));
   }
 }
 

@@ -376,9 +376,8 @@ def test_a_person_is_led_and_ctrl_c_stops_the_robot(mcu: Any, tmp_path: Path) ->
         person.types("")
         person.reads("off the ground, and is the robot secured? [yes/no]")
         person.types("")
-        person.reads(
-            "off the ground, and is the robot secured? [yes/no]"
-        )  # The program asks again.
+        # The program asks again.
+        person.reads("off the ground, and is the robot secured? [yes/no]")
         person.program.send_signal(signal.SIGINT)
         assert person.program.wait(10) == 130
     finally:

@@ -100,9 +100,8 @@ def test_the_table_of_a_scenario_is_drawn_in_units(
     reports = read_recording(table)
     velocity = plots(reports)[0]
     ordered, measured = velocity.curves
-    assert (
-        0 < max(value for _, value in ordered.points) <= 300
-    )  # The value is in rpm. On the line, its unit is 0.1 rpm.
+    # The value is in rpm. On the line, its unit is 0.1 rpm.
+    assert 0 < max(value for _, value in ordered.points) <= 300
     last = measured.points[-1][1]
     assert max(value for _, value in measured.points) >= last
     assert any(change.name == "armed" and change.after == "true" for change in changes(reports))

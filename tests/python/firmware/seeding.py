@@ -124,9 +124,8 @@ def link_command() -> list[str]:
     done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
     line = done.stdout.splitlines()[-1].removeprefix(": && ")
     words = shlex.split(line[: line.index(" && ")])
-    place = words.index(
-        "-dumpdir"
-    )  # These files are intermediate files of the compiler that the build keeps.
+    # These files are intermediate files of the compiler that the build keeps.
+    place = words.index("-dumpdir")
     del words[place : place + 2]
     return [word for word in words if not word.startswith("-Wl,-Map=")]
 

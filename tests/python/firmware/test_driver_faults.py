@@ -166,9 +166,8 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "interrupt-storm",
         (
             Change("K64Port.cpp", "    flags.write(port::ISFR.bit(number_));\n", ""),
-            Change(
-                "K64Port.cpp", "    ++edges_;\n", ""
-            ),  # Without this change, the bound would end the storm.
+            # Without this change, the bound would end the storm.
+            Change("K64Port.cpp", "    ++edges_;\n", ""),
         ),
     ),
     "vector of the Hall sensors missing": (

@@ -57,12 +57,13 @@ def build(root: Path, file: str, before: str, after: str) -> str:
         ("src/switch/Switch.cpp", "\n", INCLUDE, REFUSED),
         ("src/switch/Switch.cpp", "\n", INCLUDE.replace("bulb/", "../bulb/"), "does not depend"),
         ("src/switch/Switch.hpp", "\n", INCLUDE, REFUSED),
+        # The header does not compile alone.
         (
             "src/switch/states/On.hpp",
             "on()",
             "on(std::int32_t)",
             "int32_t",
-        ),  # The header does not compile alone.
+        ),
         ("design/uses.toml", "switch/states", "bulb", "does not depend"),
         ("src/switch/Switch.cpp", "return on", "int glow(); return glow", "undefined reference"),
     ],

@@ -36,7 +36,7 @@ def test_texts_come_from_the_comment_above_the_class(model: Model) -> None:
 
 def test_bases_heirs_and_abstractness_come_from_the_code(model: Model) -> None:
     assert model.modules["RC"].bases == ["Mode"]
-    assert model.modules["Mode"].heirs == ["PC", "RC"]
+    assert model.modules["Mode"].subclasses == ["PC", "RC"]
     assert model.modules["Mode"].abstract
     assert not model.modules["RC"].abstract
 

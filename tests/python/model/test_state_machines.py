@@ -65,10 +65,11 @@ def test_an_operation_stays_unless_it_always_changes_the_state() -> None:
         (f"{OFF} Lamp::tick Off::press / /", [SWITCHED_OFF, STAYS_OFF]),
         ("Off::press Lamp::changeState / / On::wait /", []),  # No lamp calls the state.
         (f"{ON} Lamp::tick Blinking::wait / /", []),
+        # The states belong to another lamp.
         (
             f"{ON} Lamp::Lamp / Lamp::tick Off::press / /",
             [STAYS_OFF],
-        ),  # The states belong to another lamp.
+        ),
     ],
 )
 def test_a_change_is_seen_when_the_next_call_shows_the_state(calls: str, seen: list[Seen]) -> None:

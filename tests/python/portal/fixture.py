@@ -73,7 +73,7 @@ def make_model() -> Model:
     mode = make_module("Mode", MODES, "State", [])
     rc = make_module("RC", MODES, "Concrete State", ["Mode"], satisfies=["FR-15"])
     hits = {f"src/{MODES}/RC.cpp": {3: 7, 4: 0}}
-    controller, mode = replace(controller, uses=["Mode"]), replace(mode, heirs=["RC"])
+    controller, mode = replace(controller, uses=["Mode"]), replace(mode, subclasses=["RC"])
     rc = replace(
         rc, requirements=["FR-15"], tests=["RcTest.Reads"], lines_total=2, lines_covered=1,
         line_hits=hits,

@@ -70,9 +70,8 @@ def test_a_slowed_algorithm_shows_in_its_row(tmp_path: Path) -> None:
     after = rows(slowed(tmp_path), tmp_path)
     more = {name: count - before.get(name, 0) for name, count in after.items()}
     assert max(more, key=lambda name: more[name]) == "VelocityAlgorithm"
-    assert (
-        more["VelocityAlgorithm"] > 4 * 1000 * 3
-    )  # There are four wheels, and at least three instructions in each iteration.
+    # There are four wheels, and at least three instructions in each iteration.
+    assert more["VelocityAlgorithm"] > 4 * 1000 * 3
     others = sum(abs(count) for name, count in more.items() if name != "VelocityAlgorithm")
     assert others < more["VelocityAlgorithm"] / 10
 

@@ -14,9 +14,8 @@ from traceability.schema import HOST, VIRTUAL_K64
 
 ROOT = Path(__file__).parents[3]
 
-Lines = dict[
-    int, list[dict[str, Any]]
-]  # line -> the records of gcovr, with a record for each function
+# line -> the records of gcovr, with a record for each function
+Lines = dict[int, list[dict[str, Any]]]
 
 
 @pytest.fixture(scope="module", autouse=True)

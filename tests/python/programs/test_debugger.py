@@ -103,9 +103,8 @@ def test_it_stops_before_the_first_instruction_and_at_a_function(start: Start) -
     assert 100 < stopped[0] < 120  # The first clock pulse is after the start.
     assert re.search(r"Breakpoint 1, .*MainController::cycle", text)
     assert re.search(r"^#\d+ +<signal handler called>", text, re.MULTILINE)
-    assert re.search(
-        r"^#\d+ .*resetHandler", text, re.MULTILINE
-    )  # The debugger unwinds the stack through the exception.
+    # The debugger unwinds the stack through the exception.
+    assert re.search(r"^#\d+ .*resetHandler", text, re.MULTILINE)
     assert board.wait(10) == 0
 
 
@@ -163,9 +162,8 @@ def test_a_variable_is_watched(start: Start) -> None:
     changes = re.findall(r"Old value = (\d+)\nNew value = (\d+)", text)
     assert len(changes) == 3
     assert changes[0][1] == changes[1][0]
-    assert (
-        changes[2] == changes[1][::-1]
-    )  # Backwards, the same change is from the new value to the old value.
+    # Backwards, the same change is from the new value to the old value.
+    assert changes[2] == changes[1][::-1]
     assert first[1] < second[1]
     assert first[1] <= back[1] < second[1]
 
@@ -197,11 +195,12 @@ def test_registers_and_memory_are_read_and_written(start: Start) -> None:
     assert seen[0] == "0x12345678"
     assert seen[2] == "1.5"
     assert seen[3:6] == ["0xabcdef01", "0xabcdef01", "0x12345678"]
+    # CPUID of a Cortex-M4, and clock gates in SIM_SCGC5
     assert seen[6:] == [
         "0x0",
         "0x410fc241",
         "0x1",
-    ]  # CPUID of a Cortex-M4, and clock gates in SIM_SCGC5
+    ]
 
 
 def test_a_read_with_an_effect_is_refused(start: Start) -> None:

@@ -33,9 +33,8 @@ class Content:
     """The links, the ids and the text of the content of a page."""
 
     links: list[str] = field(default_factory=list)
-    ids: dict[str, tuple[int, int]] = field(
-        default_factory=dict
-    )  # id -> the part of the text that it names
+    # id -> the part of the text that it names
+    ids: dict[str, tuple[int, int]] = field(default_factory=dict)
     codes: list[Code] = field(default_factory=list)
     text: str = ""
 

@@ -55,9 +55,8 @@ def test_a_name_set_as_code_is_a_link(page: str, model: dict[str, Any]) -> None:
 
 def test_types_in_a_signature_are_links() -> None:
     links = content("modules/Wheel.html").links
-    assert (
-        links.count("datatypes.html#Tension") == 2
-    )  # links to setTension, in the interface and in the guide
+    # links to setTension, in the interface and in the guide
+    assert links.count("datatypes.html#Tension") == 2
 
 
 def test_a_call_of_a_function_outside_classes_has_its_name_alone() -> None:

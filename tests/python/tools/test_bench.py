@@ -51,18 +51,18 @@ def test_the_measured_cycles_are_the_last_ones() -> None:
     assert [order.velocity for order in orders] == [0.0] * 500 + [50.0] * 500
 
 
-def told(**values: int) -> Any:
+def cycle(**values: int) -> Any:
     report = {"order_read": True, "report_cycles": 0, "awake_cycles": 0, "start_cycles": 0}
     return SimpleNamespace(**(report | values))
 
 
 def test_what_a_board_tells_becomes_the_figures() -> None:
-    first = [told(report_cycles=9_999_999), told(report_cycles=9_999_999)]
+    first = [cycle(report_cycles=9_999_999), cycle(report_cycles=9_999_999)]
     reports = [
         *first,
-        told(report_cycles=24_000, awake_cycles=120_000, start_cycles=600),
-        told(report_cycles=48_000, awake_cycles=360_000, start_cycles=1200),
-        told(order_read=False, report_cycles=9_999_999),
+        cycle(report_cycles=24_000, awake_cycles=120_000, start_cycles=600),
+        cycle(report_cycles=48_000, awake_cycles=360_000, start_cycles=1200),
+        cycle(order_read=False, report_cycles=9_999_999),
     ]
     found = costs(reports)
     assert found.cycles == 2
@@ -73,7 +73,7 @@ def test_what_a_board_tells_becomes_the_figures() -> None:
 
 def test_a_robot_that_counts_no_cycles_measures_nothing() -> None:
     with pytest.raises(FailureError, match="does not count processor cycles"):
-        costs([told()] * 5)
+        costs([cycle()] * 5)
     with pytest.raises(FailureError, match="no report"):
         costs([])
 

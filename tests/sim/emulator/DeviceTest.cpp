@@ -25,7 +25,7 @@ using Bytes = std::vector<std::uint8_t>;
 TEST(ClockOfBoard, RunsAt120MHz) {
   VirtualBoard board(Guest("runsAt120MHz").image());
   ASSERT_TRUE(board.runToSleep(10ms));
-  EXPECT_EQ(told(board, 0), 1U);
+  EXPECT_EQ(reported(board, 0), 1U);
   EXPECT_EQ(board.clockHz(), 120'000'000U);
   EXPECT_GT(board.now(), 580us);
 }
@@ -34,7 +34,7 @@ TEST(ClockOfBoard, RunsAt120MHz) {
 TEST(ClockOfBoard, StaysWithoutExternalClock) {
   VirtualBoard board(Guest("waitsForExternalClock").image(), {.externalClock = false});
   ASSERT_TRUE(board.runToSleep(1s));
-  EXPECT_EQ(told(board, 0), 2U);
+  EXPECT_EQ(reported(board, 0), 2U);
   EXPECT_EQ(board.clockHz(), 20'971'520U);
 }
 
@@ -75,7 +75,7 @@ TEST(TimerOfBoard, CounterTellsTheTime) {
   guest.handleLine(48, "countsTimer");
   VirtualBoard board(guest.image());
   ASSERT_TRUE(board.runUntil(10'050ms));
-  EXPECT_NEAR(told(board, 0), 100 * 2'097'152.0, 60);
+  EXPECT_NEAR(reported(board, 0), 100 * 2'097'152.0, 60);
 }
 
 /// @brief A chained timer counts the periods of the previous timer.
@@ -127,9 +127,9 @@ TEST(SerialPortOfBoard, FlagStaysUntilStatusAndDataWereRead) {
   ASSERT_TRUE(board.runUntil(1ms));
   board.receive(Bytes{9});
   ASSERT_TRUE(board.runUntil(2ms));
-  EXPECT_EQ(told(board, 0), 9U);
-  EXPECT_EQ(told(board, 1) & 0x20U, 0x20U);
-  EXPECT_EQ(told(board, 3) & 0x20U, 0U);
+  EXPECT_EQ(reported(board, 0), 9U);
+  EXPECT_EQ(reported(board, 1) & 0x20U, 0x20U);
+  EXPECT_EQ(reported(board, 3) & 0x20U, 0U);
 }
 
 /// @brief A wrong stop bit sets the flag of the framing error. Reading the data clears this flag.
@@ -140,16 +140,16 @@ TEST(SerialPortOfBoard, FramingErrorIsFlagged) {
   ASSERT_TRUE(board.runUntil(1ms));
   board.receiveBroken(0x55);
   ASSERT_TRUE(board.runUntil(2ms));
-  EXPECT_EQ(told(board, 0) & 0x22U, 0x22U);
-  EXPECT_EQ(told(board, 1), 0x55U);
-  EXPECT_EQ(told(board, 2) & 0x22U, 0U);
+  EXPECT_EQ(reported(board, 0) & 0x22U, 0x22U);
+  EXPECT_EQ(reported(board, 1), 0x55U);
+  EXPECT_EQ(reported(board, 2) & 0x22U, 0U);
 }
 
 /// @brief With its FIFO enabled, the UART stores eight bytes.
 TEST(SerialPortOfBoard, FifoTakesEightBytes) {
   VirtualBoard board(Guest("usesFifo").image());
   ASSERT_TRUE(board.runUntil(2ms));
-  EXPECT_EQ(told(board, 0), 7U);  // one of the eight bytes is in the shift register
+  EXPECT_EQ(reported(board, 0), 7U);  // one of the eight bytes is in the shift register
   EXPECT_THAT(board.takeSent(), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
 }
 
@@ -180,27 +180,27 @@ TEST(PinOfBoard, FallingLevelRaisesInterrupt) {
   EXPECT_TRUE(board.pin('D', 0));
   board.drive('D', 0, false);
   ASSERT_TRUE(board.runUntil(2ms));
-  EXPECT_EQ(told(board, 0), 1U);
-  EXPECT_EQ(told(board, 1), 1U);
-  EXPECT_EQ(told(board, 2) & 1U, 0U);
+  EXPECT_EQ(reported(board, 0), 1U);
+  EXPECT_EQ(reported(board, 1), 1U);
+  EXPECT_EQ(reported(board, 2) & 1U, 0U);
   board.drive('D', 0, true);
   ASSERT_TRUE(board.runUntil(3ms));
-  EXPECT_EQ(told(board, 0), 1U);
+  EXPECT_EQ(reported(board, 0), 1U);
 }
 
 /// @brief The program can read the cause of the reset. No reset except power-on changes the memory.
 TEST(ResetOfBoard, CauseIsToldAndMemoryStays) {
   VirtualBoard board(Guest("tellsCauseOfReset").image());
   ASSERT_TRUE(board.runToSleep(1ms));
-  EXPECT_EQ(told(board, 0), 0x82U);
-  EXPECT_NE(told(board, 2), 0xCAFEU);
+  EXPECT_EQ(reported(board, 0), 0x82U);
+  EXPECT_NE(reported(board, 2), 0xCAFEU);
   board.reset(Reset::Pin);
   ASSERT_TRUE(board.runUntil(2ms));
-  EXPECT_EQ(told(board, 0), 0x40U);
-  EXPECT_EQ(told(board, 2), 0xCAFEU);
+  EXPECT_EQ(reported(board, 0), 0x40U);
+  EXPECT_EQ(reported(board, 2), 0xCAFEU);
   board.reset(Reset::PowerOn);
   ASSERT_TRUE(board.runUntil(3ms));
-  EXPECT_NE(told(board, 2), 0xCAFEU);
+  EXPECT_NE(reported(board, 2), 0xCAFEU);
   EXPECT_EQ(board.resets(), 2);
 }
 

@@ -80,8 +80,8 @@ TEST(PulsesOfBoard, ValueOfThePeriodKeepsThePinHigh) {
 TEST(PulsesOfBoard, NewValueWaitsForTheEndOfThePeriod) {
   VirtualBoard board(Guest("changesWidthInThePeriod").image());
   const auto pulses = pulsesOf(board, 1ms);
-  EXPECT_EQ(told(board, 0), 250U);
-  EXPECT_EQ(told(board, 1), 500U);
+  EXPECT_EQ(reported(board, 0), 250U);
+  EXPECT_EQ(reported(board, 1), 500U);
   ASSERT_EQ(pulses.size(), 2U);
   EXPECT_EQ(pulses[1].share, 500'000U);
   EXPECT_NEAR(clocksBetween(pulses[0].at, pulses[1].at), 1000, 3);
@@ -91,8 +91,8 @@ TEST(PulsesOfBoard, NewValueWaitsForTheEndOfThePeriod) {
 TEST(PulsesOfBoard, PeriodAndValueChangeTogether) {
   VirtualBoard board(Guest("changesPeriodWithWidth").image());
   const auto pulses = pulsesOf(board, 1ms);
-  EXPECT_EQ(told(board, 0), 999U);
-  EXPECT_EQ(told(board, 1), 100U);
+  EXPECT_EQ(reported(board, 0), 999U);
+  EXPECT_EQ(reported(board, 1), 100U);
   ASSERT_EQ(pulses.size(), 2U);
   EXPECT_EQ(pulses[1].share, 200'000U);
   EXPECT_EQ(board.pwmDuty(0, 0), 0.2);
@@ -103,8 +103,8 @@ TEST(PulsesOfBoard, StandingCounterGivesNone) {
   VirtualBoard board(Guest("stopsPulses").image());
   const auto pulses = pulsesOf(board, 1ms);
   EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
-  EXPECT_GT(told(board, 0), 0U);
-  EXPECT_EQ(told(board, 0), told(board, 1));
+  EXPECT_GT(reported(board, 0), 0U);
+  EXPECT_EQ(reported(board, 0), reported(board, 1));
   ASSERT_EQ(pulses.size(), 2U);
   EXPECT_EQ(pulses[1].share, 0U);
 }
@@ -131,13 +131,13 @@ TEST(PulsesOfBoard, ResetEndsThem) {
 TEST(PulsesOfBoard, CounterAndItsFlagCanBeRead) {
   VirtualBoard board(Guest("countsPeriods").image());
   ASSERT_TRUE(board.runUntil(1ms));
-  EXPECT_EQ(told(board, 0), 0x0AU);
-  EXPECT_LT(told(board, 1), 5U);
-  EXPECT_EQ(told(board, 2), 0x0AU);
-  EXPECT_LT(told(board, 3), 5U);
-  EXPECT_NEAR(told(board, 4) - told(board, 3), 75, 25);
-  EXPECT_LT(told(board, 5), 3U);
-  EXPECT_EQ(told(board, 6), 0xC0U);
+  EXPECT_EQ(reported(board, 0), 0x0AU);
+  EXPECT_LT(reported(board, 1), 5U);
+  EXPECT_EQ(reported(board, 2), 0x0AU);
+  EXPECT_LT(reported(board, 3), 5U);
+  EXPECT_NEAR(reported(board, 4) - reported(board, 3), 75, 25);
+  EXPECT_LT(reported(board, 5), 3U);
+  EXPECT_EQ(reported(board, 6), 0xC0U);
 }
 
 /// @brief The program removes the write protection by reading the register and then writing 1 to
@@ -145,10 +145,10 @@ TEST(PulsesOfBoard, CounterAndItsFlagCanBeRead) {
 TEST(PulsesOfBoard, ProtectionIsTakenAwayAfterItWasRead) {
   VirtualBoard board(Guest("unprotectsTimer").image());
   ASSERT_TRUE(board.runUntil(1ms));
-  EXPECT_EQ(told(board, 0), 0U);
-  EXPECT_EQ(told(board, 1), 0x40U);
-  EXPECT_EQ(told(board, 2), 4U);
-  EXPECT_EQ(told(board, 3), 0x28U);
+  EXPECT_EQ(reported(board, 0), 0U);
+  EXPECT_EQ(reported(board, 1), 0x40U);
+  EXPECT_EQ(reported(board, 2), 4U);
+  EXPECT_EQ(reported(board, 3), 0x28U);
 }
 
 /// @brief The result is the nearest step of the voltage range. This is true for each number of
@@ -159,14 +159,14 @@ TEST(ConverterOfBoard, ResultIsTheVoltageInSteps) {
   board.setAnalog(0, 4, 5.0);
   board.setAnalog(1, 12, 3.0);
   ASSERT_TRUE(board.runUntil(100ms));
-  EXPECT_EQ(told(board, 0), 1U);
-  EXPECT_EQ(told(board, 1), 1532U);
-  EXPECT_EQ(told(board, 2), 4095U);
-  EXPECT_EQ(told(board, 3), 0U);
-  EXPECT_EQ(told(board, 4), 96U);
-  EXPECT_EQ(told(board, 5), 383U);
-  EXPECT_EQ(told(board, 6), 24516U);
-  EXPECT_EQ(told(board, 7), 65535U);
+  EXPECT_EQ(reported(board, 0), 1U);
+  EXPECT_EQ(reported(board, 1), 1532U);
+  EXPECT_EQ(reported(board, 2), 4095U);
+  EXPECT_EQ(reported(board, 3), 0U);
+  EXPECT_EQ(reported(board, 4), 96U);
+  EXPECT_EQ(reported(board, 5), 383U);
+  EXPECT_EQ(reported(board, 6), 24516U);
+  EXPECT_EQ(reported(board, 7), 65535U);
 }
 
 /// @brief The calibration takes 14000 converter clocks and 100 bus clocks.
@@ -182,7 +182,7 @@ TEST(ConverterOfBoard, CalibrationTakesItsTime) {
 TEST(ConverterOfBoard, FailedCalibrationIsFlagged) {
   VirtualBoard board(Guest("convertsInputs").image(), {.calibrates = {false, false}});
   EXPECT_FALSE(board.runUntil(100ms));
-  EXPECT_EQ(told(board, 0), 2U);
+  EXPECT_EQ(reported(board, 0), 2U);
   ASSERT_TRUE(board.finding());
   EXPECT_NE(board.finding()->what.find("without the gains"), std::string::npos);
 }
@@ -208,10 +208,10 @@ TEST(ConverterOfBoard, ConversionTakesItsTimeAndInterrupts) {
     ASSERT_TRUE(board.runToInterrupt(39, 100ms));
     EXPECT_NEAR(clocksBetween(start, board.now()), kind.clocks + 30, 20);
     ASSERT_TRUE(board.runUntil(board.now() + 1ms));
-    EXPECT_EQ(told(board, 1), 2048U);
-    EXPECT_EQ(told(board, 2), 0x40U | 12U);
-    EXPECT_EQ(told(board, 3), 1U);
-    EXPECT_EQ(told(board, 4), 0x80U);
+    EXPECT_EQ(reported(board, 1), 2048U);
+    EXPECT_EQ(reported(board, 2), 0x40U | 12U);
+    EXPECT_EQ(reported(board, 3), 1U);
+    EXPECT_EQ(reported(board, 4), 0x80U);
   }
 }
 
@@ -224,8 +224,8 @@ TEST(ConverterOfBoard, NewConversionTakesThePlaceOfTheLast) {
   board.setAnalog(0, 12, 1.65);
   board.setAnalog(0, 13, 0.5);
   ASSERT_TRUE(board.runUntil(100ms));
-  EXPECT_EQ(told(board, 1), 2048U);
-  EXPECT_EQ(told(board, 3), 1U);
+  EXPECT_EQ(reported(board, 1), 2048U);
+  EXPECT_EQ(reported(board, 3), 1U);
 }
 
 /// @brief The second serial port has a separate line, uses the bus clock, and has no FIFO.
@@ -246,7 +246,7 @@ TEST(SecondSerialPortOfBoard, HasALineOfItsOwn) {
   EXPECT_THAT(board.takeSentOn(4), ElementsAre(2, 3));
   EXPECT_TRUE(board.takeSent().empty());
   EXPECT_THAT(ports, ElementsAre(4, 4));
-  EXPECT_EQ(told(board, 1), 0x88U);
+  EXPECT_EQ(reported(board, 1), 0x88U);
   EXPECT_THROW(board.receiveOn(2, Bytes{1}), std::invalid_argument);
 }
 
@@ -361,7 +361,7 @@ TEST(WorldOfBoard, InterruptsOfFourWheelsAreAllTaken) {
   guest.handleLine(39, "takesConversion0").handleLine(73, "takesConversion1");
   VirtualBoard board(guest.image());
   ASSERT_TRUE(board.runUntil(100ms));
-  const std::array before{told(board, 0), told(board, 1), told(board, 2)};
+  const std::array before{reported(board, 0), reported(board, 1), reported(board, 2)};
   bool level = true;
   board.onTime(1ms, [&] {
     for (int wheel = 0; wheel < 4; ++wheel) {
@@ -370,9 +370,9 @@ TEST(WorldOfBoard, InterruptsOfFourWheelsAreAllTaken) {
     level = !level;
   });
   ASSERT_TRUE(board.runUntil(1'100'950us));
-  EXPECT_NEAR(told(board, 0) - before[0], 1000, 1);
-  EXPECT_NEAR(told(board, 1) - before[1], 5000, 10);
-  EXPECT_EQ(told(board, 2) - before[2], 4000U);
+  EXPECT_NEAR(reported(board, 0) - before[0], 1000, 1);
+  EXPECT_NEAR(reported(board, 1) - before[1], 5000, 10);
+  EXPECT_EQ(reported(board, 2) - before[2], 4000U);
 }
 
 /// @brief A callback can set levels and voltages, and can add a callback.

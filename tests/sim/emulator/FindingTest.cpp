@@ -122,9 +122,9 @@ TEST(FindingOfBoardAlone, EmptyProgramGivesNone) {
 TEST(FindingOfBoardAlone, MemoryUpToTheBorderGivesNone) {
   VirtualBoard board(Guest("usesMemoryUpToTheBorder").image());
   EXPECT_TRUE(board.runUntil(1ms));
-  EXPECT_EQ(told(board, 0), 0x12345678U);
-  EXPECT_EQ(told(board, 1) >> 8, 0x78ABCDU);
-  EXPECT_EQ(told(board, 2), 0x12U);
+  EXPECT_EQ(reported(board, 0), 0x12345678U);
+  EXPECT_EQ(reported(board, 1) >> 8, 0x78ABCDU);
+  EXPECT_EQ(reported(board, 2), 0x12U);
 }
 
 /// @brief A finding contains the time, and the function and the line of its instruction.

@@ -69,7 +69,7 @@ class Guest {
 };
 
 /// Returns a result that a program has reported to its test.
-inline std::uint32_t told(const emulator::VirtualBoard& board, unsigned number) {
+inline std::uint32_t reported(const emulator::VirtualBoard& board, unsigned number) {
   return board.word(0x20000000 + 4 * number);
 }
 

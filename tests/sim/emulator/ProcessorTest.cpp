@@ -62,10 +62,10 @@ TEST(ProcessorOfBoard, FloatingPointRegistersAreKept) {
   guest.handleLine(1, "spoilsFpuRegisters");
   VirtualBoard board(guest.image());
   ASSERT_TRUE(board.runUntil(1ms));
-  EXPECT_EQ(told(board, 0), 0x11111111U);
-  EXPECT_EQ(told(board, 1), 0x22222222U);
-  EXPECT_EQ(told(board, 2), 0x10000000U);
-  EXPECT_EQ(told(board, 3), 0U);
+  EXPECT_EQ(reported(board, 0), 0x11111111U);
+  EXPECT_EQ(reported(board, 1), 0x22222222U);
+  EXPECT_EQ(reported(board, 2), 0x10000000U);
+  EXPECT_EQ(reported(board, 3), 0U);
 }
 
 /// @brief If a program uses the process stack, its exception frame is on the process stack. The
@@ -75,11 +75,11 @@ TEST(ProcessorOfBoard, ProcessStackHoldsTheFrame) {
   guest.handleLine(1, "tellsFrame");
   VirtualBoard board(guest.image());
   ASSERT_TRUE(board.runUntil(1ms));
-  EXPECT_EQ(told(board, 0), 0xFFFFFFFDU);
-  EXPECT_GT(told(board, 1), 0x20007000U);
-  EXPECT_EQ(told(board, 2), 0x20001000U - 0x20);
-  EXPECT_EQ(told(board, 3), 0x20001000U);
-  EXPECT_EQ(told(board, 4), 2U);
+  EXPECT_EQ(reported(board, 0), 0xFFFFFFFDU);
+  EXPECT_GT(reported(board, 1), 0x20007000U);
+  EXPECT_EQ(reported(board, 2), 0x20001000U - 0x20);
+  EXPECT_EQ(reported(board, 3), 0x20001000U);
+  EXPECT_EQ(reported(board, 4), 2U);
 }
 
 /// @brief If the handler of bus faults is enabled, it gets a bus fault with its address.
@@ -88,9 +88,9 @@ TEST(ProcessorOfBoard, BusFaultTellsTheAddress) {
   guest.handle(5, "tellsFault");
   VirtualBoard board(guest.image(), {.faultsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1ms));
-  EXPECT_EQ(told(board, 0), 0x8200U);
-  EXPECT_EQ(told(board, 2), 0x30000000U);
-  EXPECT_EQ(told(board, 3), 5U);
+  EXPECT_EQ(reported(board, 0), 0x8200U);
+  EXPECT_EQ(reported(board, 2), 0x30000000U);
+  EXPECT_EQ(reported(board, 3), 5U);
 }
 
 /// @brief A fault whose handler is disabled becomes a HardFault.
@@ -99,8 +99,8 @@ TEST(ProcessorOfBoard, FaultBecomesHardFault) {
   guest.handle(3, "tellsFault");
   VirtualBoard board(guest.image(), {.faultsAreFindings = false});
   ASSERT_TRUE(board.runUntil(1ms));
-  EXPECT_EQ(told(board, 1), 0x40000000U);
-  EXPECT_EQ(told(board, 3), 3U);
+  EXPECT_EQ(reported(board, 1), 0x40000000U);
+  EXPECT_EQ(reported(board, 3), 3U);
 }
 
 /// @brief A fault that the test raises is delivered to the program, even when faults are findings.
@@ -111,15 +111,15 @@ TEST(ProcessorOfBoard, RaisedFaultIsDelivered) {
   ASSERT_TRUE(board.runUntil(1ms));
   board.raise(3);
   ASSERT_TRUE(board.runUntil(2ms));
-  EXPECT_EQ(told(board, 3), 3U);
+  EXPECT_EQ(reported(board, 3), 3U);
 }
 
 /// @brief Each instruction takes one cycle. The cycle counter shows this.
 TEST(ProcessorOfBoard, CycleCounterCountsInstructions) {
   VirtualBoard board(Guest("measures100Instructions").image());
   ASSERT_TRUE(board.runUntil(1ms));
-  EXPECT_GE(told(board, 0), 100U);
-  EXPECT_LE(told(board, 0), 104U);
+  EXPECT_GE(reported(board, 0), 100U);
+  EXPECT_LE(reported(board, 0), 104U);
   EXPECT_EQ(board.clockHz(), kStartHz);
 }
 
@@ -129,7 +129,7 @@ TEST(ProcessorOfBoard, SysTickEndsSleep) {
   guest.handle(15, "countsTicks");
   VirtualBoard board(guest.image());
   ASSERT_TRUE(board.runUntil(1'000'500us));
-  EXPECT_EQ(told(board, 0), 1000U);
+  EXPECT_EQ(reported(board, 0), 1000U);
   EXPECT_LT(board.instructions(), 20'000U);
 }
 
@@ -140,8 +140,8 @@ TEST(ProcessorOfBoard, InterruptsComeInsideConditionalBlocks) {
   guest.handle(15, "countsTicksBetweenConditions");
   VirtualBoard board(guest.image());
   ASSERT_TRUE(board.runUntil(50ms));
-  EXPECT_GT(told(board, 2), 500U);
-  EXPECT_EQ(told(board, 0), 5'000U * (1 + 100'000));
+  EXPECT_GT(reported(board, 2), 500U);
+  EXPECT_EQ(reported(board, 0), 5'000U * (1 + 100'000));
 }
 
 /// @brief A run can stop at an interrupt and at the next sleep.

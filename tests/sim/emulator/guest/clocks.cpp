@@ -34,14 +34,14 @@ PROGRAM runsAt120MHz() {
   const bool locked = waitFor(0x60, 0x60);
   byteAt(0x40064000) = 0x38;
   const bool engaged = waitFor(0x0C, 0x0C);
-  told(0) = external && locked && engaged ? 1 : 2;
+  reported(0) = external && locked && engaged ? 1 : 2;
   sleepForever();
 }
 
 PROGRAM waitsForExternalClock() {
   stopWatchdog();
   divideFor120MHz();
-  told(0) = changeToExternalClock() ? 1 : 2;
+  reported(0) = changeToExternalClock() ? 1 : 2;
   sleepForever();
 }
 

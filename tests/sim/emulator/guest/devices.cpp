@@ -19,7 +19,7 @@ PROGRAM runsTimers() {
 
 PROGRAM countsTimer() {
   wordAt(0x4003710C) = 1;
-  told(0) = 0xFFFFFFFF - wordAt(0x40037124);
+  reported(0) = 0xFFFFFFFF - wordAt(0x40037124);
 }
 
 PROGRAM chainsTimers() {
@@ -38,7 +38,7 @@ PROGRAM acknowledgesSecondTimer() {
 }
 
 PROGRAM echoesByte() {
-  told(0) = byteAt(0x4006A004);
+  reported(0) = byteAt(0x4006A004);
   byteAt(0x4006A007) = static_cast<std::uint8_t>(byteAt(0x4006A007) + 1);
 }
 
@@ -56,17 +56,17 @@ PROGRAM readsNoFlags() {
   byteAt(0x4006A003) = 0x04;
   while (byteAt(0x4006A016) == 0) {
   }
-  told(0) = byteAt(0x4006A007);
-  told(1) = byteAt(0x4006A004);
-  told(2) = byteAt(0x4006A007);
-  told(3) = byteAt(0x4006A004);
+  reported(0) = byteAt(0x4006A007);
+  reported(1) = byteAt(0x4006A004);
+  reported(2) = byteAt(0x4006A007);
+  reported(3) = byteAt(0x4006A004);
   sleepForever();
 }
 
 PROGRAM readsFramingError() {
-  told(0) = byteAt(0x4006A004);
-  told(1) = byteAt(0x4006A007);
-  told(2) = byteAt(0x4006A004);
+  reported(0) = byteAt(0x4006A004);
+  reported(1) = byteAt(0x4006A007);
+  reported(2) = byteAt(0x4006A004);
 }
 
 PROGRAM receivesErrors() {
@@ -86,7 +86,7 @@ PROGRAM usesFifo() {
   for (std::uint8_t i = 0; i < 8; ++i) {
     byteAt(0x4006A007) = i;
   }
-  told(0) = byteAt(0x4006A014);
+  reported(0) = byteAt(0x4006A014);
   sleepForever();
 }
 
@@ -100,26 +100,26 @@ PROGRAM drivesPin() {
 }
 
 PROGRAM notesPin() {
-  told(0) = told(0) + 1;
-  told(1) = wordAt(0x4004C0A0);
-  told(2) = wordAt(0x400FF0D0);
+  reported(0) = reported(0) + 1;
+  reported(1) = wordAt(0x4004C0A0);
+  reported(2) = wordAt(0x400FF0D0);
   wordAt(0x4004C0A0) = wordAt(0x4004C0A0);
 }
 
 PROGRAM watchesPin() {
   stopWatchdog();
   openPorts();
-  told(0) = 0;
+  reported(0) = 0;
   wordAt(0x4004C000) = 0x000A0103;
   enableInterrupt(62);
   sleepForever();
 }
 
 PROGRAM tellsCauseOfReset() {
-  told(0) = byteAt(0x4007F000);
-  told(1) = byteAt(0x4007F001);
+  reported(0) = byteAt(0x4007F000);
+  reported(1) = byteAt(0x4007F001);
   stopWatchdog();
-  told(2) = wordAt(0x20000040);
+  reported(2) = wordAt(0x20000040);
   wordAt(0x20000040) = 0xCAFE;
   sleepForever();
 }

@@ -25,10 +25,10 @@ PROGRAM changesWidthInThePeriod() {
   stopWatchdog();
   startPulses(250);
   wordAt(0x40038010) = 500;
-  told(0) = wordAt(0x40038010);
+  reported(0) = wordAt(0x40038010);
   while (wordAt(0x40038010) == 250) {
   }
-  told(1) = wordAt(0x40038010);
+  reported(1) = wordAt(0x40038010);
   sleepForever();
 }
 
@@ -37,10 +37,10 @@ PROGRAM changesPeriodWithWidth() {
   startPulses(250);
   wordAt(0x40038008) = 499;
   wordAt(0x40038010) = 100;
-  told(0) = wordAt(0x40038008);
+  reported(0) = wordAt(0x40038008);
   while (wordAt(0x40038008) == 999) {
   }
-  told(1) = wordAt(0x40038010);
+  reported(1) = wordAt(0x40038010);
   sleepForever();
 }
 
@@ -48,8 +48,8 @@ PROGRAM stopsPulses() {
   stopWatchdog();
   startPulses(250);
   wordAt(0x40038000) = 0;
-  told(0) = wordAt(0x40038004);
-  told(1) = wordAt(0x40038004);
+  reported(0) = wordAt(0x40038004);
+  reported(1) = wordAt(0x40038004);
   sleepForever();
 }
 
@@ -67,22 +67,22 @@ PROGRAM countsPeriods() {
   wordAt(0x40038058) = 0;
   wordAt(0x40038008) = 99;
   wordAt(0x40038000) = 0x0A;
-  told(0) = wordAt(0x40038000);
+  reported(0) = wordAt(0x40038000);
   while ((wordAt(0x40038000) & 0x80) == 0) {
   }
-  told(1) = wordAt(0x40038004);
+  reported(1) = wordAt(0x40038004);
   wordAt(0x40038000) = 0x0A;
-  told(2) = wordAt(0x40038000);
+  reported(2) = wordAt(0x40038000);
   while ((wordAt(0x40038000) & 0x80) == 0) {
   }
-  told(3) = wordAt(0x40038004);
+  reported(3) = wordAt(0x40038004);
   for (int i = 0; i < 100; ++i) {
     asm volatile("nop");
   }
-  told(4) = wordAt(0x40038004);
+  reported(4) = wordAt(0x40038004);
   wordAt(0x40038004) = 1;
-  told(5) = wordAt(0x40038004);
-  told(6) = wordAt(0x40038084);
+  reported(5) = wordAt(0x40038004);
+  reported(6) = wordAt(0x40038084);
   sleepForever();
 }
 
@@ -90,46 +90,46 @@ PROGRAM unprotectsTimer() {
   stopWatchdog();
   openTimer();
   wordAt(0x40038074) = 0x40;
-  told(0) = wordAt(0x40038054);
+  reported(0) = wordAt(0x40038054);
   wordAt(0x40038054) = 0x04;
-  told(1) = wordAt(0x40038074);
+  reported(1) = wordAt(0x40038074);
   wordAt(0x40038054) = 0x04;
-  told(2) = wordAt(0x40038054);
+  reported(2) = wordAt(0x40038054);
   wordAt(0x4003800C) = 0x28;
-  told(3) = wordAt(0x4003800C);
+  reported(3) = wordAt(0x4003800C);
   sleepForever();
 }
 
 PROGRAM convertsInputs() {
   stopWatchdog();
   openConverter();
-  told(0) = calibrateConverter() ? 1 : 2;
-  told(1) = convert(12);
-  told(2) = convert(29);
-  told(3) = convert(30);
+  reported(0) = calibrateConverter() ? 1 : 2;
+  reported(1) = convert(12);
+  reported(2) = convert(29);
+  reported(3) = convert(30);
   wordAt(0x4003B008) = 0x60;
-  told(4) = convert(12);
+  reported(4) = convert(12);
   wordAt(0x4003B008) = 0x68;
-  told(5) = convert(12);
+  reported(5) = convert(12);
   wordAt(0x4003B008) = 0x6C;
-  told(6) = convert(12);
+  reported(6) = convert(12);
   wordAt(0x4003B00C) = 0x10;
-  told(7) = convert(4);
+  reported(7) = convert(4);
   sleepForever();
 }
 
 PROGRAM notesConversion() {
-  told(1) = wordAt(0x4003B010);
-  told(2) = wordAt(0x4003B000);
-  told(3) = told(3) + 1;
+  reported(1) = wordAt(0x4003B010);
+  reported(2) = wordAt(0x4003B000);
+  reported(3) = reported(3) + 1;
 }
 
 static void convertOnceWith(std::uint32_t configuration1, std::uint32_t configuration2,
                             std::uint32_t averaging) {
   stopWatchdog();
   openConverter();
-  told(0) = calibrateConverter() ? 1 : 2;
-  told(3) = 0;
+  reported(0) = calibrateConverter() ? 1 : 2;
+  reported(3) = 0;
   wordAt(0x4003B008) = configuration1;
   wordAt(0x4003B00C) = configuration2;
   wordAt(0x4003B024) = averaging;
@@ -137,7 +137,7 @@ static void convertOnceWith(std::uint32_t configuration1, std::uint32_t configur
   enableInterrupt(40);
   pend(40);
   wordAt(0x4003B000) = 0x40 | 12;
-  told(4) = wordAt(0x4003B020);
+  reported(4) = wordAt(0x4003B020);
   sleepForever();
 }
 
@@ -157,7 +157,7 @@ PROGRAM convertsAnew() {
   stopWatchdog();
   openConverter();
   calibrateConverter();
-  told(3) = 0;
+  reported(3) = 0;
   enableInterrupt(39);
   wordAt(0x4003B000) = 0x40 | 13;
   wordAt(0x4003B000) = 0x40 | 12;
@@ -165,7 +165,7 @@ PROGRAM convertsAnew() {
 }
 
 PROGRAM echoesByteOfSecondUart() {
-  told(0) = byteAt(0x400EA004);
+  reported(0) = byteAt(0x400EA004);
   byteAt(0x400EA007) = static_cast<std::uint8_t>(byteAt(0x400EA007) + 1);
 }
 
@@ -173,7 +173,7 @@ PROGRAM echoesAtSecondUart() {
   stopWatchdog();
   openSecondUart();
   byteAt(0x400EA010) = 0x88;
-  told(1) = byteAt(0x400EA010);
+  reported(1) = byteAt(0x400EA010);
   byteAt(0x400EA003) = 0x2C;
   enableInterrupt(66);
   sleepForever();
@@ -212,44 +212,44 @@ PROGRAM watchesLevel() {
 // interrupts.
 static void workFor(std::uint32_t turns) {
   for (std::uint32_t i = 0; i < turns; ++i) {
-    told(11) = i;
+    reported(11) = i;
     asm volatile("nop\n\tnop\n\tnop");
   }
 }
 
 PROGRAM startsConversions() {
   wordAt(0x4003710C) = 1;
-  told(0) = told(0) + 1;
+  reported(0) = reported(0) + 1;
   wordAt(0x4003B000) = 0x40 | 12;
   wordAt(0x400BB000) = 0x40 | 14;
-  wordAt(0x40038010) = told(0) % 1000;
+  wordAt(0x40038010) = reported(0) % 1000;
   workFor(100);
 }
 
 PROGRAM takesConversion0() {
-  told(1) = told(1) + 1;
-  told(8) = told(8) + wordAt(0x4003B010);
-  told(3) = told(3) + 1;
-  if (told(3) % 2 != 0) {
+  reported(1) = reported(1) + 1;
+  reported(8) = reported(8) + wordAt(0x4003B010);
+  reported(3) = reported(3) + 1;
+  if (reported(3) % 2 != 0) {
     wordAt(0x4003B000) = 0x40 | 13;
   }
   workFor(20);
 }
 
 PROGRAM takesConversion1() {
-  told(1) = told(1) + 1;
-  told(9) = told(9) + wordAt(0x400BB010);
-  told(4) = told(4) + 1;
-  if (told(4) % 3 != 0) {
-    wordAt(0x400BB000) = 0x40 | (told(4) % 3 == 1 ? 15 : 6);
+  reported(1) = reported(1) + 1;
+  reported(9) = reported(9) + wordAt(0x400BB010);
+  reported(4) = reported(4) + 1;
+  if (reported(4) % 3 != 0) {
+    wordAt(0x400BB000) = 0x40 | (reported(4) % 3 == 1 ? 15 : 6);
   }
   workFor(20);
 }
 
 PROGRAM countsEdges() {
   wordAt(0x4004C0A0) = wordAt(0x4004C0A0);
-  told(2) = told(2) + 1;
-  told(10) = told(10) + wordAt(0x400FF0D0);
+  reported(2) = reported(2) + 1;
+  reported(10) = reported(10) + wordAt(0x400FF0D0);
   workFor(20);
 }
 
@@ -276,7 +276,7 @@ PROGRAM drivesFourWheels() {
     wordAt(0x4004C000 + 4 * pin) = 0x000B0100;
   }
   for (std::uint32_t i = 0; i < 12; ++i) {
-    told(i) = 0;
+    reported(i) = 0;
   }
   openPit();
   wordAt(0x40037100) = 20971;

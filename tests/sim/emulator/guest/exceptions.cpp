@@ -96,10 +96,10 @@ PROGRAM keepsFpuRegisters() {
       : "=&r"(first), "=&r"(last), "=&r"(status), "=&r"(before), "=&r"(after)
       : "r"(0x11111111), "r"(0x22222222), "r"(0x10000000), "r"(0xE000E200), "r"(2)
       : "s0", "s15", "memory");
-  told(0) = first;
-  told(1) = last;
-  told(2) = status;
-  told(3) = before - after;
+  reported(0) = first;
+  reported(1) = last;
+  reported(2) = status;
+  reported(3) = before - after;
   sleepForever();
 }
 
@@ -109,9 +109,9 @@ PROGRAM tellsFrame() {
   std::uint32_t stack = 0;
   std::uint32_t process = 0;
   asm volatile("mov %0, lr\n\tmov %1, sp\n\tmrs %2, psp" : "=r"(link), "=r"(stack), "=r"(process));
-  told(0) = link;
-  told(1) = stack;
-  told(2) = process;
+  reported(0) = link;
+  reported(1) = stack;
+  reported(2) = process;
 }
 
 PROGRAM usesProcessStack() {
@@ -125,39 +125,39 @@ PROGRAM usesProcessStack() {
   std::uint32_t stack = 0;
   std::uint32_t control = 0;
   asm volatile("mov %0, sp\n\tmrs %1, control" : "=r"(stack), "=r"(control));
-  told(3) = stack;
-  told(4) = control;
+  reported(3) = stack;
+  reported(4) = control;
   sleepForever();
 }
 
 PROGRAM tellsFault() {
-  told(0) = wordAt(0xE000ED28);  // CFSR
-  told(1) = wordAt(0xE000ED2C);  // HFSR
-  told(2) = wordAt(0xE000ED38);  // BFAR
+  reported(0) = wordAt(0xE000ED28);  // CFSR
+  reported(1) = wordAt(0xE000ED2C);  // HFSR
+  reported(2) = wordAt(0xE000ED38);  // BFAR
   std::uint32_t number = 0;
   asm volatile("mrs %0, ipsr" : "=r"(number));
-  told(3) = number;
+  reported(3) = number;
   sleepForever();
 }
 
 PROGRAM faultsWithHandlerOn() {
   stopWatchdog();
   wordAt(0xE000ED24) = 7U << 16;
-  told(4) = wordAt(0x30000000);
+  reported(4) = wordAt(0x30000000);
   sleepForever();
 }
 
 PROGRAM faultsWithHandlerOff() {
   stopWatchdog();
-  told(4) = wordAt(0x30000000);
+  reported(4) = wordAt(0x30000000);
   sleepForever();
 }
 
 PROGRAM countsUp() {
   stopWatchdog();
-  told(0) = 0;
+  reported(0) = 0;
   while (true) {
-    told(0) = told(0) + 1;
+    reported(0) = reported(0) + 1;
   }
 }
 
@@ -168,18 +168,18 @@ PROGRAM measures100Instructions() {
   wordAt(0xE0001000) = 1;
   const std::uint32_t from = wordAt(0xE0001004);
   asm volatile(".rept 100\n\tnop\n\t.endr");
-  told(0) = wordAt(0xE0001004) - from;
+  reported(0) = wordAt(0xE0001004) - from;
   sleepForever();
 }
 
 PROGRAM countsTicks() {
-  told(0) = told(0) + 1;
+  reported(0) = reported(0) + 1;
 }
 
 // The time until the interrupt varies, so that the interrupt occurs at every instruction of a loop.
 PROGRAM countsTicksBetweenConditions() {
-  told(2) = told(2) + 1;
-  wordAt(0xE000E014) = 80 + told(2) % 29;
+  reported(2) = reported(2) + 1;
+  wordAt(0xE000E014) = 80 + reported(2) % 29;
   asm volatile("cmp %0, %0" ::"r"(0) : "cc");
 }
 
@@ -187,9 +187,9 @@ PROGRAM countsTicksBetweenConditions() {
 // occur at different instructions of the IT block.
 PROGRAM runsConditionalBlocks() {
   stopWatchdog();
-  told(2) = 0;
-  told(3) = 1;
-  told(4) = 100'000;
+  reported(2) = 0;
+  reported(3) = 1;
+  reported(4) = 100'000;
   wordAt(0xE000E014) = 97 - 1;
   wordAt(0xE000E018) = 0;
   wordAt(0xE000E010) = 7;
@@ -200,18 +200,18 @@ PROGRAM runsConditionalBlocks() {
         "b.w 1f\n\t.p2align 10\n\t.space 1016\n1:\ttst %1, #1\n\tite eq\n\t"
         "ldreq %0, [%2, #0]\n\tldrne %0, [%2, #4]"
         : "=&l"(loaded)
-        : "l"(i), "l"(&told(3))
+        : "l"(i), "l"(&reported(3))
         : "cc", "memory");
     sum += loaded;
   }
   wordAt(0xE000E010) = 0;
-  told(0) = sum;
+  reported(0) = sum;
   sleepForever();
 }
 
 PROGRAM startsSysTick() {
   stopWatchdog();
-  told(0) = 0;
+  reported(0) = 0;
   wordAt(0xE000E014) = 20971 - 1;
   wordAt(0xE000E018) = 0;
   wordAt(0xE000E010) = 7;
@@ -230,9 +230,9 @@ extern "C" [[gnu::noinline, gnu::used]] std::uint32_t outer(std::uint32_t value)
 PROGRAM callsFunctions() {
   stopWatchdog();
   enableInterrupt(1);
-  told(0) = outer(1);
+  reported(0) = outer(1);
   pend(1);
   asm volatile("dsb\n\tisb");
-  told(1) = inner(1);
+  reported(1) = inner(1);
   sleepForever();
 }

@@ -22,13 +22,13 @@ PROGRAM usesDac() {
 
 PROGRAM loadsWhereNothingIs() {
   stopWatchdog();
-  told(0) = wordAt(0x30000000);
+  reported(0) = wordAt(0x30000000);
   sleepForever();
 }
 
 PROGRAM loadsAcrossTheBorderOfTheMemories() {
   stopWatchdog();
-  told(0) = wordAt(0x1FFFFFFE);
+  reported(0) = wordAt(0x1FFFFFFE);
   sleepForever();
 }
 
@@ -42,9 +42,9 @@ PROGRAM usesMemoryUpToTheBorder() {
   stopWatchdog();
   wordAt(0x1FFFFFFC) = 0x12345678;
   halfAt(0x1FFFFFFA) = 0xABCD;
-  told(0) = wordAt(0x1FFFFFFC);
-  told(1) = wordAt(0x1FFFFFF9);
-  told(2) = byteAt(0x1FFFFFFF);
+  reported(0) = wordAt(0x1FFFFFFC);
+  reported(1) = wordAt(0x1FFFFFF9);
+  reported(2) = byteAt(0x1FFFFFFF);
   sleepForever();
 }
 
@@ -239,7 +239,7 @@ PROGRAM startsTimerWithoutReadingItsControl() {
 }
 
 PROGRAM handlerThatFaults() {
-  told(0) = wordAt(0x30000000);
+  reported(0) = wordAt(0x30000000);
 }
 
 PROGRAM sleepsDeeply() {
@@ -477,7 +477,7 @@ PROGRAM clocksConverterByAlternateClock() {
 PROGRAM usesHoleOfConverter() {
   stopWatchdog();
   openConverter();
-  told(0) = wordAt(0x4003B050);
+  reported(0) = wordAt(0x4003B050);
   sleepForever();
 }
 

@@ -19,7 +19,7 @@ inline volatile std::uint32_t& wordAt(std::uint32_t address) {
 }
 
 /// Results that a program reports to its test.
-inline volatile std::uint32_t& told(std::uint32_t number) {
+inline volatile std::uint32_t& reported(std::uint32_t number) {
   return wordAt(0x20000000 + 4 * number);
 }
 
