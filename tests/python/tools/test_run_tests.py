@@ -93,12 +93,12 @@ def test_the_pages_are_made_after_the_results_that_they_show(
 ) -> None:
     order: list[str] = []
 
-    def recorded(name: str) -> Task:
-        return Task(name, lambda _log: order.append(name), always=True)
+    def recorded(name: str, *after: str) -> Task:
+        return Task(name, lambda _log: order.append(name), after=after, always=True)
 
     names = [*RESULT_TASKS, TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
     monkeypatch.setattr(run_tests, "graph", lambda _root: Graph(root, [*map(recorded, names)]))
-    pages = [recorded(DOCUMENTS), recorded(PAGES)]
+    pages = [recorded(DOCUMENTS), recorded(PAGES, DOCUMENTS)]
     monkeypatch.setattr(run_tests, "pages_graph", lambda _root: Graph(root, pages))
     run_tests.test(root, long=False, lint=False)
     shown = [order.index(name) for name in (*RESULT_TASKS, FIRMWARE_FAULTS)]
