@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import argparse
 import time
-from collections.abc import Collection
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
 from pathlib import Path
 
 from tools.check import report
@@ -13,8 +11,7 @@ from tools.cmake_build import Counts
 from tools.documents import read_findings, write_time
 from tools.lint import lint_tasks
 from tools.lock import only_one
-from tools.steps import stop_programs
-from tools.task_graph import Graph, Progress, Reporter, Task
+from tools.task_graph import Graph, Reporter
 from tools.tasks import (
     DOCUMENTS,
     PAGES,
@@ -27,7 +24,6 @@ from tools.tasks import (
 )
 from traceability.reading.task_record import (
     CHANGES,
-    FIRMWARE_FAULTS,
     PORTS,
     RECORD,
     SEEDED_FAULTS,
@@ -89,50 +85,20 @@ def test_parts(root: Path, parts: list[str]) -> int:
 
 def test(root: Path, *, long: bool, lint: bool) -> int:
     start = time.monotonic()
-    with only_one(root, "test"), ThreadPoolExecutor(max_workers=1) as executor:
+    with only_one(root, "test"):
         cold = lint and not (root / RECORD).exists()
-        shown = [*RESULT_TASKS, FIRMWARE_FAULTS, *([SEEDED_FAULTS] if long else [])]
-        others = [TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
+        names = [*RESULT_TASKS, TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
+        names += [SEEDED_FAULTS] if long else []
         style = lint_tasks(root) if lint else []
         tasks = Graph(root, [*style, *graph(root).tasks])
-        shown = [*(task.name for task in style), *shown]
-        pages = LaterPages(root, shown, executor)
-        names = dict.fromkeys([*shown, *others])
-        results = tasks.run(names, pages.changed)
-        made = pages.result()
-        counts = counts_of(results) + counts_of(made)
-        code = report(read_findings(root), [*results.failed, *made.failed])
+        results = tasks.run([*(task.name for task in style), *names])
+        pages = pages_graph(root).run([DOCUMENTS, PAGES])
+        counts = counts_of(results) + counts_of(pages)
+        code = report(read_findings(root), [*results.failed, *pages.failed])
         if cold:
             write_time(root, "build.ci_s", time.monotonic() - start)
     print(counts)
     return code if counts.passed else 1
-
-
-class LaterPages:
-    """Makes and tests the pages as soon as the results that they show exist. The tests of the tools
-    still run at that time.
-    """
-
-    def __init__(self, root: Path, shown: Collection[str], executor: Executor) -> None:
-        self.root, self.shown, self.executor = root, set(shown), executor
-        self.made: Future[Reporter] | None = None
-
-    def changed(self, _task: Task | None, progress: Progress) -> None:
-        if self.made is None and self.shown.isdisjoint({*progress.waiting, *progress.running}):
-            self.made = self.executor.submit(self._make)
-
-    def result(self) -> Reporter:
-        """Waits for the tests of the pages. An interrupt ends them."""
-        if self.made is None:
-            return self._make()
-        try:
-            return self.made.result()
-        except BaseException:
-            stop_programs()
-            raise
-
-    def _make(self) -> Reporter:
-        return pages_graph(self.root).run([DOCUMENTS, PAGES])
 
 
 def counts_of(run: Reporter, *counted: str | None) -> Counts:

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import threading
 from pathlib import Path
-from typing import TextIO
 
 import pytest
 
 from tools import run_tests
 from tools.documents import TIMES
-from tools.task_graph import Graph, Outcome, Task
+from tools.task_graph import Graph, Task
 from tools.tasks import (
     DOCUMENTS,
     PAGES,
@@ -20,7 +18,7 @@ from tools.tasks import (
     python_task,
 )
 from traceability.reading.results import read_json
-from traceability.reading.task_record import FIRMWARE_FAULTS, RECORD
+from traceability.reading.task_record import RECORD
 
 
 @pytest.fixture
@@ -58,48 +56,3 @@ def test_a_later_run_is_not_measured(root: Path) -> None:
 def test_a_run_without_lint_is_not_measured(root: Path) -> None:
     run_tests.test(root, long=False, lint=False)
     assert measured(root) == set()
-
-
-def test_the_pages_are_made_while_tests_of_the_tools_still_run(
-    root: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    started = threading.Event()
-
-    def wait_for_pages(_log: TextIO) -> Outcome:
-        return Outcome("", failed=not started.wait(timeout=10))
-
-    def make_pages(_log: TextIO) -> None:
-        started.set()
-
-    results = [Task(name, lambda _log: None, always=True) for name in RESULT_TASKS]
-    tools = [Task(python_task(name), lambda _log: None, always=True) for name in PYTHON_TESTS]
-    last = Task(TESTS_SANITIZE, wait_for_pages, always=True)
-    pages = [Task(DOCUMENTS, make_pages, always=True), Task(PAGES, lambda _log: None, always=True)]
-    failed: list[str] = []
-
-    def report(_findings: object, tasks: list[str]) -> int:
-        failed.extend(tasks)
-        return 0
-
-    monkeypatch.setattr(run_tests, "graph", lambda _root: Graph(root, [*results, *tools, last]))
-    monkeypatch.setattr(run_tests, "pages_graph", lambda _root: Graph(root, pages))
-    monkeypatch.setattr(run_tests, "report", report)
-    run_tests.test(root, long=False, lint=False)
-    assert failed == []
-
-
-def test_the_pages_are_made_after_the_results_that_they_show(
-    root: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    order: list[str] = []
-
-    def recorded(name: str, *after: str) -> Task:
-        return Task(name, lambda _log: order.append(name), after=after, always=True)
-
-    names = [*RESULT_TASKS, TESTS_SANITIZE, *map(python_task, PYTHON_TESTS)]
-    monkeypatch.setattr(run_tests, "graph", lambda _root: Graph(root, [*map(recorded, names)]))
-    pages = [recorded(DOCUMENTS), recorded(PAGES, DOCUMENTS)]
-    monkeypatch.setattr(run_tests, "pages_graph", lambda _root: Graph(root, pages))
-    run_tests.test(root, long=False, lint=False)
-    shown = [order.index(name) for name in (*RESULT_TASKS, FIRMWARE_FAULTS)]
-    assert max(shown) < order.index(DOCUMENTS) < order.index(PAGES)
