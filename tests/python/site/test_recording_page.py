@@ -36,8 +36,8 @@ REPORTS = 60
 PERIOD_MS = 100
 CHUNK_REPORTS = 200  # at least as many reports as a chunk of an MCAP file contains
 RESET = 30  # the first report after a reset of the robot; its time begins again
-# Chooses or drops a file. Returns the drawings, the changes and, for a dropped file, the findings of
-# axe.
+# Chooses or drops a file. Returns the drawings, the changes, and, if the file was dropped, the
+# findings of axe.
 SHOW = """
 const files = new view.DataTransfer();
 const bytes = Uint8Array.from(atob(%CONTENT%), (letter) => letter.charCodeAt(0));
