@@ -4,13 +4,13 @@
 
 #include "k64/Register.hpp"
 
-// Registers of the devices of the FPGA image AN386, as far as the firmware uses them. Addresses:
-// Arm application note AN386, memory map. Registers: Arm DDI 0479, Cortex-M System Design Kit
-// technical reference manual, chapter 4.
+// The registers of the FPGA image AN386 that the firmware uses. Source of the addresses: Arm
+// application note AN386, memory map. Source of the registers: Arm DDI 0479, Cortex-M System Design
+// Kit technical reference manual, chapter 4.
 
 namespace wr::mps2 {
 
-/// @brief Clock of the core and of all devices [Hz].
+/// @brief Clock frequency of the core and of all devices [Hz].
 inline constexpr std::uint32_t kClock = 25'000'000;
 inline constexpr std::uint32_t kTicksPerMicrosecond = kClock / 1'000'000;
 

@@ -1,4 +1,4 @@
-// The robot of the system tests is the firmware on the board MPS2, which QEMU emulates.
+// The robot that these system tests use: the firmware on the board MPS2, which QEMU emulates.
 
 #include <memory>
 #include <stdexcept>
