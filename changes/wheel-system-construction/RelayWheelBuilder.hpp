@@ -7,23 +7,23 @@
 
 namespace wr {
 
-/// @brief Builds the control system of a wheel whose motor a relay switches. The system has no
-/// other part.
+/// @brief The builder of the control system of a wheel whose motor is switched by a relay. This
+/// system has no sensor and no controller.
 class RelayWheelBuilder final : public ControlSystemBuilder {
  public:
   /// @brief Binds the builder to the relay.
-  /// @param relay on: the motor runs
+  /// @param relay output of the relay; the motor runs while it is on
   explicit RelayWheelBuilder(DigitalOutput& relay) : relay_(relay) {}
 
-  /// @brief Does nothing: the relay is a device of the board.
+  /// @brief Does nothing, because the relay is a device of the board.
   /// @isr{no}
   void buildActuator() override {}
 
-  /// @brief Does nothing: there is no sensor.
+  /// @brief Does nothing, because there is no sensor.
   /// @isr{no}
   void buildSensors() override {}
 
-  /// @brief Does nothing: there is no controller.
+  /// @brief Does nothing, because there is no controller.
   /// @isr{no}
   void buildController() override {}
 

@@ -11,7 +11,8 @@ namespace wr {
 /// @brief The robot and its safety functions, together as a single control system.
 ///
 /// @function Receives the order of a cycle in several calls, and passes it to the first stage in
-/// one call. This call is follow(), stand() or recover().
+/// one call. This call orders the robot to follow set-points, to stand still, or to acknowledge
+/// faults.
 ///
 /// @secret How the calls that form one order are combined into one call.
 ///
