@@ -42,7 +42,7 @@ struct BluetoothDevices {
 };
 
 /// @brief The two reading modes of a robot that receives orders from the PC and a Bluetooth device.
-/// Each mode changes to the other mode.
+/// Each of the two modes changes to the other.
 /// @datatype
 struct BluetoothModes {
   /// @brief Constructs the modes, and binds them to the sources of their orders.

@@ -89,7 +89,8 @@ bool SignedPort::write(std::span<const std::uint8_t> bytes) {
     return false;
   }
   const auto frame = bytes.first(bytes.size() - 1);
-  // A single zero byte ends a frame that a reset interrupted. It gets no counter and no tag.
+  // A single zero byte gets no counter and no tag. This byte only ends a frame that a reset
+  // interrupted.
   if (frame.empty()) {
     return port_.write(bytes);
   }

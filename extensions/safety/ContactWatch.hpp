@@ -39,7 +39,7 @@ class ContactWatch final {
 
   /// @brief Checks whether the contact is open now, or whether an opening was recorded since the
   /// last call of opened() or open().
-  /// @return true in both cases.
+  /// @return true if the contact is open now, or if an opening was recorded.
   /// @satisfies FR-271
   /// @isr{no}
   [[nodiscard]] bool opened();

@@ -21,7 +21,7 @@ namespace wr {
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentLimited final : public WheelAlgorithm {
  public:
-  /// @brief Binds the limit to the algorithm whose voltage is limited.
+  /// @brief Binds this algorithm to the wrapped algorithm.
   /// @param wrapped algorithm that computes the voltage without this limit
   explicit CurrentLimited(WheelAlgorithm& wrapped);
 

@@ -27,9 +27,10 @@ constexpr float kCurrentNoise = 0.02F;  // noise for each volt across the windin
 // The evidence is the logarithm of a ratio of two probabilities: the probability of the
 // measurements if the leads are swapped, divided by their probability if the leads are correct.
 constexpr float kSwappedThreshold = 12.0F;
-constexpr float kMaxRisePerCycle = 6.0F;  // greatest increase: a detection needs two cycles
+// Greatest increase in a cycle. Therefore a detection needs at least two cycles.
+constexpr float kMaxRisePerCycle = 6.0F;
 constexpr float kMaxFallPerCycle = 3.0F;  // greatest decrease in a cycle
-constexpr float kDoubtThreshold = 3.0F;   // from this evidence on, the model does not learn
+constexpr float kDoubtThreshold = 3.0F;   // with this evidence or more, the model does not learn
 
 // The bring-up procedure turns the wheels with at most this voltage, because their leads may be
 // swapped. Up to this voltage the evidence does not change.

@@ -43,7 +43,7 @@ class LeadsWatch final {
   static constexpr std::size_t kParameters = 3;
   using Vector = std::array<float, kParameters>;
 
-  /// The evidence of one cycle.
+  /// The values of one cycle that change the evidence and the model.
   struct Cycle {
     Vector inputs{};        // [V] winding voltage and induced voltage of the nominal motor, and 1 V
     Vector spread{};        // product of the covariance matrix of the parameters and the inputs

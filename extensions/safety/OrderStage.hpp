@@ -18,19 +18,19 @@ class OrderStage {
   OrderStage(const OrderStage&) = delete;
   OrderStage& operator=(const OrderStage&) = delete;
 
-  /// @brief Executes the order of a cycle to follow set-points.
+  /// @brief Executes an order to follow set-points.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @isr{no}
   virtual void follow(const SetPoints& setPoints, std::uint32_t cycle) = 0;
 
-  /// @brief Executes the order of a cycle to halt the wheels and to hold the steering.
+  /// @brief Executes an order to halt the wheels and to hold the steering.
   /// @param cycle number of the cycle
   /// @isr{no}
   virtual void stand(std::uint32_t cycle) = 0;
 
-  /// @brief Executes the order of a cycle to release latched faults, to halt the wheels and to hold
-  /// the steering.
+  /// @brief Executes an order to release latched faults. In this cycle the wheels halt and the
+  /// steering keeps its angle.
   /// @param cycle number of the cycle
   /// @isr{no}
   virtual void recover(std::uint32_t cycle) = 0;
@@ -41,7 +41,8 @@ class OrderStage {
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 
-  /// @brief Writes the measurements and outputs of this cycle over the values of an earlier cycle.
+  /// @brief Writes the measurements and outputs of this cycle, which replace the values of an
+  /// earlier cycle.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @isr{no}

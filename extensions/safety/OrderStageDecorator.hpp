@@ -29,7 +29,7 @@ class OrderStageDecorator : public OrderStage {
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
  protected:
-  /// @brief Binds the decorator to the stage that is extended.
+  /// @brief Binds the decorator to the wrapped stage.
   /// @param wrapped the extended stage
   explicit OrderStageDecorator(OrderStage& wrapped);
   ~OrderStageDecorator() = default;

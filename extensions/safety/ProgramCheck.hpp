@@ -55,7 +55,7 @@ class ProgramCheck final {
   std::atomic<bool> due_{false};
   bool originalKnown_ = false;
   std::uint32_t original_ = 0;  // sum of the words in flash
-  std::uint32_t sum_ = 0;       // sum of the words in RAM, up to now in this pass
+  std::uint32_t sum_ = 0;       // sum of the words in RAM that this pass has read
   std::size_t part_ = 0;
   std::size_t next_ = 0;  // index of the next four words in their section
 };

@@ -12,7 +12,7 @@
 
 namespace wr {
 
-/// @brief A stage that stops the whole robot when one of its devices fails.
+/// @brief A stage that stops the whole robot when one device of the robot fails.
 ///
 /// @function Checks the contact of the emergency-stop circuit, the steering and every wheel after
 /// each order. When a check finds a fault, latches a protective stop: the wheels halt and the

@@ -9,9 +9,9 @@ namespace wr {
 
 /// @brief The latched protective stop, stored in memory that a reset does not change.
 ///
-/// @function Stores the cause of the protective stop and its wheel, with a check word. Power-on
-/// clears the protective stop. A loss of the clock causes a protective stop. If the content fails
-/// its check after any other reset, it counts as a protective stop with the cause
+/// @function Stores the cause of the protective stop, the wheel with the fault, and a check word.
+/// Power-on clears the protective stop. A loss of the clock causes a protective stop. If the
+/// content fails its check after any other reset, it counts as a protective stop with the cause
 /// MissingMeasurement.
 ///
 /// @secret How a protective stop is encoded, and how damaged memory is detected.

@@ -21,10 +21,10 @@ constexpr Tension kMaxFallPerCycle(2400);  // [mV] towards 0
 // When a slope or a curve makes the robot too fast, one factor lowers all set-points.
 constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] above the greatest permitted set-point
 constexpr std::int32_t kFullScale = 1000;
-constexpr std::int32_t kMinScale = 100;       // [0.001]
-constexpr std::int32_t kPredictedCycles = 2;  // number of cycles
-constexpr std::int32_t kScaleFall = 60;       // [0.001] in a cycle
-constexpr std::int32_t kScaleRise = 10;       // [0.001] in a cycle
+constexpr std::int32_t kMinScale = 100;       // [0.001] smallest factor
+constexpr std::int32_t kPredictedCycles = 2;  // number of predicted cycles
+constexpr std::int32_t kScaleFall = 60;       // [0.001] decrease of the factor in a cycle
+constexpr std::int32_t kScaleRise = 10;       // [0.001] increase of the factor in a cycle
 
 // In a curve the tyres make the outer wheels faster than ordered. Therefore the greatest permitted
 // set-point depends on the steering angle.
@@ -54,7 +54,7 @@ std::int32_t greatestAt(std::int32_t angle) {
   return between(kCurveVelocity, kTightestVelocity, part, kTightestAngle - kCurveAngle);
 }
 
-// Returns the velocity that a voltage causes at a wheel without load.
+// Returns the velocity that a voltage causes in a wheel without load.
 std::int32_t unloadedVelocity(Tension tension) {
   return tension.count() * kFullScale / SystemConstants::instance().motorConstant().count();
 }

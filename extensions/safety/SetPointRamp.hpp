@@ -56,10 +56,11 @@ class SetPointRamp final : public OrderStageDecorator {
 
   Measurements measurements_;  // measurements of the present cycle
   Outputs outputs_;
-  std::array<std::int32_t, kWheelCount> ramped_{};      // [0.1 rpm] set-point of each wheel
-  std::array<std::int32_t, kWheelCount> velocities_{};  // [0.1 rpm] magnitudes of the previous
-                                                        // cycle
-  std::int32_t share_ = 1000;  // [0.001] factor for wheels that are too fast
+  std::array<std::int32_t, kWheelCount> ramped_{};  // [0.1 rpm] set-point of each wheel
+  // [0.1 rpm] Magnitude of the velocity of each wheel in the previous cycle.
+  std::array<std::int32_t, kWheelCount> velocities_{};
+  // [0.001] Factor of all set-points. It falls while a wheel is too fast.
+  std::int32_t share_ = 1000;
 };
 
 }  // namespace wr

@@ -19,7 +19,7 @@ namespace wr {
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class SpeedLimited final : public WheelAlgorithm {
  public:
-  /// @brief Binds the speed limit to the algorithm whose voltage is limited.
+  /// @brief Binds this algorithm to the wrapped algorithm.
   /// @param wrapped algorithm that computes the voltage without this limit
   explicit SpeedLimited(WheelAlgorithm& wrapped);
 

@@ -17,8 +17,8 @@ namespace {
 constexpr double kWheelbase = 1.582;  // [m]
 constexpr double kTrack = 1.054;      // [m]
 
-constexpr std::size_t kDegrees = 33;        // 0 to 32
-constexpr std::int32_t kDegree = 100;       // [0.01 degree]
+constexpr std::size_t kDegrees = 33;        // number of factors in the table: 0 to 32 degrees
+constexpr std::int32_t kDegree = 100;       // [0.01 degree] one degree
 constexpr std::int32_t kFullShare = 10000;  // factor of the wheel with the greatest circle
 constexpr double kRadians = std::numbers::pi / 180;
 

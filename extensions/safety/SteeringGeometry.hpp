@@ -12,7 +12,8 @@ namespace wr {
 /// gets a velocity that is proportional to the radius of its circle at the ordered steering angle.
 /// The fastest wheel gets the ordered velocity.
 ///
-/// @secret The geometry of the steering: wheelbase, track, and which wheel turns on which circle.
+/// @secret The geometry of the steering: wheelbase, track, and the circle on which each wheel
+/// rolls.
 ///
 /// @role{mode-extensions, Concrete Decorator}
 class SteeringGeometry final : public ModeDecorator {
@@ -27,7 +28,7 @@ class SteeringGeometry final : public ModeDecorator {
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect: the mode that wraps this mode changes the reading mode.
+  /// @brief Has no effect, because the mode that wraps this mode changes the reading mode.
   /// @param mCtrl main controller whose reading mode does not change
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::int32_t kComparedWay = 20;  // [edges] distance of one comparison: 0.057 m
 
-// In the tightest curve the slowest wheel moves 71 % of the mean distance. While the robot reverses
-// in a curve, this wheel can move less in one comparison.
+// In the tightest curve the slowest wheel moves 71 % of the mean distance. When the robot changes
+// between forwards and backwards in a curve, this wheel can move less in one comparison.
 constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 
 // While the robot drives straight on, no wheel needs this current for longer than 1 s. In a curve
@@ -79,8 +79,8 @@ void WheelComparison::add(const Measurements& measurements) {
   }
 }
 
-// Returns the mean of the two middle distances: without the least and the greatest of the four.
-// Therefore one failed wheel does not change this mean much.
+// Returns the mean of the two middle distances. The least and the greatest of the four distances
+// are left out. Therefore one failed wheel does not change the mean much.
 std::int32_t WheelComparison::common() const {
   const auto [least, greatest] = std::ranges::minmax(ways_);
   std::int32_t sum = 0;

@@ -53,8 +53,8 @@ class WheelComparison final {
   [[nodiscard]] std::int32_t common() const;
 
   std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the previous cycle
-  std::array<std::int32_t, kWheelCount> ways_{};                // [edges]
-  // Count of successive cycles in which the current of a wheel was high.
+  std::array<std::int32_t, kWheelCount> ways_{};  // [edges] distances in this comparison
+  // Count of successive cycles with a high current, for each wheel.
   std::array<std::uint8_t, kWheelCount> greatCycles_{};
   std::optional<std::uint8_t> late_;  // wheel that moved too little at the last comparison
 };

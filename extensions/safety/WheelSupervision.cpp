@@ -24,7 +24,7 @@ constexpr std::uint8_t kOpposingCycles = 2;
 // Limits for the fault: a wheel is faster than its set-point.
 constexpr Velocity kMargin(400);
 constexpr std::int32_t kMarginShare = 4;  // a quarter of the set-point is added to the margin
-// Decrease of the velocity in a cycle. A greater decrease shows that the control slows the wheel
+// If the velocity decreases by more than this value in a cycle, the control is slowing the wheel
 // down.
 constexpr Velocity kSlower(10);
 constexpr std::uint8_t kTooFastCycles = 3;
@@ -42,7 +42,7 @@ constexpr std::uint8_t kDeviatingCycles = 2;
 
 constexpr std::uint8_t kMissingCycles = 3;  // in the third cycle a value is missing for over 0.2 s
 
-// If the measured current [mA] is equal in this number of successive cycles, it is a fault.
+// It is a fault if the measured current [mA] does not change in this number of successive cycles.
 constexpr std::uint8_t kEqualCycles = 7;
 
 // Limits for the fault: too many Hall edges are implausible. The count has the unit half an edge,
@@ -66,7 +66,7 @@ Tension induced(Velocity velocity) {
                  kThousand);
 }
 
-// Returns the voltage of a current in the winding.
+// Returns the voltage that a current causes in the winding.
 Tension across(Current current) {
   return Tension(kWinding * current.count() / kThousand);
 }
@@ -199,8 +199,8 @@ bool WheelSupervision::rejectsEdges(const WheelMeasurements& measured) {
   return counts && rejecting_ >= kRejectedEdges;
 }
 
-// Checks whether the measured current stays equal. The current of a working sensor always varies by
-// some milliamperes.
+// Checks whether the measured current does not change. The current of a working sensor always
+// varies by some milliamperes.
 bool WheelSupervision::staysEqual(std::optional<Current> current) {
   const bool driven = magnitude(tension_.value_or(Tension())) > kDriving;
   const bool equal = driven && current && current == current_;

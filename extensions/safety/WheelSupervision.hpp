@@ -56,7 +56,7 @@ class WheelSupervision final {
 
   // The voltage of a wheel and its three parts: the voltage that the velocity induces, the voltage
   // that the current causes in the winding, and the rest. If the voltage or a measurement is
-  // missing, all values are 0. Values of 0 show no fault.
+  // missing, all values are 0. Then the checks find no fault.
   struct Balance {
     Velocity velocity{};
     Tension tension{};
