@@ -27,7 +27,7 @@ class Ring {
   [[nodiscard]] std::size_t free() const { return kSize - count(); }
 
   /// @brief Stores an element.
-  /// @param element the element
+  /// @param element element that is stored
   /// @pre free() does not return 0.
   /// @isr{yes}
   void put(const Element& element) {

@@ -6,9 +6,9 @@
 
 namespace wr::mps2 {
 
-/// @brief The watchdog of the board. When its counter expires for the first time, it requests an
-/// NMI. When the counter expires again, it resets the board. Therefore the counter gets half of the
-/// timeout.
+/// @brief The watchdog of the board. When its counter expires for the first time, the watchdog
+/// requests an NMI. When the counter expires for the second time, the watchdog resets the board.
+/// Therefore the counter starts with half of the timeout.
 class CmsdkWatchdog final : public Watchdog {
  public:
   constexpr CmsdkWatchdog() = default;

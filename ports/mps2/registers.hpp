@@ -15,7 +15,8 @@ inline constexpr std::uint32_t kClock = 25'000'000;
 inline constexpr std::uint32_t kTicksPerMicrosecond = kClock / 1'000'000;
 
 namespace timer {
-inline constexpr std::uint32_t kDistance = 0x1000;  // distance from timer 0 to timer 1 [byte]
+inline constexpr std::uint32_t kDistance =
+    0x1000;  // difference of the addresses of two timers [byte]
 inline constexpr Register<std::uint32_t, 0x40000000> CTRL;
 inline constexpr auto CTRL_ENABLE = CTRL.bit(0);
 inline constexpr auto CTRL_INTERRUPT = CTRL.bit(3);

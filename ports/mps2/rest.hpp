@@ -4,7 +4,7 @@ extern "C" {
 
 /// @brief Sleeps until the next interrupt. When the processor sleeps, it has served all earlier
 /// interrupts. Therefore the firmware is at rest when a debugger stops it in this function. The
-/// label `awake` is at the instruction that follows the sleep.
+/// label `awake` marks the first instruction after the sleep.
 /// @isr{no}
 [[gnu::noinline]] void rest();
 }

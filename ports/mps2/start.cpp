@@ -68,7 +68,8 @@ void assertionFailed(AssertId /*id*/) {
 
 namespace {
 
-constexpr std::size_t kExceptions = 16;  // vectors of the core; vectors of interrupt lines follow
+// Number of the vectors of the core. The vectors of the interrupt lines follow them.
+constexpr std::size_t kExceptions = 16;
 constexpr std::size_t kHandlers = kExceptions - 1 + mps2::kLines;
 
 using Handler = void (*)();

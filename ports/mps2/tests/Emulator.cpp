@@ -75,7 +75,7 @@ std::string hex(std::uint32_t value) {
   return text.data();
 }
 
-// Returns the value of a little-endian word in hexadecimal digits.
+// Converts the hexadecimal digits of a little-endian word to its value.
 std::uint32_t wordOf(const std::string& digits) {
   if (digits.size() != 8) {
     throw std::runtime_error("QEMU does not answer with 8 hexadecimal digits, but with: " + digits);

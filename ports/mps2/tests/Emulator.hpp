@@ -40,7 +40,7 @@ class Emulator {
   /// @brief Sends bytes to the serial port of the board, one by one. The program reads each byte
   /// before the next byte is sent. The program must be at rest, and is at rest again when this
   /// function returns.
-  /// @param bytes the bytes
+  /// @param bytes bytes to send
   /// @param rest address of the instruction at which the program is at rest
   void send(std::span<const std::uint8_t> bytes, std::uint32_t rest);
 

@@ -1,4 +1,4 @@
-// The robot that these system tests use: the firmware on the board MPS2, which QEMU emulates.
+// Here the system tests run the firmware on the board MPS2, which QEMU emulates.
 
 #include <memory>
 #include <stdexcept>
