@@ -29,8 +29,8 @@ TEST(MeanWidthCollector, WidthIsTheMeanOfTwoPulses) {
   EXPECT_EQ(pulse(40000, 1800), Microseconds(1800));
 }
 
-// A robot whose remote control sends pulses on both channels. Each call sends the pulses of one
-// cycle of 100 ms.
+// A robot whose remote control sends pulses on both channels. Each call of pulses() sends the
+// pulses of one cycle of 100 ms.
 class PulsedRobot : public ChangedRobot {
  public:
   using ChangedRobot::ChangedRobot;

@@ -28,7 +28,7 @@ class NoCommand final : public Command {
   void execute() override {}
 };
 
-/// @brief Low pulses of 1.7 ms set a velocity. Without the change, only high pulses set a velocity.
+/// @brief With this command, low pulses of 1.7 ms set a velocity.
 TEST(ReadInvertedRcPin, LowPulsesAreRead) {
   FakeTimebase clock;
   BasicCollector basic;
@@ -53,8 +53,8 @@ TEST(ReadInvertedRcPin, LowPulsesAreRead) {
   EXPECT_GT(velocity.read()->value, Velocity(1000));
 }
 
-// A robot whose remote control sends pulses on both channels. Each call sends the pulses of one
-// cycle of 100 ms.
+// A robot whose remote control sends pulses on both channels. Each call of pulses() sends the
+// pulses of one cycle of 100 ms.
 class PulsedRobot : public ChangedRobot {
  public:
   using ChangedRobot::ChangedRobot;

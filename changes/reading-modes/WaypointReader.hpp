@@ -73,7 +73,7 @@ class WaypointReader final : public Reader {
                : std::uint8_t{0};
   }
 
-  /// @brief Reads the number of the order, which is the number of the next way-point.
+  /// @brief Reads the number of the order: the index of the next way-point.
   /// @return index of the next way-point, from 0
   /// @isr{no}
   std::uint16_t readU16(Field /*field*/) override { return static_cast<std::uint16_t>(next_); }
@@ -86,7 +86,7 @@ class WaypointReader final : public Reader {
                                                : towards(way_[next_]);
   }
 
-  /// @brief Reads the time of the order, which the receiver does not send.
+  /// @brief Returns 0 as the time of the order, because the receiver sends no time.
   /// @return 0
   /// @isr{no}
   std::uint32_t readU32(Field /*field*/) override { return 0; }
@@ -108,7 +108,7 @@ class WaypointReader final : public Reader {
   static constexpr std::size_t kMostBytes = 64;  // greatest number of bytes in a cycle
   static constexpr std::uint8_t kBegin = 165;
   static constexpr std::size_t kLength = 6;
-  static constexpr std::int32_t kRadian = 5730;  // [0.01 degree]
+  static constexpr std::int32_t kRadian = 5730;  // [0.01 degree] one radian
   static constexpr std::int32_t kMostAngle = 2500;
 
   void take(std::uint8_t byte) {

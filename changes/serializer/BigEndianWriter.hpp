@@ -42,8 +42,8 @@ class BigEndianWriter final : public Writer {
     bytes_.writeU32(field, turned(static_cast<std::uint32_t>(value)));
   }
 
-  /// @brief Finishes one object.
-  /// @return false when there was no space for a field of the object
+  /// @brief Ends one message.
+  /// @return false if there was no space for a field of the message
   /// @isr{no}
   bool finish() override { return bytes_.finish(); }
 

@@ -23,7 +23,7 @@ class PoweredWarming final : public SteeringPower {
   void enable(SteeringDevice& /*device*/) override {}
 
   /// @brief Switches the motor off. The next wait lasts for the full time again.
-  /// @param device steering device with this motor
+  /// @param device steering device to which the motor belongs
   /// @isr{yes}
   void disable(SteeringDevice& device) override {
     left_ = kTicks;
@@ -32,7 +32,7 @@ class PoweredWarming final : public SteeringPower {
   }
 
   /// @brief Counts the ticks of the wait. After the last tick, sets the next state.
-  /// @param device steering device with this motor
+  /// @param device steering device to which the motor belongs
   /// @isr{yes}
   void tick(SteeringDevice& device) override {
     --left_;

@@ -28,7 +28,7 @@ class RelayWheelBuilder final : public ControlSystemBuilder {
   void buildController() override {}
 
   /// @brief Builds the system.
-  /// @errors A second system ends the program with the assertion PartBuiltTwice.
+  /// @errors If the system is already built, the program ends with the assertion PartBuiltTwice.
   /// @isr{no}
   void buildSystem() override {
     require(!system_, AssertId::PartBuiltTwice);
@@ -41,7 +41,7 @@ class RelayWheelBuilder final : public ControlSystemBuilder {
 
   /// @brief Returns the system.
   /// @return the system; it exists as long as the builder
-  /// @errors Without a system the program ends with the assertion PartMissing.
+  /// @errors If the system is not built, the program ends with the assertion PartMissing.
   /// @isr{no}
   [[nodiscard]] ControlSystem& system() override {
     require(system_.has_value(), AssertId::PartMissing);

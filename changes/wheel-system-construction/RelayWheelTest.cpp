@@ -8,7 +8,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The relay is on while the set-point of the first wheel is forwards, and off while the
+/// @brief The relay is on while the set-point of the first wheel is positive, and off while the
 /// robot stands still.
 TEST(RelayWheel, HelpsForwardsOnly) {
   FakeOutput relay;
@@ -28,7 +28,7 @@ TEST(RelayWheel, HelpsForwardsOnly) {
 }
 
 /// @brief The relay is connected to the pin of the red light. With the changed firmware, the light
-/// is on while the set-points are forwards, and off after a stop. With the unchanged firmware, the
+/// is on while the set-points are positive, and off after a stop. With the unchanged firmware, the
 /// light stays off.
 TEST(RelayWheelOnBoard, RelayFollowsTheFirstWheel) {
   ChangedRobot before(kUnchanged);

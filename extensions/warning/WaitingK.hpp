@@ -5,7 +5,7 @@
 
 namespace wr {
 
-/// @brief A waiting state in which the robot warns that its source of orders may be lost.
+/// @brief A waiting state in which the robot warns that its source of orders may soon be lost.
 ///
 /// @function Switches a warning on while the state lasts, unless a stop is in force. The report to
 /// the PC contains the number of this state. A message sets the working state, and a failed read
