@@ -14,7 +14,7 @@ class RandomSource {
   RandomSource& operator=(const RandomSource&) = delete;
 
   /// @brief Returns a random number. The waiting time is bounded.
-  /// @return 64 random bits; no value if the hardware does not work
+  /// @return random number of 64 bits; no value if the hardware does not work
   /// @isr{no}
   [[nodiscard]] virtual std::optional<std::uint64_t> draw() = 0;
 

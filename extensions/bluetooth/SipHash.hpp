@@ -31,7 +31,7 @@ class SipHash final {
   void add(std::span<const std::uint8_t> bytes);
 
   /// @brief Computes the tag of all added bytes.
-  /// @return the tag [64 bits]
+  /// @return the tag, a number of 64 bits
   /// @post The object cannot be used again: a second call returns a wrong tag.
   /// @isr{no}
   /// @satisfies FR-261
