@@ -50,8 +50,8 @@ class SignedPort final : public SerialPort {
   /// @satisfies FR-262
   std::size_t read(std::span<std::uint8_t> bytes) override;
 
-  /// @brief Returns the time at which the last byte of the frame that read() returned was received.
-  /// @return reception time of the final zero byte
+  /// @brief Returns the reception time of the last frame that read() returned.
+  /// @return time at which the final zero byte of this frame was received
   /// @isr{no}
   [[nodiscard]] Instant receivedAt() const override;
 

@@ -7,7 +7,7 @@
 
 namespace wr::mps2 {
 
-/// @brief One of the two timers of the board.
+/// @brief A timer of the board, which has two such timers.
 class CmsdkTimer final : public PeriodicTimer {
  public:
   /// @brief Number of a timer.

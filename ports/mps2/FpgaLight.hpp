@@ -5,7 +5,7 @@
 
 namespace wr::mps2 {
 
-/// @brief One of the lights of the board.
+/// @brief A light of the board.
 class FpgaLight final : public DigitalOutput {
  public:
   /// @brief Binds the object to a light of the board.

@@ -8,8 +8,8 @@ namespace wr::platform {
 /// tick permits one step, and checkForever() executes the step.
 extern ProgramCheck programCheck;
 
-/// @brief Switches on the light for running control cycles, and checks the program between the
-/// interrupts. Never returns.
+/// @brief Switches on the light that shows that control cycles run, and checks the program between
+/// the interrupts. Never returns.
 /// @satisfies FR-309
 /// @isr{no}
 [[noreturn]] void checkForever();

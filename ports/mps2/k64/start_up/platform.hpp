@@ -71,8 +71,8 @@ void startDevices();
 /// @isr{no}
 void enableInterrupts();
 
-/// @brief Switches on the light for running control cycles, and sleeps between the interrupts.
-/// Never returns.
+/// @brief Switches on the light that shows that control cycles run, and sleeps between the
+/// interrupts. Never returns.
 /// @isr{no}
 [[noreturn]] void sleepForever();
 
