@@ -1,4 +1,5 @@
-# Copies the files NAMES of ROOT to COPIES, and applies PATCH to the copies.
+# Copies the files NAMES from the folder ROOT to the folder COPIES, and applies the patch file PATCH
+# to the copies.
 string(REPLACE "," ";" names ${NAMES})
 foreach(name IN LISTS names)
   get_filename_component(folder ${COPIES}/${name} DIRECTORY)
@@ -6,7 +7,8 @@ foreach(name IN LISTS names)
   file(REMOVE ${COPIES}/${name})
   file(COPY ${ROOT}/${name} DESTINATION ${folder})
 endforeach()
-# The copies are not in a git repository: git must not find the repository of a parent folder.
+# The copies do not belong to a git repository. Therefore git must not use the repository of a
+# parent folder.
 get_filename_component(above ${COPIES} DIRECTORY)
 execute_process(
   COMMAND ${CMAKE_COMMAND} -E env GIT_CEILING_DIRECTORIES=${above} git apply --whitespace=nowarn ${PATCH}
@@ -15,7 +17,7 @@ if(failed)
   foreach(name IN LISTS names)
     file(REMOVE ${COPIES}/${name})
   endforeach()
-  message(FATAL_ERROR "${PATCH} does not apply to the sources: create it again from the changed file")
+  message(FATAL_ERROR "${PATCH} does not apply to the sources: create the patch again from the changed source files")
 endif()
 foreach(name IN LISTS names)
   file(TOUCH ${COPIES}/${name})

@@ -11,8 +11,8 @@
 
 namespace wr {
 
-/// @brief A ring buffer from one writer to one reader. Writer and reader run on one core, and each
-/// may preempt the other.
+/// @brief A ring buffer for one writer and one reader. The writer and the reader run on the same
+/// core, and each may preempt the other.
 /// @tparam Element type of an element
 /// @tparam kSize greatest number of elements, a power of 2
 template <class Element, std::size_t kSize>
@@ -27,8 +27,8 @@ class Ring {
   [[nodiscard]] std::size_t free() const { return kSize - count(); }
 
   /// @brief Stores an element.
-  /// @param element the element
-  /// @pre There is space.
+  /// @param element element that is stored
+  /// @pre free() does not return 0.
   /// @isr{yes}
   void put(const Element& element) {
     elements_[written_ % kSize] = element;
@@ -36,7 +36,7 @@ class Ring {
   }
 
   /// @brief Returns the oldest element, and removes it.
-  /// @pre An element is stored.
+  /// @pre count() does not return 0.
   /// @isr{yes}
   Element take() {
     const Element element = elements_[read_ % kSize];
@@ -47,15 +47,15 @@ class Ring {
  private:
   static_assert(
       (kSize & (kSize - 1)) == 0,
-      "the size is a power of 2, so that the positions stay correct when a count overflows");
+      "the size must be a power of 2, because otherwise the positions are wrong after an overflow");
 
   std::array<Element, kSize> elements_{};
   volatile std::size_t written_ = 0;
   volatile std::size_t read_ = 0;
 };
 
-/// @brief The buffers of a port, in both directions. A subclass transfers the bytes between the buffers and
-/// its line.
+/// @brief A serial port with a buffer for received bytes and a buffer for bytes to send. A subclass
+/// transfers the bytes between these buffers and the hardware.
 class BufferedPort : public SerialPort {
  public:
   std::size_t read(std::span<std::uint8_t> bytes) override {
@@ -93,9 +93,10 @@ class BufferedPort : public SerialPort {
   BufferedPort() = default;
   ~BufferedPort() = default;
 
-  /// @brief Stores a received byte, or counts it as lost. The interrupt of the port calls this function.
-  /// @param byte the byte
-  /// @param at time at which it was received
+  /// @brief Stores a received byte, or counts the byte as lost if the buffer is full. The interrupt
+  /// handler of the port calls this function.
+  /// @param byte received byte
+  /// @param at time at which the byte was received
   /// @isr{yes}
   void store(std::uint8_t byte, Instant at) {
     if (received_.free() == 0) {
@@ -105,7 +106,7 @@ class BufferedPort : public SerialPort {
     }
   }
 
-  /// @brief Counts a lost byte. The interrupt of the port calls this function.
+  /// @brief Counts a lost byte. The interrupt handler of the port calls this function.
   /// @isr{yes}
   void lose() {
     if (lost_ != std::numeric_limits<std::uint16_t>::max()) {
@@ -113,18 +114,20 @@ class BufferedPort : public SerialPort {
     }
   }
 
-  /// @brief Returns the buffer of the bytes to send. The interrupt of the port calls this function.
+  /// @brief Returns the buffer of the bytes to send. The interrupt handler of the port calls this
+  /// function.
   /// @isr{yes}
   [[nodiscard]] auto& toSend() { return toSend_; }
 
  private:
-  /// @brief A received byte, and the time at which it was received.
+  /// @brief A received byte, and the time at which this byte was received.
   struct Received {
     std::uint8_t byte = 0;
     Instant at;
   };
 
-  /// @brief Starts to send, if the port is idle. It is called when there may be more bytes to send.
+  /// @brief Starts to send if the port is not sending yet. write() calls this function after it has
+  /// stored bytes.
   virtual void beginSending() = 0;
 
   Ring<Received, 2048> received_;

@@ -4,18 +4,19 @@
 
 namespace wr {
 
-/// @brief Limits the voltage of a wheel to 12 V: its motor is built for 12 V.
+/// @brief A behaviour that limits the voltage of a wheel to 12 V, because its motor is built for 12
+/// V.
 class VoltageCap final : public BehaviourDecorator {
  public:
   /// @brief Greatest magnitude of the voltage.
   static constexpr Tension kMost{12000};
 
-  /// @brief Extends a behaviour.
-  /// @param wrapped behaviour that applies the limited voltage
+  /// @brief Binds this behaviour to the extended behaviour.
+  /// @param wrapped extended behaviour, which applies the limited voltage
   explicit VoltageCap(WheelBehaviour& wrapped) : BehaviourDecorator(wrapped) {}
 
-  /// @brief Applies the demand, limited to 12 V in both directions.
-  /// @param demand voltage that is demanded [mV], -24000 to 24000, positive forwards
+  /// @brief Applies the demanded voltage, but at most 12 V forwards or backwards.
+  /// @param demand demanded voltage [mV], -24000 to 24000, positive forwards
   /// @param velocity measured velocity [0.1 rpm]
   /// @return voltage that was applied [mV], positive forwards
   /// @isr{no}

@@ -15,8 +15,8 @@ class VoltageCapTest : public testing::Test, protected SpiedCommands {
   VoltageCap cap{advance};
 };
 
-/// @brief A demand of more than 12 V is limited, forwards and backwards; a lower demand is not
-/// changed.
+/// @brief A demand of more than 12 V is limited to 12 V, forwards and backwards. A lower demand
+/// does not change.
 TEST_F(VoltageCapTest, LimitsTheDemand) {
   EXPECT_EQ(cap.apply(Tension(18000), Velocity()), Tension(12000));
   EXPECT_EQ(cap.apply(Tension(-18000), Velocity()), Tension(-12000));
@@ -33,8 +33,8 @@ double dutyAt18Volts(const char* image) {
   return robot.duty(0);
 }
 
-/// @brief When the PC orders 18 V, the unchanged image applies 18 V; the image of the kit applies
-/// 12 V.
+/// @brief When the PC orders 18 V, the unchanged firmware applies 18 V. The changed firmware
+/// applies 12 V.
 TEST(VoltageCapOnBoard, PulsesAreLimited) {
   EXPECT_NEAR(dutyAt18Volts(kUnchanged), 0.75, 0.001);
   EXPECT_NEAR(dutyAt18Volts("change_behaviour-extensions"), 0.5, 0.001);

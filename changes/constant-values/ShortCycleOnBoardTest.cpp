@@ -5,7 +5,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief The image welcomes the PC with a period of 50 ms, and reports every 50 ms.
+/// @brief The changed firmware sends a Welcome with a cycle period of 50 ms, and a report every 50
+/// ms.
 TEST(ShortCycleOnBoard, ReportsComeEveryFiftyMilliseconds) {
   ChangedRobot robot("change_constant-values");
   robot.commandByPc();

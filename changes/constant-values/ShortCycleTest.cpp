@@ -1,5 +1,5 @@
-// The changed header is compiled under another name of the namespace, because the other tests use
-// the unchanged header.
+// The changed header is compiled in a namespace with another name, because the other tests use the
+// unchanged header.
 #include <gtest/gtest.h>
 
 #include <compare>
@@ -12,7 +12,8 @@
 namespace wr_of_short_cycle {
 namespace {
 
-/// @brief A cycle lasts 50 ms, and the values that depend on it at compile time still fit.
+/// @brief A cycle lasts 50 ms. All static assertions about values that depend on the cycle pass,
+/// because this file compiles.
 TEST(ShortCycle, HasFiftyMilliseconds) {
   EXPECT_EQ(SystemConstants::instance().cyclePeriod(), milliseconds(50));
 }

@@ -6,12 +6,12 @@
 
 namespace wr {
 
-/// @brief Begins a cycle, and toggles a light: the light blinks while cycles run.
+/// @brief A command that begins a cycle and toggles a light. The light blinks while cycles run.
 class BlinkingTimeOut final : public Command {
  public:
   /// @brief Binds the command to the controller and the light.
-  /// @param controller begins the cycle
-  /// @param light changes in each cycle
+  /// @param controller main controller, which begins the cycle
+  /// @param light light that is toggled in each cycle
   BlinkingTimeOut(MainController& controller, DigitalOutput& light)
       : controller_(controller), light_(light) {}
 

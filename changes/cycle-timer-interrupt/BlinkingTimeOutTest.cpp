@@ -15,7 +15,7 @@ class BlinkingTimeOutTest : public ControllerFixture {
   BlinkingTimeOut timeOut{controller, light};
 };
 
-/// @brief Each call begins a cycle, and toggles the light.
+/// @brief Each execution of the command begins a cycle and toggles the light.
 TEST_F(BlinkingTimeOutTest, BeginsACycleAndChangesTheLight) {
   controller.start();
   timeOut.execute();
@@ -26,7 +26,7 @@ TEST_F(BlinkingTimeOutTest, BeginsACycleAndChangesTheLight) {
   EXPECT_EQ(data.cycle(), 2U);
 }
 
-// Changes of the red light in 10 cycles.
+// Returns the number of changes of the red light in 10 cycles.
 int changesOfTheLight(const char* image) {
   ChangedRobot robot(image);
   robot.connect();
@@ -39,8 +39,8 @@ int changesOfTheLight(const char* image) {
   return changes;
 }
 
-/// @brief The red light of the unchanged image stays off; the image of the kit toggles it in each
-/// cycle.
+/// @brief The red light stays off with the unchanged firmware. The changed firmware toggles the red
+/// light in each cycle.
 TEST(BlinkingTimeOutOnBoard, LightChangesInEachCycle) {
   EXPECT_EQ(changesOfTheLight(kUnchanged), 0);
   EXPECT_EQ(changesOfTheLight("change_cycle-timer-interrupt"), 10);

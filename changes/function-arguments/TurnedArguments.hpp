@@ -4,17 +4,17 @@
 
 namespace wr {
 
-/// @brief Arguments of a sensor that is mounted at an angle: its raw value at zero degrees is
-/// different.
+/// @brief The arguments for a sensor that is mounted with an angular offset. Therefore its raw
+/// value at zero degrees is different.
 class TurnedArguments final : public ArgumentsDecorator {
  public:
-  /// @brief Extends arguments.
+  /// @brief Binds these arguments to the extended arguments.
   /// @param wrapped the extended arguments
-  /// @param turned raw value by which zero has moved
+  /// @param turned change of the raw value at zero degrees
   TurnedArguments(const Arguments& wrapped, std::int32_t turned)
       : ArgumentsDecorator(wrapped), turned_(turned) {}
 
-  /// @brief Writes the wrapped arguments, with the angle added to the raw value at zero.
+  /// @brief Writes the wrapped arguments, and adds the change to the raw value at zero degrees.
   /// @param values receives the values
   /// @isr{yes}
   void fill(ArgumentValues& values) const override {

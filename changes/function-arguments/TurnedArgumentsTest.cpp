@@ -15,7 +15,7 @@ ArgumentValues valuesOf(const Arguments& arguments) {
   return values;
 }
 
-/// @brief Only the raw value at zero changes; a missing argument stays missing.
+/// @brief Only the raw value at zero degrees changes. A missing argument stays missing.
 TEST(TurnedArguments, MovesZeroOnly) {
   const BaseArguments base(17, Microseconds(8000));
   const TurnedArguments without(base, 100);
@@ -34,7 +34,7 @@ int steeringAtRest(const char* image) {
   return robot.report().steering;
 }
 
-/// @brief With the same sensor the image of the kit reports an angle of 5 degrees less.
+/// @brief At the same sensor value, the changed firmware reports an angle that is 5 degrees lower.
 TEST(TurnedArgumentsOnBoard, ReportedAngleIsFiveDegreesLess) {
   EXPECT_NEAR(steeringAtRest(kUnchanged) - steeringAtRest("change_function-arguments"), 500, 10);
 }

@@ -7,20 +7,21 @@
 
 namespace wr {
 
-/// @brief Counts the edges of Hall sensors that are mounted on the other side of the motor.
+/// @brief A command that counts the edges of Hall sensors on the other side of the motor.
 ///
-/// Their two signals have changed places.
+/// On that side, each of the two sensors sends the signal that the other sensor usually sends.
 class CountMirroredSignal final : public Command {
  public:
-  /// @brief Binds the command to sensor and collector.
+  /// @brief Binds the command to the sensor and to the collector.
   /// @param collector receives the edges
-  /// @param sensor returns the levels
+  /// @param sensor returns the levels of the two signals
   /// @param timebase returns the time of an edge
   CountMirroredSignal(SensorCollector& collector, const ActiveSensor& sensor,
                       const Timebase& timebase)
       : collector_(collector), sensor_(sensor), timebase_(timebase) {}
 
-  /// @brief Exchanges the two present levels, and passes them with the time to the collector.
+  /// @brief Exchanges the present levels of the two signals, then passes the levels and the time to
+  /// the collector.
   /// @isr{yes}
   void execute() override {
     const unsigned phase = sensor_.phase();

@@ -18,7 +18,8 @@ class Level final : public EdgeInput {
   bool high = false;
 };
 
-/// @brief With the change, the sequence of levels that counted forwards counts backwards.
+/// @brief The command counts backwards when the levels change in the sequence that usually means
+/// forwards.
 TEST(CountMirroredSignal, CountsTheOtherWay) {
   FakeTimebase clock;
   Level a;
@@ -50,8 +51,8 @@ int positionAfterDriving(const char* image) {
   return robot.report().position.at(0);
 }
 
-/// @brief With the same sensors the position rises in the unchanged image, and falls in the image
-/// of the kit.
+/// @brief With the same sensor signals, the position rises in the unchanged firmware and falls in
+/// the changed firmware.
 TEST(CountMirroredSignalOnBoard, PositionChangesTheOtherWay) {
   const int before = positionAfterDriving(kUnchanged);
   EXPECT_GT(before, 5);

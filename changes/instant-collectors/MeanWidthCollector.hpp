@@ -4,14 +4,15 @@
 
 namespace wr {
 
-/// @brief Smooths the width of a pulse: returns the mean of the last two pulses.
+/// @brief A collector that smooths the width of pulses: it returns the mean width of the last two
+/// pulses.
 class MeanWidthCollector final : public CollectorDecorator {
  public:
-  /// @brief Extends a collector.
+  /// @brief Binds this collector to the extended collector.
   /// @param wrapped the extended collector, which measures the width
   explicit MeanWidthCollector(InstantCollector& wrapped) : CollectorDecorator(wrapped) {}
 
-  /// @brief Forwards the edge; a rising edge also stores the width of the previous pulse.
+  /// @brief Forwards the edge. At a rising edge, also stores the width of the previous pulse.
   /// @param edge the edge
   /// @isr{yes}
   void collect(const Edge& edge) override {
@@ -23,8 +24,8 @@ class MeanWidthCollector final : public CollectorDecorator {
     CollectorDecorator::collect(edge);
   }
 
-  /// @brief Writes the record of the wrapped collector; after two pulses the record contains their
-  /// mean width.
+  /// @brief Writes the values of the wrapped collector. After two pulses, replaces the width by the
+  /// mean width of both pulses.
   /// @param instants receives `width` [us]
   /// @isr{yes}
   void fill(Instants& instants) const override {

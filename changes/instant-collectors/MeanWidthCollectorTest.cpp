@@ -11,7 +11,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief After two pulses the width is their mean; after one pulse it is the width of this pulse.
+/// @brief After one pulse, the result is the width of this pulse. After two pulses, the result is
+/// the mean of both widths.
 TEST(MeanWidthCollector, WidthIsTheMeanOfTwoPulses) {
   BasicCollector basic;
   WidthCollector width(basic);
@@ -28,7 +29,8 @@ TEST(MeanWidthCollector, WidthIsTheMeanOfTwoPulses) {
   EXPECT_EQ(pulse(40000, 1800), Microseconds(1800));
 }
 
-// Sends pulses of the remote control on both channels, each for a cycle of 100 ms.
+// A robot whose remote control sends pulses on both channels. Each call of pulses() sends the
+// pulses of one cycle of 100 ms.
 class PulsedRobot : public ChangedRobot {
  public:
   using ChangedRobot::ChangedRobot;
@@ -58,8 +60,8 @@ int velocityOfPulses(const char* image, int first, int second) {
   return robot.report().setPoint.at(0);
 }
 
-/// @brief When pulses of 1.6 and 1.8 ms alternate, the unchanged image follows the last pulse; the
-/// image of the kit follows their mean.
+/// @brief Pulses of 1.6 ms and 1.8 ms alternate. The unchanged firmware follows the last pulse. The
+/// changed firmware follows the mean of the last two pulses.
 TEST(MeanWidthCollectorOnBoard, VelocityIsThatOfTheMean) {
   const int ofLast = velocityOfPulses(kUnchanged, 1600, 1600);
   const int ofMean = velocityOfPulses(kUnchanged, 1700, 1700);

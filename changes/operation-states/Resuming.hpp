@@ -6,20 +6,22 @@
 
 namespace wr {
 
-/// @brief The robot has found another source of orders. It holds for one more cycle before it
-/// follows these orders.
+/// @brief The state after the robot has found another source of orders. The robot stands still for
+/// one more cycle before it follows the orders of this source.
 class Resuming final : public OperationState {
  public:
-  /// @brief Number of the state in reports.
+  /// @brief Number of this state in reports.
   static constexpr OperationStateId kId{5};
 
   /// @brief Binds the state to its successors.
-  /// @param working state after an order; only its address is used before the first cycle
-  /// @param waiting state after a failed read; only its address is used before the first cycle
+  /// @param working state that follows when an order is read; it need not be constructed before the
+  /// first cycle
+  /// @param waiting state that follows when a read fails; it need not be constructed before the
+  /// first cycle
   Resuming(OperationState& working, OperationState& waiting)
       : OperationState(kId), working_(working), waiting_(waiting) {}
 
-  /// @brief Holds the robot.
+  /// @brief Orders the wheels to halt and the steering to hold its angle.
   /// @param mCtrl main controller
   /// @isr{no}
   void control(MainController& mCtrl) override { mCtrl.holdSystems(); }

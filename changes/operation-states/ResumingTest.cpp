@@ -23,7 +23,8 @@ TEST(Resuming, HasANumberOfItsOwn) {
   EXPECT_EQ(numbers.size(), 6U);
 }
 
-/// @brief After the search for a source the robot of the kit holds for one cycle in the new state, then it works.
+/// @brief After the search for a source of orders, the robot stands still for one cycle in the new
+/// state. Then it is in the state Working.
 TEST(ResumingOnBoard, HoldsForACycleAfterTheSearch) {
   ChangedRobot robot("change_operation-states");
   robot.connect();

@@ -11,11 +11,11 @@
 
 namespace wr {
 
-/// @brief Six operation states: the five states of the robot that warns, and a state that waits for
-/// a cycle after the search for a source.
+/// @brief Six operation states: the five states of the robot that warns, and a state in which the
+/// robot stands still for one cycle after the search for a source of orders.
 struct SixStates {
-  /// @brief Constructs the states and binds each to its successors.
-  /// @param warning output that is on during a warning
+  /// @brief Constructs the states, and binds each state to its successors.
+  /// @param warning output that is on while the robot warns
   explicit SixStates(DigitalOutput& warning)
       : waiting(working, waitingK, SystemConstants::instance().waitingCycles() - 1),
         working(waiting),
@@ -25,11 +25,11 @@ struct SixStates {
         resuming(working, waiting) {}
 
   Waiting waiting;            ///< counts failed reads
-  Working working;            ///< the first state
+  Working working;            ///< follows new orders; it is the first state
   WaitingK waitingK;          ///< warns
   WaitingN waitingN;          ///< the last waiting state
-  Reconnecting reconnecting;  ///< looks for another source
-  Resuming resuming;          ///< holds for one more cycle
+  Reconnecting reconnecting;  ///< searches for another source of orders
+  Resuming resuming;          ///< keeps the robot at rest for one more cycle
 };
 
 }  // namespace wr

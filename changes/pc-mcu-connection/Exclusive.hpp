@@ -6,34 +6,36 @@
 
 namespace wr {
 
-/// @brief The PC is connected, and no other PC can take its place: a Hello is not answered.
+/// @brief The state of the connection while a PC is connected. No other PC can connect, because a
+/// Hello is not answered.
 class Exclusive final : public ConnectionState {
  public:
   /// @brief Binds the state to its successor.
-  /// @param disconnected state after a silence; only its address is used before the first frame
+  /// @param disconnected state that follows when the PC is silent for too long; it need not be
+  /// constructed before the first frame
   explicit Exclusive(ConnectionState& disconnected) : disconnected_(disconnected) {}
 
-  /// @brief Counts the Hello as unexpected, and answers nothing.
-  /// @param connection the connection that received it
+  /// @brief Counts the Hello as unexpected, and sends no answer.
+  /// @param connection connection that received the Hello
   /// @isr{no}
   void hello(PcConnection& connection) override { connection.countUnexpected(); }
 
-  /// @brief Accepts a sign of life.
+  /// @brief Accepts a KeepAlive.
   /// @return true
   /// @isr{no}
   bool keepAlive(PcConnection& /*connection*/) override { return true; }
 
-  /// @brief Stores an order.
-  /// @param connection the connection that received it
-  /// @param frame the frame of the order
-  /// @return false when the frame was dropped
+  /// @brief Stores a received order.
+  /// @param connection connection that received the order
+  /// @param frame frame that contains the order
+  /// @return false if the frame was dropped
   /// @isr{no}
   bool order(PcConnection& connection, const Frame& frame) override {
     return connection.takeOrder(frame);
   }
 
-  /// @brief Ends the session after a silence.
-  /// @param connection the connection whose time is checked
+  /// @brief Ends the session if the PC is silent for too long.
+  /// @param connection connection whose time is checked
   /// @isr{no}
   void checkTime(PcConnection& connection) override {
     if (connection.silence() >= SystemConstants::instance().linkTimeout()) {
@@ -42,7 +44,7 @@ class Exclusive final : public ConnectionState {
     }
   }
 
-  /// @brief Returns true: the PC is connected.
+  /// @brief Returns true, because the PC is connected in this state.
   /// @return true
   /// @isr{no}
   [[nodiscard]] bool connected() const override { return true; }

@@ -11,7 +11,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief A Hello does not change the state and counts as unexpected; the session continues.
+/// @brief A Hello does not change the state, and is counted as unexpected. The session continues.
 TEST(Exclusive, IgnoresAHello) {
   FakeSerialPort port;
   SerialReader reader;
@@ -39,8 +39,9 @@ bool answersASecondHello(ChangedRobot& robot) {
   return robot.welcome.has_value();
 }
 
-/// @brief The unchanged image welcomes a second PC, which ends the session of the first PC. The
-/// image of the kit still reports to the first PC.
+/// @brief The unchanged firmware answers a second PC with a Welcome, and ends the session of the
+/// first PC. The changed firmware does not answer the second PC, and still sends reports to the
+/// first PC.
 TEST(ExclusiveOnBoard, SecondPcIsNotWelcome) {
   ChangedRobot before(kUnchanged);
   EXPECT_TRUE(answersASecondHello(before));

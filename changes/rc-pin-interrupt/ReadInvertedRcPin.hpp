@@ -7,17 +7,18 @@
 
 namespace wr {
 
-/// @brief Reads a receiver of the remote control whose pulses are low.
+/// @brief A command that reads a receiver of the remote control with inverted pulses: the level is
+/// low during a pulse.
 class ReadInvertedRcPin final : public Command {
  public:
-  /// @brief Binds the command to pin and buffer.
+  /// @brief Binds the command to the pin and to the buffer.
   /// @param buffer receives the edges
-  /// @param pin returns the level
+  /// @param pin returns the level of the signal
   /// @param timebase returns the time of an edge
   ReadInvertedRcPin(RcBuffer& buffer, const RcPin& pin, const Timebase& timebase)
       : buffer_(buffer), pin_(pin), timebase_(timebase) {}
 
-  /// @brief Passes the opposite of the present level, and the time, to the buffer.
+  /// @brief Passes the opposite of the present level to the buffer, together with the time.
   /// @isr{yes}
   void execute() override { buffer_.signal(!pin_.level(), timebase_.now()); }
 

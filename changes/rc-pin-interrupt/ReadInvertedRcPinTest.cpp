@@ -28,7 +28,7 @@ class NoCommand final : public Command {
   void execute() override {}
 };
 
-/// @brief Low pulses of 1.7 ms set a velocity, as high pulses do without the change.
+/// @brief With this command, low pulses of 1.7 ms set a velocity.
 TEST(ReadInvertedRcPin, LowPulsesAreRead) {
   FakeTimebase clock;
   BasicCollector basic;
@@ -53,7 +53,8 @@ TEST(ReadInvertedRcPin, LowPulsesAreRead) {
   EXPECT_GT(velocity.read()->value, Velocity(1000));
 }
 
-// Sends pulses of the remote control on both channels, each for a cycle of 100 ms.
+// A robot whose remote control sends pulses on both channels. Each call of pulses() sends the
+// pulses of one cycle of 100 ms.
 class PulsedRobot : public ChangedRobot {
  public:
   using ChangedRobot::ChangedRobot;
@@ -84,8 +85,8 @@ int ordersRead(const char* image, bool inverted) {
   return read;
 }
 
-/// @brief The unchanged image reads orders only from high pulses; the image of the kit reads them
-/// only from low pulses.
+/// @brief The unchanged firmware reads orders only from high pulses. The changed firmware reads
+/// orders only from low pulses.
 TEST(ReadInvertedRcPinOnBoard, OrdersAreReadFromLowPulses) {
   EXPECT_EQ(ordersRead(kUnchanged, true), 0);
   EXPECT_GT(ordersRead(kUnchanged, false), 3);

@@ -19,21 +19,23 @@ struct FieldPoint {
   std::int16_t y = 0;  ///< to the left, at right angles to the rows [cm]
 };
 
-/// @brief Reads orders that lead along the rows from way-point to way-point, by the positions of a GPS receiver.
+/// @brief A reader that computes orders from way-points and from the positions of a GPS receiver.
+/// The orders lead the robot along the rows from way-point to way-point.
 ///
-/// The receiver sends each position as 6 bytes: 165, x, y, and the exclusive or of these 5 bytes.
+/// The receiver sends each position in 6 bytes: the number 165, two bytes of x, two bytes of y, and
+/// the exclusive OR of these 5 bytes.
 class WaypointReader final : public Reader {
  public:
-  /// @brief Distance along the row at which a way-point is reached [cm].
+  /// @brief Remaining distance along the row at which a way-point counts as reached [cm].
   static constexpr std::int32_t kReached = 20;
 
-  /// @brief Velocity on the way.
+  /// @brief Velocity that each order sets.
   static constexpr Velocity kVelocity{500};
 
   /// @brief Binds the reader to the receiver and the way-points.
-  /// @param port line of the receiver
-  /// @param timebase returns the time
-  /// @param way way-points in their order along the rows; they exist as long as the reader
+  /// @param port serial port of the receiver
+  /// @param timebase returns the present time
+  /// @param way way-points in their sequence along the rows; they must exist as long as the reader
   WaypointReader(SerialPort& port, const Timebase& timebase, std::span<const FieldPoint> way)
       : port_(port), timebase_(timebase), way_(way) {}
 
@@ -49,7 +51,7 @@ class WaypointReader final : public Reader {
     }
   }
 
-  /// @brief Returns whether there is a new position, and a way-point ahead of it.
+  /// @brief Returns whether there is a new position, and a way-point ahead of this position.
   /// @return true when both exist
   /// @isr{no}
   [[nodiscard]] bool available() const override {
@@ -57,13 +59,13 @@ class WaypointReader final : public Reader {
            timebase_.now() - *at_ <= SystemConstants::instance().orderLifetime();
   }
 
-  /// @brief Returns false: the receiver orders no stop.
+  /// @brief Returns false, because the receiver cannot order a stop.
   /// @return false
   /// @isr{no}
   [[nodiscard]] bool stopOrdered() const override { return false; }
 
-  /// @brief Reads the kind of the set-points, which is always velocity, and the commands, which are
-  /// always 0.
+  /// @brief Reads a field of 8 bits. The quantity of a set-point is always velocity. Every other
+  /// field is 0.
   /// @isr{no}
   std::uint8_t readU8(Field field) override {
     return field.name == FieldName::WheelQuantity
@@ -71,29 +73,30 @@ class WaypointReader final : public Reader {
                : std::uint8_t{0};
   }
 
-  /// @brief Reads the number of the order, which is the number of the next way-point.
+  /// @brief Reads the number of the order: the index of the next way-point.
   /// @return index of the next way-point, from 0
   /// @isr{no}
   std::uint16_t readU16(Field /*field*/) override { return static_cast<std::uint16_t>(next_); }
 
-  /// @brief Reads the velocity, or the angle towards the next way-point.
+  /// @brief Reads a field of 16 bits with sign: the velocity of a wheel, or the steering angle
+  /// towards the next way-point.
   /// @isr{no}
   std::int16_t readI16(Field field) override {
     return field.name == FieldName::WheelValue ? static_cast<std::int16_t>(kVelocity.count())
                                                : towards(way_[next_]);
   }
 
-  /// @brief Reads the time of the order, which the receiver does not send.
+  /// @brief Returns 0 as the time of the order, because the receiver sends no time.
   /// @return 0
   /// @isr{no}
   std::uint32_t readU32(Field /*field*/) override { return 0; }
 
-  /// @brief Reads nothing: no order has such a field.
+  /// @brief Returns 0, because no order has a field of this type.
   /// @return 0
   /// @isr{no}
   std::int32_t readI32(Field /*field*/) override { return 0; }
 
-  /// @brief Ends an order: each position is one order.
+  /// @brief Ends the order. The next order needs a new position.
   /// @return true
   /// @isr{no}
   bool finish() override {
@@ -102,10 +105,10 @@ class WaypointReader final : public Reader {
   }
 
  private:
-  static constexpr std::size_t kMostBytes = 64;  // in a cycle
+  static constexpr std::size_t kMostBytes = 64;  // greatest number of bytes in a cycle
   static constexpr std::uint8_t kBegin = 165;
   static constexpr std::size_t kLength = 6;
-  static constexpr std::int32_t kRadian = 5730;  // [0.01 degree]
+  static constexpr std::int32_t kRadian = 5730;  // [0.01 degree] one radian
   static constexpr std::int32_t kMostAngle = 2500;
 
   void take(std::uint8_t byte) {
@@ -150,9 +153,9 @@ class WaypointReader final : public Reader {
   SerialPort& port_;
   const Timebase& timebase_;
   std::span<const FieldPoint> way_;
-  std::size_t next_ = 0;  // way-point that is ahead
+  std::size_t next_ = 0;  // index of the way-point that is ahead
   FieldPoint position_{};
-  std::optional<Instant> at_;  // time of a position that was not read
+  std::optional<Instant> at_;  // time of a position from which no order was read yet
   std::uint8_t bytes_[kLength]{};
   std::size_t count_ = 0;
 };

@@ -6,27 +6,27 @@
 
 namespace wr {
 
-/// @brief The mode in which way-points of the field command the robot.
+/// @brief The reading mode in which the orders come from way-points of the field.
 class Waypoints final : public ModeDecorator {
  public:
-  /// @brief Number of the mode in reports.
+  /// @brief Number of this mode in reports.
   static constexpr ModeId kId{3};
 
-  /// @brief Binds the mode to its parts.
-  /// @param wrapped mode that reads with the reader
-  /// @param successor of this mode; only its address is used before the first cycle
-  /// @param reader reader of the way-points
+  /// @brief Binds this mode to the extended mode, to the other mode and to the reader.
+  /// @param wrapped extended mode, which reads the orders of the reader
+  /// @param other mode that changeMode() selects; it need not be constructed before the first cycle
+  /// @param reader reader that computes orders from the way-points
   Waypoints(Mode& wrapped, Mode& other, WaypointReader& reader)
       : ModeDecorator(kId, wrapped), other_(other), reader_(reader) {}
 
-  /// @brief Serves the receiver, then the wrapped mode.
+  /// @brief Reads the bytes of the receiver, then calls serve() of the wrapped mode.
   /// @isr{no}
   void serve() override {
     reader_.serve();
     ModeDecorator::serve();
   }
 
-  /// @brief Saves the number of the mode, and reads an order.
+  /// @brief Records this mode as the source of the set-points, then reads an order.
   /// @param mCtrl main controller
   /// @isr{no}
   void read(MainController& mCtrl) override {

@@ -30,7 +30,8 @@ std::vector<std::uint8_t> position(std::int16_t x, std::int16_t y) {
 
 class WaypointReaderTest : public testing::Test {
  protected:
-  /// @brief Returns the steering angle of the order after a position, if there is an order.
+  /// @brief Passes a position to the reader. Returns the steering angle of the resulting order, or
+  /// no value if there is no order.
   std::optional<int> steeringAt(std::int16_t x, std::int16_t y) {
     give(position(x, y));
     reader.serve();
@@ -51,7 +52,7 @@ class WaypointReaderTest : public testing::Test {
   WaypointReader reader{port, clock, kWay};
 };
 
-/// @brief Orders steer towards the next way-point; after the last way-point there are no orders.
+/// @brief Orders steer towards the next way-point. After the last way-point there are no orders.
 TEST_F(WaypointReaderTest, SteersTowardsTheNextWaypoint) {
   EXPECT_EQ(steeringAt(0, 0), 0);
   EXPECT_EQ(steeringAt(100, 10), -286);
@@ -59,7 +60,8 @@ TEST_F(WaypointReaderTest, SteersTowardsTheNextWaypoint) {
   EXPECT_EQ(steeringAt(590, 50), std::nullopt);
 }
 
-/// @brief Each position is one order, which is valid for a short time; damaged bytes are no order.
+/// @brief Each position causes one order, which is valid for a short time. Damaged bytes cause no
+/// order.
 TEST_F(WaypointReaderTest, OldAndDamagedPositionsGiveNoOrder) {
   ASSERT_EQ(steeringAt(0, 0), 0);
   EXPECT_FALSE(reader.available());
@@ -75,8 +77,8 @@ TEST_F(WaypointReaderTest, OldAndDamagedPositionsGiveNoOrder) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief The image of the kit follows the positions of a receiver at the second port, and its
-/// reports name the mode.
+/// @brief The changed firmware follows the positions of a receiver at the second serial port. Its
+/// reports contain the number of the mode.
 TEST(WaypointsOnBoard, PositionsCommandTheRobot) {
   ChangedRobot robot("change_reading-modes");
   robot.connect();

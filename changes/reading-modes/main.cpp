@@ -1,4 +1,4 @@
-// The composition of a robot that the PC and the way-points of a field command.
+// The composition of a robot that receives orders from the PC and from the way-points of a field.
 
 #include <array>
 #include <optional>
@@ -29,7 +29,7 @@ MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .watchdog = platform::watchdog,
                                          .start = platform::startRecord});
 
-// The two modes; each is the successor of the other.
+// The two reading modes. Each of the two modes changes to the other.
 struct FieldModes {
   FieldModes(Reader& pcReader, PcConnection& connection)
       : reader(gpsPort, platform::timebase, kWay),

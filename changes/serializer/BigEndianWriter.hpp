@@ -6,12 +6,12 @@
 
 namespace wr {
 
-/// @brief Writes each number with its most significant byte first, because a recorder of the farm
-/// expects it first.
+/// @brief A writer that writes the most significant byte of each number first, because a data
+/// recorder of the farm expects this byte first.
 class BigEndianWriter final : public Writer {
  public:
-  /// @brief Binds the writer to the writer that stores the bytes.
-  /// @param bytes writer that stores the bytes; it writes the least significant byte first
+  /// @brief Binds this writer to another writer, which stores the bytes.
+  /// @param bytes writer that stores the bytes, the least significant byte of each number first
   explicit BigEndianWriter(Writer& bytes) : bytes_(bytes) {}
 
   /// @brief Writes a field of 8 bits without sign.
@@ -42,8 +42,8 @@ class BigEndianWriter final : public Writer {
     bytes_.writeU32(field, turned(static_cast<std::uint32_t>(value)));
   }
 
-  /// @brief Finishes one object.
-  /// @return false when there was no space for a field of the object
+  /// @brief Ends one message.
+  /// @return false if there was no space for a field of the message
   /// @isr{no}
   bool finish() override { return bytes_.finish(); }
 

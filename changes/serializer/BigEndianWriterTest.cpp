@@ -27,7 +27,8 @@ TEST(BigEndianWriter, GreatestByteComesFirst) {
   EXPECT_EQ(std::vector<int>(bytes.bytes().begin(), bytes.bytes().end()), expected);
 }
 
-/// @brief The reports of the kit contain the cycle number with its most significant byte first.
+/// @brief Reports of the changed firmware contain the cycle number with its most significant byte
+/// first.
 TEST(BigEndianWriterOnBoard, ReportsHaveTheOtherFormat) {
   ChangedRobot before(kUnchanged);
   before.connect();
@@ -40,8 +41,8 @@ TEST(BigEndianWriterOnBoard, ReportsHaveTheOtherFormat) {
   EXPECT_EQ(__builtin_bswap32(after.report().cycle), first + 1);
 }
 
-/// @brief The robot follows the orders of the PC. The mean of the instructions in a cycle is recorded, as for all
-/// images.
+/// @brief The robot follows the orders of the PC. The test records the mean number of instructions
+/// in a cycle, as the tests of the other firmware images do.
 TEST(BigEndianWriterOnBoard, DrivesAsThePcOrders) {
   constexpr int kCycles = 20;
   ChangedRobot robot("change_serializer");

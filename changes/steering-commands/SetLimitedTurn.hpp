@@ -5,18 +5,18 @@
 
 namespace wr {
 
-/// @brief Turns a steering whose motor loses steps above 150 steps/s.
+/// @brief A command that turns a steering whose motor loses steps above 150 steps/s.
 class SetLimitedTurn final : public SteeringCommand {
  public:
   /// @brief Greatest rate of the motor.
   static constexpr StepRate kMost{150};
 
   /// @brief Binds the command to the device.
-  /// @param device steering device that it acts on
+  /// @param device steering device whose motor is turned
   explicit SetLimitedTurn(SteeringDevice& device) : device_(device) {}
 
   /// @brief Sets the rate, limited to 150 steps/s in both directions.
-  /// @param rate rate that is ordered [steps/s], -500 to 500, positive to the left
+  /// @param rate ordered rate [steps/s], -500 to 500, positive to the left
   /// @isr{yes}
   void execute(StepRate rate) override {
     device_.turn(rate > kMost ? kMost : rate < -kMost ? -kMost : rate);

@@ -4,19 +4,20 @@
 
 namespace wr {
 
-/// @brief Turns at a rate proportional to the remaining angle, at most a quarter of the full rate.
+/// @brief A rule that turns the steering at a rate proportional to the remaining angle, but at most
+/// at a quarter of the full rate.
 class SlowTurn final : public SteeringAlgorithm {
  public:
   /// @brief Greatest rate.
   static constexpr StepRate kMost{125};
 
-  /// @brief Difference at which the steering rests.
+  /// @brief Greatest difference between target and position at which the steering does not turn.
   static constexpr Angle kArrived{20};
 
-  /// @brief Constructs the rule. It has no state.
+  /// @brief Constructs the rule, which has no state.
   SlowTurn() = default;
 
-  /// @brief Computes the turn.
+  /// @brief Computes the rate of the turn.
   /// @param target ordered angle of the steering [0.01 degree], positive to the left
   /// @param position measured angle of the steering [0.01 degree], positive to the left
   /// @return rate that the motor shall reach [steps/s], -125 to 125; 0 within 0.2 degrees of the

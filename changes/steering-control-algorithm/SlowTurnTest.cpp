@@ -7,8 +7,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief Far from the target the rate has its greatest value; near the target it is half of the
-/// remaining angle; at the target it is 0.
+/// @brief Far from the target, the rate has its greatest value. Near the target, the rate is half
+/// of the remaining angle. At the target, the rate is 0.
 TEST(SlowTurn, RateFollowsTheWayThatIsLeft) {
   SlowTurn rule;
   EXPECT_EQ(rule.turn(Angle(2000), Angle(0), StepRate(0)), StepRate(125));
@@ -17,8 +17,8 @@ TEST(SlowTurn, RateFollowsTheWayThatIsLeft) {
   EXPECT_EQ(rule.turn(Angle(100), Angle(90), StepRate(0)), StepRate(0));
 }
 
-// Returns the angle [0.01 degree] that the robot reports a number of cycles after the first order
-// of 20 degrees.
+// Orders 20 degrees for a number of cycles. Returns the angle [0.01 degree] that the robot then
+// reports.
 int angleAfter(ChangedRobot& robot, int cycles) {
   for (int cycle = 0; cycle < cycles; ++cycle) {
     robot.orderSteering(2000);
@@ -26,8 +26,8 @@ int angleAfter(ChangedRobot& robot, int cycles) {
   return robot.report().steering;
 }
 
-/// @brief After 1.5 s the unchanged robot has turned by 20 degrees. The robot of the kit needs
-/// longer, and also reaches 20 degrees.
+/// @brief After 1.5 s the steering of the unchanged robot has turned by 20 degrees. The steering of
+/// the changed robot needs more time for the same turn.
 TEST(SlowTurnOnBoard, TurnTakesLonger) {
   ChangedRobot before(kUnchanged);
   before.commandByPc();

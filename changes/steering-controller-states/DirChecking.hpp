@@ -5,25 +5,29 @@
 
 namespace wr {
 
-/// @brief The motor is on, and the steering rests for a second before it holds: a person can still step back.
+/// @brief The state in which the motor is on, but the steering does not turn for one second. In
+/// this second a person can step back.
 class DirChecking final : public DirState {
  public:
-  /// @brief Number of the state in reports.
+  /// @brief Number of this state in reports.
   static constexpr auto kId = static_cast<SteeringState>(4);
 
   /// @brief Duration of the state [ticks of the controller, 8 ms each].
   static constexpr std::int32_t kTicks = 125;
 
   /// @brief Binds the state to its successors.
-  /// @param holding state after the wait; only its address is used before the first tick
-  /// @param off state after the orders ended; only its address is used before the first tick
-  /// @param fault state after a fault; only its address is used before the first tick
+  /// @param holding state that follows after the wait; it need not be constructed before the first
+  /// tick
+  /// @param off state that follows when there are no orders; it need not be constructed before the
+  /// first tick
+  /// @param fault state that follows after a fault; it need not be constructed before the first
+  /// tick
   DirChecking(DirState& holding, DirState& off, DirState& fault)
       : DirState(kId), holding_(holding), off_(off), fault_(fault) {}
 
-  /// @brief Counts the ticks of the wait, and leaves the state at its end, or when there are no
-  /// orders or no position.
-  /// @param controller controller that ticks
+  /// @brief Counts the ticks of the wait. Leaves the state when the wait ends, when there are no
+  /// orders, or when there is no position.
+  /// @param controller controller whose state changes
   /// @isr{yes}
   void tick(DirController& controller) override {
     if (leave(controller, off_, fault_)) {

@@ -44,8 +44,8 @@ struct CheckedControl {
   }
 };
 
-/// @brief After the motor is switched on, the steering is in the new state for 125 ticks; then it
-/// holds.
+/// @brief After the motor is switched on, the steering is in the new state for 125 ticks. Then the
+/// steering is in another state.
 TEST(DirChecking, HoldsAfterASecond) {
   CheckedControl control;
   int ticks = 0;
@@ -56,7 +56,8 @@ TEST(DirChecking, HoldsAfterASecond) {
   EXPECT_NEAR(ticks, DirChecking::kTicks, 2);
 }
 
-/// @brief When the orders end, the steering changes to the state without power.
+/// @brief When the orders end, the steering changes to the state Off, in which its motor has no
+/// power.
 TEST(DirChecking, EndsWithTheOrders) {
   CheckedControl control;
   control.tick(true);
@@ -66,8 +67,8 @@ TEST(DirChecking, EndsWithTheOrders) {
   EXPECT_EQ(control.status.read().value().value.state, SteeringState::Off);
 }
 
-/// @brief After the first order the steering waits in the new state for 1 s without motion; then it
-/// turns.
+/// @brief After the first order, the steering waits in the new state for 1 s without motion. Then
+/// the steering turns.
 TEST(DirCheckingOnBoard, SteeringWaitsASecondInTheNewState) {
   ChangedRobot robot("change_steering-controller-states");
   robot.connect();

@@ -5,24 +5,25 @@
 
 namespace wr {
 
-/// @brief The motor has current. It waits for 1 s before its first step, because its driver warms
-/// up.
+/// @brief The state in which the steering motor has current, but makes no steps for 1 s, because
+/// its driver warms up.
 class PoweredWarming final : public SteeringPower {
  public:
   /// @brief Duration of the wait [ticks of 1 ms].
   static constexpr std::int32_t kTicks = 1000;
 
   /// @brief Binds the state to its successors.
-  /// @param on state after the wait; only its address is used before the first call
-  /// @param off state after the motor was switched off; only its address is used before the first call
+  /// @param on state that follows after the wait; it need not be constructed before the first call
+  /// @param off state that follows when the motor is switched off; it need not be constructed
+  /// before the first call
   PoweredWarming(SteeringPower& on, SteeringPower& off) : on_(on), off_(off) {}
 
-  /// @brief Does nothing: the motor is on.
+  /// @brief Does nothing, because the motor is already on.
   /// @isr{yes}
   void enable(SteeringDevice& /*device*/) override {}
 
-  /// @brief Switches the motor off. The next wait lasts its full time.
-  /// @param device device whose motor it is
+  /// @brief Switches the motor off. The next wait lasts for the full time again.
+  /// @param device steering device to which the motor belongs
   /// @isr{yes}
   void disable(SteeringDevice& device) override {
     left_ = kTicks;
@@ -30,8 +31,8 @@ class PoweredWarming final : public SteeringPower {
     device.changePower(off_);
   }
 
-  /// @brief Counts the ticks of the wait, and ends it.
-  /// @param device device whose motor it is
+  /// @brief Counts the ticks of the wait. After the last tick, sets the next state.
+  /// @param device steering device to which the motor belongs
   /// @isr{yes}
   void tick(SteeringDevice& device) override {
     --left_;
@@ -41,7 +42,7 @@ class PoweredWarming final : public SteeringPower {
     }
   }
 
-  /// @brief Returns false: the motor cannot step yet.
+  /// @brief Returns false, because the motor cannot make steps yet.
   /// @return false
   /// @isr{yes}
   [[nodiscard]] bool ready(const SteeringDevice& /*device*/) const override { return false; }

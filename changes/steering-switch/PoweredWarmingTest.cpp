@@ -33,8 +33,8 @@ struct WarmedMotor {
   }
 };
 
-/// @brief The motor has current at once, makes its first step after 1 s, and waits again after it
-/// was switched off.
+/// @brief The motor has current at once, but makes its first step only after 1 s. After the motor
+/// was switched off, it waits for 1 s again.
 TEST(PoweredWarming, FirstStepComesAfterASecond) {
   WarmedMotor motor;
   motor.device.enable();
@@ -66,7 +66,8 @@ int cyclesUntilItTurns(const char* image) {
   return cycles;
 }
 
-/// @brief The robot of the kit begins to turn 1 s later than the unchanged robot.
+/// @brief The steering of the changed robot begins to turn 1 s later than the steering of the
+/// unchanged robot.
 TEST(PoweredWarmingOnBoard, SteeringTurnsASecondLater) {
   const int before = cyclesUntilItTurns(kUnchanged);
   const int after = cyclesUntilItTurns("change_steering-switch");

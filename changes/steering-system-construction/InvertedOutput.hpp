@@ -4,11 +4,11 @@
 
 namespace wr {
 
-/// @brief An output whose device works with the opposite level.
+/// @brief An output for a device that needs the opposite level.
 class InvertedOutput final : public DigitalOutput {
  public:
   /// @brief Binds the output to the pin.
-  /// @param pin gets the opposite level
+  /// @param pin pin that gets the opposite level
   explicit InvertedOutput(DigitalOutput& pin) : pin_(pin) {}
 
   /// @brief Sets the opposite level.

@@ -8,7 +8,7 @@
 namespace wr::test {
 namespace {
 
-/// @brief The pin has the opposite level.
+/// @brief The pin always has the opposite level of the output.
 TEST(InvertedOutput, SetsTheOppositeLevel) {
   FakeOutput pin;
   InvertedOutput output(pin);
@@ -27,8 +27,8 @@ bool levelToTheLeft(const char* image) {
   return robot.board().pin('C', 9);
 }
 
-/// @brief While the steering turns to the left, the direction pin is high with the unchanged image,
-/// and low with the image of the kit.
+/// @brief While the steering turns to the left, the direction pin is high with the unchanged
+/// firmware, and low with the changed firmware.
 TEST(InvertedOutputOnBoard, DirectionHasTheOtherLevel) {
   EXPECT_TRUE(levelToTheLeft(kUnchanged));
   EXPECT_FALSE(levelToTheLeft("change_steering-system-construction"));

@@ -4,11 +4,12 @@
 
 namespace wr {
 
-/// @brief Runs the work of the steering at every second tick: its driver needs pulses of 2 ms.
+/// @brief A command that executes the work of the steering only at every second tick, because the
+/// driver of the steering motor needs pulses that last 2 ms.
 class EverySecondTick final : public Command {
  public:
   /// @brief Binds the command to the work of a tick.
-  /// @param work is executed at every second tick
+  /// @param work command that is executed at every second tick
   explicit EverySecondTick(Command& work) : work_(work) {}
 
   /// @brief Executes the work, unless the previous tick executed it.

@@ -25,7 +25,7 @@ TEST(EverySecondTick, HalvesTheTicks) {
   EXPECT_EQ(work.count, 5);
 }
 
-// Returns the number of steps of the motor in a second of the turn to 25 degrees.
+// Orders 25 degrees for one second. Returns the number of steps that the motor has made.
 int stepsInASecond(const char* image) {
   ChangedRobot robot(image);
   robot.commandByPc();
@@ -37,8 +37,8 @@ int stepsInASecond(const char* image) {
   return steps;
 }
 
-/// @brief In the same second the motor of the kit makes at most 60 % of the steps of the unchanged
-/// robot.
+/// @brief In one second, the motor of the changed robot makes less than 60 % of the steps that the
+/// motor of the unchanged robot makes.
 TEST(EverySecondTickOnBoard, MotorStepsHalfAsOften) {
   const int before = stepsInASecond(kUnchanged);
   EXPECT_GT(before, 200);

@@ -9,19 +9,21 @@
 
 namespace wr::test {
 
-/// The design of the paper, without extensions, with the compiler options of the kits.
+/// Name of the unchanged firmware image: the design of the paper without extensions. It is compiled
+/// with the same options as the firmware images of the kits.
 inline constexpr const char* kUnchanged = "weeding_robot_paper";
 
-/// An image on its own board: the image of a kit, or the unchanged image. A finding ends the test.
+/// A virtual board that runs the unchanged firmware image or the firmware image of a kit. A finding
+/// of the virtual K64 ends the test.
 class ChangedRobot : public SteppedRobot {
  public:
   explicit ChangedRobot(const std::string& image)
       : ChangedRobot(switchProductOn(image, emulator::readImage(imageOf(image)))) {}
 
-  /// Returns the share of the period in which a wheel has the voltage of the supply.
+  /// Returns the share of the period in which a wheel has the supply voltage.
   [[nodiscard]] double duty(int wheel) const { return session_.board.pwmDuty(0, wheel); }
 
-  /// The red light of the board is on while its pin is low.
+  /// Returns whether the red light of the board is on. The light is on while its pin is low.
   [[nodiscard]] bool redLight() const { return !session_.board.pin('B', 22); }
 
   /// Orders a voltage [mV] for all wheels, and runs the cycle.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kCycles = 20;
 
-// Returns the images of all products and kits.
+// Returns the names of the firmware images of all robot variants and all kits.
 std::vector<std::string> images() {
   std::vector<std::string> found;
   for (const auto& file : std::filesystem::directory_iterator(imageFile().parent_path())) {
@@ -26,14 +26,17 @@ std::vector<std::string> images() {
 
 class EachImage : public testing::TestWithParam<std::string> {};
 
-/// @brief Each image welcomes the PC, reports in every cycle, follows the orders of the PC in time, and reports no
-/// overrun. The mean of the instructions in a cycle is recorded.
+/// @brief Each firmware image answers the PC with a Welcome, sends a report in every cycle, follows
+/// the orders of the PC in time, and reports no overrun. The test records the mean number of
+/// instructions in a cycle.
 TEST_P(EachImage, DrivesAsThePcOrders) {
   if (GetParam() == "change_can") {
-    GTEST_SKIP() << "the PC of this image uses the CAN bus: the image has separate tests";
+    GTEST_SKIP()
+        << "this firmware image communicates with the PC by the CAN bus: it has separate tests";
   }
   if (GetParam() == "change_serializer") {
-    GTEST_SKIP() << "the reports of this image have a format that this PC cannot read";
+    GTEST_SKIP()
+        << "this PC cannot read the reports of this firmware image: the image has separate tests";
   }
   ChangedRobot robot(GetParam());
   robot.commandByPc();

@@ -5,10 +5,10 @@
 
 namespace wr {
 
-/// @brief Stops a wheel of a robot with a high load: its voltage falls by at most 0.6 V in a cycle.
+/// @brief A behaviour that stops a wheel slowly: the voltage falls by at most 0.6 V in a cycle.
 class GentleStop final : public WheelBehaviour {
  public:
-  /// @brief Greatest fall of the magnitude in a cycle.
+  /// @brief Greatest decrease of the magnitude of the voltage in a cycle.
   static constexpr Tension kFall{600};
 
   /// @brief Binds the behaviour to its commands.
@@ -28,7 +28,7 @@ class GentleStop final : public WheelBehaviour {
     return left;
   }
 
-  /// @brief Stores nothing: each call gets the present voltage.
+  /// @brief Does nothing, because each call of apply() receives the present voltage.
   /// @isr{no}
   void resume(Tension /*applied*/) override {}
 

@@ -13,7 +13,7 @@ class GentleStopTest : public testing::Test, protected SpiedCommands {
   GentleStop stop{setTension, stopWheel};
 };
 
-/// @brief The voltage falls by 0.6 V per cycle, forwards and backwards; at 0 V the wheel is
+/// @brief The voltage falls by 0.6 V per cycle, forwards and backwards. At 0 V the wheel is
 /// stopped.
 TEST_F(GentleStopTest, VoltageFallsSlowly) {
   EXPECT_EQ(stop.apply(Tension(1500), Velocity()), Tension(900));
@@ -33,8 +33,8 @@ double dutyAfterStop(const char* image) {
   return robot.duty(0);
 }
 
-/// @brief Five cycles after a stop at 6 V the unchanged image applies no voltage; the image of the
-/// kit applies 3 V.
+/// @brief The PC orders a stop while the wheels have 6 V. Five cycles later, the unchanged firmware
+/// applies no voltage, and the changed firmware applies 3 V.
 TEST(GentleStopOnBoard, WheelStillHasVoltageAfterFiveCycles) {
   EXPECT_NEAR(dutyAfterStop(kUnchanged), 0, 0.001);
   EXPECT_NEAR(dutyAfterStop("change_wheel-behaviours"), 0.125, 0.001);

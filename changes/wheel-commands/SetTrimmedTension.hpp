@@ -5,8 +5,8 @@
 
 namespace wr {
 
-/// @brief Sets the voltage of a wheel whose driver loses a twelfth of the voltage: the command sets
-/// a twelfth more.
+/// @brief A command that sets the voltage of a wheel. The driver of the wheel loses a twelfth of
+/// the voltage, therefore the command sets a twelfth more.
 class SetTrimmedTension final : public WheelCommand {
  public:
   /// @brief Binds the command to the wheel.

@@ -13,7 +13,7 @@ class SetTrimmedTensionTest : public testing::Test, protected ControlledWheel {
   SetTrimmedTension trimmed{wheel};
 };
 
-/// @brief A twelfth is added to the magnitude, up to the supply voltage.
+/// @brief The command adds a twelfth to the magnitude of the voltage, up to the supply voltage.
 TEST_F(SetTrimmedTensionTest, AddsATwelfth) {
   trimmed.execute(Tension(12000));
   EXPECT_EQ(pwm.dutyCycle(), DutyCycle(5417));
@@ -30,8 +30,8 @@ double dutyAt12Volts(const char* image) {
   return robot.duty(0);
 }
 
-/// @brief When the PC orders 12 V, the unchanged image applies 12 V; the image of the kit applies
-/// 13 V.
+/// @brief When the PC orders 12 V, the unchanged firmware applies 12 V. The changed firmware
+/// applies 13 V.
 TEST(SetTrimmedTensionOnBoard, PulsesAreLonger) {
   EXPECT_NEAR(dutyAt12Volts(kUnchanged), 0.5, 0.001);
   EXPECT_NEAR(dutyAt12Volts("change_wheel-commands"), 13.0 / 24.0, 0.001);

@@ -5,10 +5,11 @@
 
 namespace wr {
 
-/// @brief Sets the voltage that a wheel without load needs for its velocity, without feedback.
+/// @brief An algorithm that computes the voltage that a wheel without load needs for its velocity.
+/// It does not use measurements.
 class UnregulatedVelocity final : public WheelAlgorithm {
  public:
-  /// @brief Constructs the algorithm. It has no state.
+  /// @brief Constructs the algorithm, which has no state.
   UnregulatedVelocity() = default;
 
   /// @brief Calculates the voltage from the motor constant.
@@ -20,11 +21,11 @@ class UnregulatedVelocity final : public WheelAlgorithm {
     return Tension(SystemConstants::instance().motorConstant().count() * setPoint / kThousand);
   }
 
-  /// @brief Stores nothing.
+  /// @brief Does nothing, because the algorithm does not use the applied voltage.
   /// @isr{no}
   void applied(Tension /*tension*/) override {}
 
-  /// @brief Clears nothing.
+  /// @brief Does nothing, because the algorithm has no state.
   /// @isr{no}
   void reset() override {}
 };

@@ -4,19 +4,19 @@
 
 namespace wr {
 
-/// @brief Executes the order to follow the set-point; a set-point of less than 0.5 V counts as 0.
+/// @brief The order to follow the set-point. It replaces a voltage of less than 0.5 V by 0.
 ///
-/// At such a voltage the motor does not turn; it only gets warm.
+/// At such a low voltage, the motor does not turn but gets warm.
 class ApplyAboveThreshold final : public WheelOrder {
  public:
-  /// @brief Least magnitude of a voltage that is followed [mV].
+  /// @brief Smallest magnitude of a voltage that is not replaced by 0 [mV].
   static constexpr std::int16_t kLeast = 500;
 
-  /// @brief Binds the order to the order that follows the set-point.
-  /// @param apply order that follows the set-point
+  /// @brief Binds this order to the extended order.
+  /// @param apply extended order, which follows the set-point
   explicit ApplyAboveThreshold(WheelOrder& apply) : apply_(apply) {}
 
-  /// @brief Replaces a set-point that is too low by 0, then follows it.
+  /// @brief Replaces a voltage that is too low by 0, then executes the extended order.
   /// @param work contains the set-point; receives the values of the executed order
   /// @isr{no}
   void execute(WheelWork& work) override {

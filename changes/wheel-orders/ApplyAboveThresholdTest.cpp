@@ -22,7 +22,8 @@ std::int16_t followed(WheelQuantity quantity, std::int16_t value) {
   return apply.value;
 }
 
-/// @brief A voltage below 0.5 V counts as 0; other voltages and other quantities are applied.
+/// @brief A voltage below 0.5 V is replaced by 0. Other voltages and other quantities do not
+/// change.
 TEST(ApplyAboveThreshold, ReplacesLowVoltages) {
   EXPECT_EQ(followed(WheelQuantity::Tension, 499), 0);
   EXPECT_EQ(followed(WheelQuantity::Tension, -499), 0);
@@ -38,8 +39,8 @@ double dutyAt(const char* image, std::int16_t millivolts) {
   return robot.duty(0);
 }
 
-/// @brief When the PC orders 0.48 V, the unchanged image outputs pulses, and the image of the kit
-/// outputs none; both apply 2.4 V.
+/// @brief When the PC orders 0.48 V, the unchanged firmware outputs pulses, and the changed
+/// firmware outputs no pulses. When the PC orders 2.4 V, the changed firmware outputs pulses.
 TEST(ApplyAboveThresholdOnBoard, LowVoltageGivesNoPulses) {
   EXPECT_NEAR(dutyAt(kUnchanged, 480), 0.02, 0.001);
   EXPECT_NEAR(dutyAt("change_wheel-orders", 480), 0, 0.0001);

@@ -7,28 +7,28 @@
 
 namespace wr {
 
-/// @brief Builds the control system of a wheel whose motor a relay switches. The system has no
-/// other part.
+/// @brief The builder of the control system of a wheel whose motor is switched by a relay. This
+/// system has no sensor and no controller.
 class RelayWheelBuilder final : public ControlSystemBuilder {
  public:
   /// @brief Binds the builder to the relay.
-  /// @param relay on: the motor runs
+  /// @param relay output of the relay; the motor runs while it is on
   explicit RelayWheelBuilder(DigitalOutput& relay) : relay_(relay) {}
 
-  /// @brief Does nothing: the relay is a device of the board.
+  /// @brief Does nothing, because the relay is a device of the board.
   /// @isr{no}
   void buildActuator() override {}
 
-  /// @brief Does nothing: there is no sensor.
+  /// @brief Does nothing, because there is no sensor.
   /// @isr{no}
   void buildSensors() override {}
 
-  /// @brief Does nothing: there is no controller.
+  /// @brief Does nothing, because there is no controller.
   /// @isr{no}
   void buildController() override {}
 
   /// @brief Builds the system.
-  /// @errors A second system ends the program with the assertion PartBuiltTwice.
+  /// @errors If the system is already built, the program ends with the assertion PartBuiltTwice.
   /// @isr{no}
   void buildSystem() override {
     require(!system_, AssertId::PartBuiltTwice);
@@ -41,7 +41,7 @@ class RelayWheelBuilder final : public ControlSystemBuilder {
 
   /// @brief Returns the system.
   /// @return the system; it exists as long as the builder
-  /// @errors Without a system the program ends with the assertion PartMissing.
+  /// @errors If the system is not built, the program ends with the assertion PartMissing.
   /// @isr{no}
   [[nodiscard]] ControlSystem& system() override {
     require(system_.has_value(), AssertId::PartMissing);

@@ -5,12 +5,12 @@
 
 namespace wr {
 
-/// @brief The control system of a fifth wheel, whose motor a relay switches. The wheel helps while
-/// the robot drives forwards.
+/// @brief The control system of a fifth wheel, whose motor is switched by a relay. The wheel helps
+/// while the robot drives forwards.
 class RelayWheelSystem final : public ControlSystem {
  public:
   /// @brief Binds the system to its relay.
-  /// @param relay on: the motor runs
+  /// @param relay output of the relay; the motor runs while it is on
   explicit RelayWheelSystem(DigitalOutput& relay) : relay_(relay) {}
 
   /// @brief Returns whether the work of a cycle is done.
@@ -19,7 +19,7 @@ class RelayWheelSystem final : public ControlSystem {
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override { return cycle_ == cycle; }
 
-  /// @brief Adds nothing: the relay has no measurement.
+  /// @brief Adds nothing, because the relay has no measurement.
   /// @isr{no}
   void collect(Measurements& /*measurements*/, Outputs& /*outputs*/) const override {}
 

@@ -8,7 +8,8 @@
 namespace wr::test {
 namespace {
 
-/// @brief The relay is on while the first wheel is ordered forwards, and off while the robot holds.
+/// @brief The relay is on while the set-point of the first wheel is positive, and off while the
+/// robot stands still.
 TEST(RelayWheel, HelpsForwardsOnly) {
   FakeOutput relay;
   RelayWheelBuilder builder(relay);
@@ -26,8 +27,9 @@ TEST(RelayWheel, HelpsForwardsOnly) {
   EXPECT_TRUE(builder.system().completed(9));
 }
 
-/// @brief The relay is connected to the pin of the red light. The pin is low while the robot drives
-/// forwards, and high after a stop; the unchanged image never changes it.
+/// @brief The relay is connected to the pin of the red light. With the changed firmware, the light
+/// is on while the set-points are positive, and off after a stop. With the unchanged firmware, the
+/// light stays off.
 TEST(RelayWheelOnBoard, RelayFollowsTheFirstWheel) {
   ChangedRobot before(kUnchanged);
   before.commandByPc();

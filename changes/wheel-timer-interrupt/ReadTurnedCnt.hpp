@@ -6,14 +6,15 @@
 
 namespace wr {
 
-/// @brief Reads a current sensor that is mounted the other way round: its values are inverted.
+/// @brief A command that reads a current sensor that is mounted the other way round. The values of
+/// this sensor are inverted.
 class ReadTurnedCnt final : public Command {
  public:
-  /// @brief Sample at the end of the range of the converter.
+  /// @brief Greatest sample of the converter.
   static constexpr std::uint16_t kGreatest = 4095;
 
-  /// @brief Binds the command.
-  /// @param input converts the voltage of the sensor
+  /// @brief Binds the command to the converter and to the collector.
+  /// @param input converter of the sensor's voltage
   /// @param collector receives the samples
   ReadTurnedCnt(AnalogInput& input, ValueCollector& collector)
       : input_(input), collector_(collector) {}

@@ -19,7 +19,7 @@ class NoTrip final : public Command {
   void execute() override {}
 };
 
-// Returns the sum of equal samples, after the calibration of the sensor's zero.
+// Returns the sum of 16 equal samples, which follow the 64 samples for the calibration of the zero.
 std::int32_t collected(std::uint16_t sample) {
   FakeTimebase clock;
   NoTrip trip;
@@ -33,8 +33,8 @@ std::int32_t collected(std::uint16_t sample) {
   return static_cast<std::int32_t>(values.record().sum);
 }
 
-/// @brief A sample above the middle becomes the sample below the middle at the same distance, and
-/// vice versa.
+/// @brief A sample above the middle becomes a sample below the middle, and vice versa. The distance
+/// from the middle stays the same.
 TEST(ReadTurnedCnt, TurnsTheRange) {
   EXPECT_EQ(collected(2148), -1600);
   EXPECT_EQ(collected(1948), 1600);
@@ -48,8 +48,8 @@ int currentAt12Volts(const char* image) {
   return robot.report().current.at(0);
 }
 
-/// @brief While a wheel speeds up, the unchanged image reports a positive current; the image of the
-/// kit reports a negative current.
+/// @brief While a wheel accelerates, the unchanged firmware reports a positive current. The changed
+/// firmware reports a negative current.
 TEST(ReadTurnedCntOnBoard, ReportedCurrentHasTheOtherSign) {
   const int before = currentAt12Volts(kUnchanged);
   EXPECT_GT(before, 100);

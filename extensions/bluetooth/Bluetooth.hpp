@@ -8,9 +8,9 @@ namespace wr {
 
 /// @brief The reading mode in which a Bluetooth device commands the robot.
 ///
-/// @function Extends the basic mode: an order is valid only while the device is connected, and
-/// Bluetooth is recorded as the source of its set-points. Changes to the other mode when the
-/// operation state demands it.
+/// @function Extends the basic mode: an order is valid only while the Bluetooth device is
+/// connected. When an order is read, Bluetooth is recorded as the source of the set-points. Changes
+/// to the other reading mode when the operation state demands this change.
 ///
 /// @secret How a Bluetooth device is recorded as the source of set-points.
 ///
@@ -18,17 +18,19 @@ namespace wr {
 /// @role{mode-extensions, Concrete Decorator}
 class Bluetooth final : public ModeDecorator {
  public:
-  /// @brief Number of the mode, as in reports.
+  /// @brief Number of this mode in reports.
   static constexpr ModeId kId{2};
 
-  /// @brief Binds the mode to the mode that it extends, to the mode that follows it and to its connection.
-  /// @param wrapped basic mode that reads the orders of the device
-  /// @param other mode to change to; only its address is used before the first changeMode()
+  /// @brief Binds this mode to the extended mode, to the other mode and to the connection of the
+  /// device.
+  /// @param wrapped extended mode, which reads the orders of the device
+  /// @param other mode that changeMode() selects; it need not be constructed before the first call
+  /// of changeMode()
   /// @param connection connection to the device
-  /// @param timebase returns the time at which the connection is served
+  /// @param timebase returns the present time
   Bluetooth(Mode& wrapped, Mode& other, PcConnection& connection, const Timebase& timebase);
 
-  /// @brief Serves the connection to the device, then the wrapped mode.
+  /// @brief Processes the input of the connection, then calls serve() of the wrapped mode.
   /// @satisfies FR-151
   /// @isr{no}
   void serve() override;
@@ -40,16 +42,17 @@ class Bluetooth final : public ModeDecorator {
   /// @isr{no}
   [[nodiscard]] bool newMessage() const override;
 
-  /// @brief Saves the mode id of Bluetooth, then lets the wrapped mode read.
-  /// @param mCtrl controller whose data receive the set-points and the source
-  /// @pre newMessage() was true in this cycle.
+  /// @brief Records Bluetooth as the source of the set-points, then calls read() of the wrapped
+  /// mode.
+  /// @param mCtrl main controller that receives the set-points and their source
+  /// @pre newMessage() returned true in this cycle.
   /// @post The order cannot be read again.
   /// @satisfies FR-150
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Lets the controller read from the other mode.
-  /// @param mCtrl controller whose mode changes
+  /// @brief Makes the main controller read orders from the other mode.
+  /// @param mCtrl main controller whose reading mode changes
   /// @satisfies FR-150
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;

@@ -10,10 +10,12 @@
 
 namespace wr {
 
-/// @brief Builds a robot that receives orders from the PC and a Bluetooth device, and starts it.
+/// @brief The director that builds and starts a robot with two sources of orders: the PC and a
+/// Bluetooth device.
 ///
-/// @function Calls the steps of the builders in the required sequence, replaces the standard
-/// reading modes by the modes of this product, and starts the built parts.
+/// @function Calls the steps of the builders in the required sequence. Passes the reading modes PC
+/// and Bluetooth to the builder of the main controller, instead of the standard modes PC and RC.
+/// Starts the control systems and the main controller.
 ///
 /// @secret Which steps build a robot with a Bluetooth device and without a remote control.
 ///
@@ -21,7 +23,7 @@ namespace wr {
 /// @role{main-controller-construction, Director}
 class BluetoothDirector final {
  public:
-  /// @brief Binds the director to the builders and to the line of the device.
+  /// @brief Binds the director to the builders and to the devices of the Bluetooth connection.
   /// @param poolBuilder builds the control systems
   /// @param controllerBuilder builds the main controller
   /// @param devices devices of the Bluetooth connection
@@ -31,7 +33,7 @@ class BluetoothDirector final {
   BluetoothDirector(const BluetoothDirector&) = delete;
   BluetoothDirector& operator=(const BluetoothDirector&) = delete;
 
-  /// @brief Builds all parts of the robot. The mode at start is PC.
+  /// @brief Builds the control systems and the main controller. The first reading mode is PC.
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-150
@@ -41,7 +43,7 @@ class BluetoothDirector final {
 
   /// @brief Starts the control cycles.
   /// @pre construct() was called.
-  /// @errors A robot that was not built ends the program with the assertion PartMissing.
+  /// @errors If construct() was not called, the program ends with the assertion PartMissing.
   /// @satisfies FR-150
   /// @isr{no}
   void start();

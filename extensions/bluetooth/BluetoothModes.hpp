@@ -22,29 +22,30 @@
 
 namespace wr {
 
-/// @brief The memories of the stops of both sources, which a reset does not clear.
+/// @brief One memory for the stop command of each source of orders. A reset does not clear these
+/// memories.
 /// @datatype
 struct BluetoothStops {
-  StopMemory& pc;      ///< stop of the PC
-  StopMemory& device;  ///< stop of the Bluetooth device
+  StopMemory& pc;      ///< stop command of the PC
+  StopMemory& device;  ///< stop command of the Bluetooth device
 };
 
-/// @brief The devices of a Bluetooth connection.
+/// @brief The devices and the data that a Bluetooth connection needs.
 /// @datatype
 struct BluetoothDevices {
-  SerialPort& port;          ///< line to the Bluetooth module
-  SipHash::Key key;          ///< key that the device shares with the robot
-  RandomSource& random;      ///< generator of the random number that identifies this start
-  const Timebase& timebase;  ///< returns the time
-  const StartRecord& start;  ///< cause of the start of the firmware
-  BluetoothStops stops;      ///< memories of the stops
+  SerialPort& port;      ///< serial port of the Bluetooth module
+  SipHash::Key key;      ///< key that the device shares with the robot
+  RandomSource& random;  ///< returns the random number that identifies this start of the firmware
+  const Timebase& timebase;  ///< returns the present time
+  const StartRecord& start;  ///< cause of the last reset
+  BluetoothStops stops;      ///< memories of the stop commands
 };
 
-/// @brief The reading modes of a robot that receives orders from the PC and a Bluetooth device; each is the successor
-/// of the other.
+/// @brief The two reading modes of a robot that receives orders from the PC and a Bluetooth device.
+/// Each of the two modes changes to the other.
 /// @datatype
 struct BluetoothModes {
-  /// @brief Binds the modes to their sources.
+  /// @brief Constructs the modes, and binds them to the sources of their orders.
   /// @param pcReader reader of the PC's orders
   /// @param pcConnection link to the PC
   /// @param devices devices of the Bluetooth connection
@@ -62,19 +63,19 @@ struct BluetoothModes {
         bluetooth(stopOfBluetooth, pc, connection, devices.timebase),
         all{&pc, &bluetooth} {}
 
-  SerialReader reader;             ///< newest order of the device
-  SignedPort port;                 ///< line to the device, with authenticated frames
-  Handshaking handshaking;         ///< a Welcome was sent to the device
-  Disconnected disconnected;       ///< no device is connected
-  Connected connected;             ///< the device is connected
-  PcConnection connection;         ///< connection to the device, with the handshake of the PC
-  BasicMode basicPc;               ///< basic mode of the PC
-  BasicMode basicBluetooth;        ///< basic mode of the device
-  PersistentStop stopOfPc;         ///< keeps the stop of the PC during a reset
-  PersistentStop stopOfBluetooth;  ///< keeps the stop of the device during a reset
-  PC pc;                           ///< reads from the PC
-  Bluetooth bluetooth;             ///< reads from the device
-  std::array<Mode*, 2> all;        ///< both modes
+  SerialReader reader;        ///< contains the newest order of the device
+  SignedPort port;            ///< serial port to the device, which authenticates frames
+  Handshaking handshaking;    ///< state of the connection: a Welcome was sent to the device
+  Disconnected disconnected;  ///< state of the connection: no device is connected
+  Connected connected;        ///< state of the connection: the device is connected
+  PcConnection connection;    ///< connection to the device; it uses the handshake of the PC link
+  BasicMode basicPc;          ///< reads the orders of the PC
+  BasicMode basicBluetooth;   ///< reads the orders of the device
+  PersistentStop stopOfPc;    ///< keeps a stop command of the PC in force after a reset
+  PersistentStop stopOfBluetooth;  ///< keeps a stop command of the device in force after a reset
+  PC pc;                           ///< the reading mode PC
+  Bluetooth bluetooth;             ///< the reading mode Bluetooth
+  std::array<Mode*, 2> all;        ///< both reading modes
 };
 
 }  // namespace wr

@@ -6,15 +6,15 @@
 namespace wr {
 
 /// @brief Source of numbers that nobody can predict.
-/// @function Returns a random number.
-/// @secret The source of the randomness.
+/// @function Returns random numbers.
+/// @secret The hardware that generates the random numbers.
 class RandomSource {
  public:
   RandomSource(const RandomSource&) = delete;
   RandomSource& operator=(const RandomSource&) = delete;
 
-  /// @brief Returns a random number. The wait is bounded.
-  /// @return a number of 64 random bits; nothing when the source does not work
+  /// @brief Returns a random number. The waiting time is bounded.
+  /// @return random number of 64 bits; no value if the hardware does not work
   /// @isr{no}
   [[nodiscard]] virtual std::optional<std::uint64_t> draw() = 0;
 

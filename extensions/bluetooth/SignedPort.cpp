@@ -8,17 +8,20 @@ namespace wr {
 namespace {
 
 constexpr std::size_t kChunkSize = 64;
-constexpr std::size_t kMaxChunks = 64;  // bytes of more than one cycle at 115200 baud
-constexpr unsigned kDigit = 4;          // bits
+// Limit for one call of read(): 64 chunks contain more bytes than arrive in one control cycle at
+// 115200 baud.
+constexpr std::size_t kMaxChunks = 64;
+constexpr unsigned kDigit = 4;  // [bit] size of a hexadecimal digit
 constexpr std::size_t kCounterDigits = 8;
 constexpr std::size_t kTagDigits = 16;
 static_assert(kCounterDigits + kTagDigits == SignedPort::kTrailer);
 constexpr std::uint8_t kFromRobot = 'R';
 constexpr std::uint8_t kToRobot = 'D';
-constexpr std::uint8_t kErased = 0xFF;  // a byte of the flash that was never written
+constexpr std::uint8_t kErased = 0xFF;  // value of an erased byte of the flash
 
-// Writes a number as hexadecimal digits, the most significant first: the digits contain no zero
-// byte, which would end a frame.
+// Writes a number in hexadecimal, beginning with the most significant of its 16 digits. If there is
+// space for fewer digits, the other digits are not written. The digits are ASCII characters,
+// because a zero byte would end the frame.
 void writeDigits(std::uint64_t number, std::span<std::uint8_t> digits) {
   for (std::uint8_t& digit : digits) {
     number = std::rotl(number, kDigit);
@@ -86,14 +89,16 @@ bool SignedPort::write(std::span<const std::uint8_t> bytes) {
     return false;
   }
   const auto frame = bytes.first(bytes.size() - 1);
-  if (frame.empty()) {  // the zero byte ends a frame that a reset interrupted
+  // A single zero byte gets no counter and no tag. This byte only ends a frame that a reset
+  // interrupted.
+  if (frame.empty()) {
     return port_.write(bytes);
   }
   Coded coded{};
   const std::uint32_t counter = lastSent_ + 1;
   std::ranges::copy(frame, coded.begin());
   const auto trailer = std::span(coded).subspan(frame.size());
-  constexpr unsigned kUnused = 32;  // upper bits of the counter's word
+  constexpr unsigned kUnused = 32;  // [bit] shifts the counter to the upper half of 64 bits
   writeDigits(std::uint64_t{counter} << kUnused, trailer.first(kCounterDigits));
   writeDigits(tagOf(kFromRobot, counter, frame), trailer.subspan(kCounterDigits, kTagDigits));
   if (!port_.write(std::span(coded).first(bytes.size() + kTrailer))) {
@@ -148,7 +153,8 @@ bool SignedPort::accept() {
   return true;
 }
 
-// A flood of wrong frames must not use the buffer space of the frames to send.
+// Sends a challenge only if there is space for two more frames. Otherwise the challenges after many
+// wrong frames would fill the buffer, and the robot could not send other frames.
 void SignedPort::challenge() {
   if (port_.free() < 2 * FrameEncoder::kMaxBytes) {
     return;

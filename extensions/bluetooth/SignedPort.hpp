@@ -14,58 +14,62 @@
 
 namespace wr {
 
-/// @brief A serial port whose frames are authenticated.
+/// @brief A serial port that authenticates frames.
 ///
-/// @function Extends a serial port. Each frame on the line has a counter and a tag between its coded
-/// bytes and the zero that ends it. Received frames with a wrong tag, or with a counter that is not
-/// greater than the previous counter, are dropped. Other received frames are returned without
-/// counter and tag. Each frame to send gets a counter and a tag. A wrong frame is answered with a
-/// challenge, which contains the values that an authorised sender needs for its tags.
+/// @function Extends a serial port. Adds a counter and a tag to each frame to send, between the
+/// coded bytes and the final zero byte. Drops a received frame if its tag is wrong, or if its
+/// counter is not greater than the counter of the last accepted frame. Returns all other received
+/// frames without counter and tag. Answers a dropped frame with a challenge: a frame that contains
+/// the values with which an authorised sender computes its tags.
 ///
-/// @secret How counter and tag are put on the line, and the content of the tag. The tag is computed
-/// over a random number of the start, the direction, the counter and the coded frame.
+/// @secret How the counter and the tag of a frame are coded, and from which data the tag is
+/// computed: the random number of this start, the direction, the counter and the coded frame.
 class SignedPort final : public SerialPort {
  public:
-  /// @brief Type of the frame that challenges the sender: a random number (u64) and the last counter (u32).
+  /// @brief Frame type of a challenge. Its payload is the random number of this start (u64) and the
+  /// last accepted counter (u32).
   static constexpr FrameType kChallenge{0x83};
-  /// @brief Characters between a coded frame and its zero: 8 hexadecimal digits of the counter, then 16 of
-  /// the tag.
+  /// @brief Number of characters between the coded bytes of a frame and its final zero byte: 8
+  /// hexadecimal digits of the counter, then 16 hexadecimal digits of the tag.
   static constexpr std::size_t kTrailer = 24;
 
-  /// @brief Binds the port to its line and its key. Without a random number it receives and sends nothing.
-  /// @param port line to the Bluetooth module
-  /// @param key secret key; if all its bytes are 0xFF, there is no key, and nothing is received or
-  /// sent
+  /// @brief Binds this port to the extended port and to the key, and draws the random number of
+  /// this start. If no random number can be drawn, this port receives and sends nothing.
+  /// @param port extended port, to which the Bluetooth module is connected
+  /// @param key secret key. If all its bytes are 0xFF, the robot has no key, and this port receives
+  /// and sends nothing
   /// @param random generator of the random number that identifies this start
   /// @satisfies FR-264
   SignedPort(SerialPort& port, const SipHash::Key& key, RandomSource& random);
 
-  /// @brief Returns the bytes of at most one frame whose tag is correct and whose counter is new.
-  /// @param bytes receives the bytes
-  /// @return number of these bytes; 0 when there is no such frame
+  /// @brief Reads bytes of at most one accepted frame. A frame is accepted if its tag is correct,
+  /// and if its counter is greater than the last accepted counter.
+  /// @param bytes receives the bytes of the coded frame, without counter and tag
+  /// @return number of bytes that were read; 0 if there is no accepted frame
   /// @isr{no}
   /// @satisfies FR-262
   std::size_t read(std::span<std::uint8_t> bytes) override;
 
-  /// @brief Returns the time at which the last byte of the frame from read() was received.
-  /// @return time of its zero byte
+  /// @brief Returns the reception time of the last frame that read() returned.
+  /// @return time at which the final zero byte of this frame was received
   /// @isr{no}
   [[nodiscard]] Instant receivedAt() const override;
 
   /// @brief Returns the free space for bytes to send, minus the space for counter and tag.
-  /// @return number of bytes of a coded frame that a write can accept now
+  /// @return number of bytes of a coded frame that write() can accept now
   /// @isr{no}
   [[nodiscard]] std::size_t free() const override;
 
-  /// @brief Sends one coded frame with counter and tag, or nothing.
-  /// @param bytes bytes of a coded frame with the zero that ends it
-  /// @return false when there is no space, no key or no random number: nothing is sent
+  /// @brief Sends one coded frame, and adds a counter and a tag to it.
+  /// @param bytes bytes of a coded frame, including its final zero byte
+  /// @return true if the whole frame is sent. False if nothing is sent: there is no space, no key
+  /// or no random number, or the frame is too long or empty
   /// @isr{no}
   /// @satisfies FR-263
   bool write(std::span<const std::uint8_t> bytes) override;
 
-  /// @brief Returns the number of lost bytes of the line.
-  /// @return number of lost bytes since start, at most 65535
+  /// @brief Returns the number of received bytes that the extended port has lost.
+  /// @return number of lost bytes since the start, at most 65535
   /// @isr{no}
   [[nodiscard]] std::uint16_t lostBytes() const override;
 
@@ -87,10 +91,11 @@ class SignedPort final : public SerialPort {
   std::optional<std::uint64_t> nonce_;
   FrameEncoder encoder_;
   Coded received_{};
-  std::size_t count_ = 0;           // received bytes of the present frame; more than the capacity:
-                                    // the frame is too long
-  std::size_t ready_ = 0;           // bytes of the accepted frame that were not read yet
-  std::size_t given_ = 0;           // number of these bytes that were read
+  // Number of received bytes of the present frame. If the frame is too long, this number is greater
+  // than the capacity.
+  std::size_t count_ = 0;
+  std::size_t ready_ = 0;           // number of bytes of the accepted frame
+  std::size_t given_ = 0;           // number of these bytes that read() has returned
   std::uint32_t lastReceived_ = 0;  // counter of the last accepted frame
   std::uint32_t lastSent_ = 0;      // counter of the last sent frame
 };

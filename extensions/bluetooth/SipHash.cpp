@@ -6,11 +6,12 @@ namespace wr {
 
 namespace {
 
-constexpr unsigned kByte = 8;            // bits
-constexpr std::size_t kWord = 8;         // bytes
-constexpr unsigned kCountPosition = 56;  // position of the count in the last word
+constexpr unsigned kByte = 8;            // [bit] size of a byte
+constexpr std::size_t kWord = 8;         // [byte] size of a word
+constexpr unsigned kCountPosition = 56;  // [bit] position of the byte count in the last word
 constexpr int kFinalRounds = 4;
-// The letters of "somepseudorandomlygeneratedbytes", as the algorithm demands.
+// The initial state that the algorithm defines: the ASCII codes of
+// "somepseudorandomlygeneratedbytes".
 constexpr std::array<std::uint64_t, 4> kInitial = {0x736f6d6570736575, 0x646f72616e646f6d,
                                                    0x6c7967656e657261, 0x7465646279746573};
 

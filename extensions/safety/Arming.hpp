@@ -6,40 +6,44 @@
 
 namespace wr {
 
-/// @brief Lets orders move the robot only after neutral orders.
+/// @brief A stage that lets a source of orders move the robot only after neutral orders.
 ///
-/// @function Holds the robot until the orders of five successive cycles had 0 as the set-point of
-/// all wheels, then forwards set-points. An order from an earlier cycle that is still in force does
-/// not count. Every hold and every acknowledgement withdraws the permission to move the robot.
+/// @function Counts neutral orders: orders whose set-points are 0 for all wheels. An order counts
+/// only in the cycle in which it is read. After five neutral orders without another order between
+/// them, forwards all set-points. Until then, halts the wheels and holds the steering. Each halt
+/// and each acknowledgement starts the count again.
 ///
-/// @secret Which set-points are neutral, and for how long a source has to order them.
+/// @secret Which orders are neutral, and how many of them a source must send before it may move the
+/// robot.
 class Arming final : public OrderStageDecorator {
  public:
-  /// @brief Binds the permission to the robot.
-  /// @param wrapped control system that gets the set-points
+  /// @brief Binds this stage to the wrapped stage.
+  /// @param wrapped stage that receives the forwarded orders
   explicit Arming(OrderStage& wrapped);
 
-  /// @brief Adds the measurements and outputs of the robot, and the permission to move it.
+  /// @brief Writes the measurements and outputs of the robot, and whether orders may move the
+  /// robot.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @satisfies FR-281
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
-  /// @brief Holds the robot until the set-points were neutral for long enough, then forwards them.
+  /// @brief Forwards the set-points if enough neutral orders were read. Otherwise halts the wheels,
+  /// holds the steering, and counts this order if it is neutral.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-280
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
-  /// @brief Holds the robot, and withdraws the permission.
+  /// @brief Halts the wheels, holds the steering, and starts the count of neutral orders again.
   /// @param cycle number of the cycle
   /// @satisfies FR-280
   /// @isr{no}
   void stand(std::uint32_t cycle) override;
 
-  /// @brief Acknowledges, and withdraws the permission.
+  /// @brief Forwards the acknowledgement, and starts the count of neutral orders again.
   /// @param cycle number of the cycle
   /// @satisfies FR-280
   /// @isr{no}

@@ -6,9 +6,10 @@ namespace wr {
 
 namespace {
 
-constexpr Current kMaxCurrent(12000);    // 3 A below the overcurrent trip
-constexpr std::int32_t kWinding = 1000;  // [mOhm] less than the resistance of any winding, so that
-                                         // the real current stays below the limit
+constexpr Current kMaxCurrent(12000);  // [mA] 3 A below the limit of the overcurrent trip
+// Resistance of the winding for this computation [mOhm]. This value is lower than the resistance of
+// any winding. Therefore the real current is lower than the computed current.
+constexpr std::int32_t kWinding = 1000;
 constexpr std::int32_t kThousand = 1000;
 
 Tension across(Current current) {

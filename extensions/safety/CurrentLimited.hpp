@@ -8,21 +8,25 @@
 
 namespace wr {
 
-/// @brief An algorithm that keeps the current of its wheel below the overcurrent trip.
+/// @brief A control algorithm that keeps the current of its wheel below the limit of the
+/// overcurrent trip.
 ///
-/// @function Computes the voltage of the wrapped algorithm, and limits its difference from the
-/// present voltage of the wheel, so that the measured current does not exceed 12 A.
+/// @function Gets the next voltage from the wrapped algorithm. Limits the difference between this
+/// voltage and the present voltage of the wheel. Because of this limit, the measured current does
+/// not exceed 12 A.
 ///
-/// @secret The greatest current that control orders, and the corresponding voltage.
+/// @secret The greatest current that the control permits, and the change of the voltage that causes
+/// this current.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class CurrentLimited final : public WheelAlgorithm {
  public:
-  /// @brief Binds the limit to an algorithm.
-  /// @param wrapped algorithm whose voltage is limited
+  /// @brief Binds this algorithm to the wrapped algorithm.
+  /// @param wrapped algorithm that computes the voltage without this limit
   explicit CurrentLimited(WheelAlgorithm& wrapped);
 
-  /// @brief Computes the limited voltage.
+  /// @brief Computes the limited voltage. If no voltage was applied since the last reset(), there
+  /// is no limit.
   /// @param setPoint set-point in the unit of the wrapped algorithm
   /// @param feedback measurements of the wheel
   /// @return voltage for the wheel [mV].
@@ -30,20 +34,21 @@ class CurrentLimited final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Records the applied voltage, and passes it to the algorithm.
+  /// @brief Records the voltage that was applied to the wheel, and passes it to the wrapped
+  /// algorithm.
   /// @param tension voltage of the wheel [mV]
   /// @satisfies FR-296
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Clears all records.
+  /// @brief Clears the recorded voltage, and resets the wrapped algorithm.
   /// @satisfies FR-296
   /// @isr{no}
   void reset() override;
 
  private:
   WheelAlgorithm& wrapped_;
-  std::optional<Tension> applied_;  // voltage of the wheel
+  std::optional<Tension> applied_;  // last voltage that was applied to the wheel
 };
 
 }  // namespace wr

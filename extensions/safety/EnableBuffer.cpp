@@ -7,9 +7,9 @@ namespace wr {
 namespace {
 
 constexpr std::int32_t kMiddlePulse = 1500;    // [us]
-constexpr std::int32_t kFullDeflection = 500;  // [us] a deflection has the unit us
+constexpr std::int32_t kFullDeflection = 500;  // [us] deflection of a pulse of 2000 us
 
-// Widths of the pulses of the switch; widths out of the range order a stop.
+// Range of the valid pulse widths of the enable switch. A pulse outside this range orders a stop.
 constexpr Microseconds kShortestPulse(900);
 constexpr Microseconds kLongestPulse(2100);
 

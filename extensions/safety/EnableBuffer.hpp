@@ -8,32 +8,33 @@
 
 namespace wr {
 
-/// @brief Receives the pulses of the enable switch.
+/// @brief The buffer of the pulses of the enable switch.
 ///
-/// @function Stores the width of each pulse of the third channel of the remote control with its time.
-/// The second of two successive pulses that order a stop is also stored separately, so that a later
-/// pulse does not hide the stop.
+/// @function Stores the width and the time of each valid pulse of the third channel of the remote
+/// control. When two successive pulses order a stop, stores the second pulse also in a separate
+/// pipe. Later pulses that order no stop do not overwrite this pipe.
 ///
 /// @secret Where the position of the enable switch is stored, and how many pulses confirm a stop.
 ///
 /// @role{rc-buffers, Concrete Class}
 class EnableBuffer final : public RcBuffer {
  public:
-  /// @brief Binds the buffer to its parts.
-  /// @param instants measures each pulse
+  /// @brief Binds the buffer to the objects that evaluate a pulse, and to the pipes that store it.
+  /// @param instants measures the period and the width of each pulse
   /// @param function computes the deflection of a pulse
   /// @param width receives the width of each pulse from 900 to 2100 us
-  /// @param stop receives the width of each pulse that orders a stop directly after another pulse
-  /// that orders a stop
+  /// @param stop receives the width of a pulse that orders a stop, if the previous pulse also
+  /// ordered a stop
   EnableBuffer(InstantCollector& instants, const Function& function, Pipe<Microseconds>& width,
                Pipe<Microseconds>& stop);
 
  private:
   [[nodiscard]] std::int32_t fullDeflection() const override;
 
-  /// @brief Stores the width of a pulse, and the second pulse of a stop.
-  /// @param value deflection from the middle [us]
-  /// @param at end of the pulse
+  /// @brief Stores the width of a valid pulse. If this pulse and the previous pulse order a stop,
+  /// also stores this pulse in the pipe of stops.
+  /// @param value width of the pulse minus 1500 us [us]
+  /// @param at time at which the pulse ended
   /// @satisfies FR-285
   void keep(std::int32_t value, Instant at) override;
 

@@ -14,12 +14,13 @@
 
 namespace wr {
 
-/// @brief The third channel of the remote control, from its pin to the width of its pulses.
+/// @brief The objects that process the third channel of the remote control, from the edges of its
+/// pin to the width of its pulses.
 /// @datatype
 struct EnableChannel {
   /// @brief Constructs the channel, and enables the interrupt of its pin.
   /// @param input pin of the channel
-  /// @param timebase returns the time of its edges
+  /// @param timebase returns the time of an edge
   EnableChannel(EdgeInput& input, const Timebase& timebase)
       : period(instants),
         collector(period),
@@ -29,15 +30,15 @@ struct EnableChannel {
     pin.start();
   }
 
-  Pipe<Microseconds> width;  ///< width of the channel's pulses
-  Pipe<Microseconds> stop;   ///< width of the pulses that confirm a stop
-  BasicCollector instants;   ///< instants of the channel's edges
-  PeriodCollector period;    ///< period of the channel's pulses
-  WidthCollector collector;  ///< width of a pulse
-  PulsePosition function;    ///< computes the position from a pulse
-  EnableBuffer buffer;       ///< stores the position
+  Pipe<Microseconds> width;  ///< width of each pulse
+  Pipe<Microseconds> stop;   ///< width of each pulse that confirms a stop
+  BasicCollector instants;   ///< stores the times of the edges
+  PeriodCollector period;    ///< measures the period of the pulses
+  WidthCollector collector;  ///< measures the width of a pulse
+  PulsePosition function;    ///< computes the deflection from the width of a pulse
+  EnableBuffer buffer;       ///< stores the width of each pulse
   RcPin pin;                 ///< pin of the channel
-  ReadRcPin readPin;         ///< command that the edges execute
+  ReadRcPin readPin;         ///< command that each edge executes
 };
 
 }  // namespace wr

@@ -9,16 +9,18 @@ namespace wr {
 
 namespace {
 
-// Widths of the pulses of the enable switch. Between the bands the position does not change.
+// Limits of the pulse widths for the positions of the enable switch. A width between the ranges of
+// two positions does not change the position.
 constexpr Microseconds kMinPcPulse(1350);
 constexpr Microseconds kMaxPcPulse(1650);
 constexpr Microseconds kMinDrivePulse(1750);
 
-constexpr Microseconds kLifetime = milliseconds(200);  // lifetime of a pulse
+constexpr Microseconds kLifetime = milliseconds(200);  // greatest age of a valid pulse
 
-constexpr std::uint8_t kAcknowledgements = 3;  // number of orders that acknowledge
+// Number of orders that acknowledge faults after the sequence stop, PC, drive.
+constexpr std::uint8_t kAcknowledgements = 3;
 
-constexpr std::int32_t kFullDeflection = 500;  // [us] full deflection of a stick
+constexpr std::int32_t kFullDeflection = 500;  // [us] greatest deflection of a stick
 
 bool fresh(Instant at, Instant now) {
   return now - at <= kLifetime;
@@ -82,7 +84,7 @@ void EnableSwitch::takePosition(Instant now) {
   }
 }
 
-// Returns whether a stop came since the last cycle.
+// Returns whether two successive pulses have ordered a stop since the last cycle.
 bool EnableSwitch::stopConfirmed() {
   const std::optional<Stamped<Microseconds>> pulse = signals_.stop.read();
   const bool confirmed = pulse && pulse->at != confirmedAt_;
@@ -92,8 +94,8 @@ bool EnableSwitch::stopConfirmed() {
   return confirmed;
 }
 
-// When its radio link returns, a receiver changes from stop to drive at once. Only an operator
-// leaves the switch in the position PC.
+// Checks the sequence stop, PC, drive. When the radio link returns, the output of the receiver
+// changes directly from stop to drive. Only an operator moves the switch through the position PC.
 void EnableSwitch::advanceSequence() {
   if (position_ == Position::Stop) {
     sequence_ = Sequence::Stopped;

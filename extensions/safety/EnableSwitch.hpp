@@ -10,63 +10,69 @@
 
 namespace wr {
 
-/// @brief Adds a stop to the remote control, and lets its operator choose the source of orders.
+/// @brief A mode that adds the enable switch to the remote control: the switch stops the robot, or
+/// selects the source of orders.
 ///
-/// @function Reads the enable switch in every cycle. In its position "stop", or without its pulses, a stop
-/// is latched until the switch leaves that position while the velocity stick is centred. A stop
-/// between two cycles acts in the second cycle. In the position "PC" the remote control has no
-/// orders. The sequence stop, PC, drive acknowledges latched faults. When the remote control moves
-/// the robot and its pulses do not change, the robot is stopped.
+/// @function Reads the enable switch in every cycle. Latches a stop when the switch is in the
+/// position "stop", or when its pulses are missing. Releases the stop when the switch is in another
+/// position and the velocity stick is centred. If the switch was in the position "stop" only
+/// between two cycles, a stop is latched in the second cycle. In the position "PC" the remote
+/// control has no orders. When an operator moves the switch from stop through PC to drive, the next
+/// orders acknowledge latched faults. If the pulses do not change while the remote control moves
+/// the robot, a stop is latched.
 ///
-/// @secret Which position of the enable switch permits which orders, and when its stop ends.
+/// @secret The orders that each position of the enable switch permits, and the moment when a stop
+/// by this switch ends.
 ///
 /// @role{mode-extensions, Concrete Decorator}
 class EnableSwitch final : public ModeDecorator {
  public:
-  /// @brief Signals of the remote control. Each exists as long as the mode.
+  /// @brief Signals of the remote control. Each signal must exist as long as this mode.
   /// @datatype
   struct Signals {
     Pipe<Velocity>& velocity;    ///< position of the velocity stick
     Pipe<Angle>& direction;      ///< position of the direction stick
     Pipe<Microseconds>& enable;  ///< width of the pulses of the enable switch
-    Pipe<Microseconds>& stop;    ///< width of the pulses that confirm a stop
-    const Timebase& timebase;    ///< returns the time
+    Pipe<Microseconds>& stop;    ///< width of each pulse that confirms a stop
+    const Timebase& timebase;    ///< returns the present time
   };
 
   /// @brief Shortest pulse of the switch that does not order a stop.
   static constexpr Microseconds kMinNoStopPulse{1250};
 
-  /// @brief Binds the switch to the mode that it extends. It begins with a stop.
+  /// @brief Binds this mode to the extended mode. A stop is latched at the start.
   /// @param wrapped the extended mode
   /// @param signals signals of the remote control
   EnableSwitch(Mode& wrapped, const Signals& signals);
 
-  /// @brief Reads the switch and the sticks.
+  /// @brief Reads the switch and the sticks, and latches or releases a stop. Then calls serve() of
+  /// the wrapped mode.
   /// @satisfies FR-285
   /// @satisfies FR-286
   /// @satisfies FR-289
   /// @isr{no}
   void serve() override;
 
-  /// @brief Checks for orders of the remote control.
+  /// @brief Checks whether the remote control has an order that can be read now.
   /// @return true if there is a new order and the switch is not in the position "PC".
   /// @satisfies FR-287
   /// @isr{no}
   [[nodiscard]] bool newMessage() const override;
 
-  /// @brief Reads the order of the remote control; it acknowledges after the sequence stop, PC, drive.
-  /// @param mCtrl controller whose data receive the set-points
+  /// @brief Reads the order of the remote control. The first three orders after the switch
+  /// positions stop, PC, drive acknowledge latched faults.
+  /// @param mCtrl main controller that receives the set-points
   /// @satisfies FR-288
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect: the mode that wraps this mode changes the reading mode.
-  /// @param mCtrl controller whose mode does not change
+  /// @brief Has no effect, because the mode that wraps this mode changes the reading mode.
+  /// @param mCtrl main controller whose reading mode does not change
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 
   /// @brief Checks whether the remote control orders a stop.
-  /// @return true while its stop is latched.
+  /// @return true while a stop of the switch is latched, or while the wrapped mode orders a stop.
   /// @satisfies FR-285
   /// @satisfies FR-286
   /// @isr{no}
@@ -74,7 +80,7 @@ class EnableSwitch final : public ModeDecorator {
 
  private:
   enum class Position : std::uint8_t { Stop, Pc, Drive };
-  // Progress in the sequence that acknowledges.
+  // Progress in the sequence stop, PC, drive, which acknowledges faults.
   enum class Sequence : std::uint8_t { None, Stopped, Passed };
 
   [[nodiscard]] static Position positionOf(Microseconds width, Position before);
@@ -87,9 +93,9 @@ class EnableSwitch final : public ModeDecorator {
   Signals signals_;
   RcVigilance vigilance_;
   Position position_ = Position::Stop;
-  Instant confirmedAt_{};  // newest pulse that confirmed a stop
+  Instant confirmedAt_{};  // time of the newest pulse that confirmed a stop
   Sequence sequence_ = Sequence::None;
-  std::uint8_t acknowledgements_ = 0;  // number of orders that still acknowledge
+  std::uint8_t acknowledgements_ = 0;  // number of the next orders that acknowledge
   bool stopped_ = true;
 };
 

@@ -6,11 +6,12 @@ namespace wr {
 
 namespace {
 
-// A step of the steering motor may be late by this time. In this time the wheels turn by less than
-// a degree.
+// Greatest permitted time between two ticks. In this time the steering angle changes by less than 1
+// degree.
 constexpr Microseconds kLatestTick = milliseconds(20);
 
-// An edge that waits at one or two ticks can be new.
+// If a Hall edge waits at this number of successive ticks, its interrupt is not served. At one or
+// two successive ticks, new edges can wait.
 constexpr std::uint8_t kWaitingTicks = 5;
 
 }  // namespace

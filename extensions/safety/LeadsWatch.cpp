@@ -8,33 +8,36 @@ namespace wr {
 
 namespace {
 
-// The parameters are the resistance and the motor constant relative to their nominal values,
-// divided by the relative supply, and the voltage of the current sensor's offset. The arrays
-// contain their variances before the first cycle, and the limits of the learned values.
+// The model of the motor has three parameters: 1. the resistance and 2. the motor constant, both
+// relative to the nominal value and divided by the relative supply voltage; 3. the voltage that the
+// offset of the current sensor causes. The array contains the variances of these parameters before
+// the first cycle.
 constexpr std::array<float, 3> kInitialVariances{0.13F * 0.13F, 0.13F * 0.13F, 0.25F * 0.25F};
-constexpr float kMaxVariance = 0.5F;
-constexpr float kVarianceDrift =
-    1e-6F;  // growth of a variance in each cycle, because temperature and battery change
+constexpr float kMaxVariance = 0.5F;  // greatest deviation of a learned parameter
+// Increase of each variance in a cycle, because the temperature and the battery voltage change.
+constexpr float kVarianceDrift = 1e-6F;
 
-// Standard deviations of the voltage that the model does not explain.
-constexpr float kNoise = 0.1F;  // [V] noise that is always present
-constexpr float kVelocityNoise =
-    0.3F;  // share of the change of the induced voltage since the previous cycle
-constexpr float kTensionNoise = 0.2F;   // share of the change of the voltage in a cycle
-constexpr float kCurrentNoise = 0.02F;  // share of the voltage across the winding
+// Standard deviations of the unexplained voltage. The unexplained voltage is the difference between
+// the voltage of the wheel and the voltage that the model computes.
+constexpr float kNoise = 0.1F;          // [V] noise that is always present
+constexpr float kVelocityNoise = 0.3F;  // noise for each volt of change of the induced voltage
+constexpr float kTensionNoise = 0.2F;   // noise for each volt of change of the wheel's voltage
+constexpr float kCurrentNoise = 0.02F;  // noise for each volt across the winding
 
-// The evidence is the logarithm of a ratio: the probability of these measurements with swapped
-// leads, divided by their probability with correct leads.
+// The evidence is the logarithm of a ratio of two probabilities: the probability of the
+// measurements if the leads are swapped, divided by their probability if the leads are correct.
 constexpr float kSwappedThreshold = 12.0F;
-constexpr float kMaxRisePerCycle = 6.0F;  // a detection needs two cycles
-constexpr float kMaxFallPerCycle = 3.0F;  // in a cycle without signs of a swap
-constexpr float kDoubtThreshold = 3.0F;   // with more evidence the model does not learn
+// Greatest increase in a cycle. Therefore a detection needs at least two cycles.
+constexpr float kMaxRisePerCycle = 6.0F;
+constexpr float kMaxFallPerCycle = 3.0F;  // greatest decrease in a cycle
+constexpr float kDoubtThreshold = 3.0F;   // with this evidence or more, the model does not learn
 
-// Up to this voltage the bring-up turns a wheel whose leads may be swapped.
+// The bring-up procedure turns the wheels with at most this voltage, because their leads may be
+// swapped. Up to this voltage the evidence does not change.
 constexpr Tension kBringUp(1000);
 
 constexpr float kMilli = 1e-3F;
-constexpr std::size_t kInduced = 1;  // input: induced voltage
+constexpr std::size_t kInduced = 1;  // index of the induced voltage in the inputs
 
 float volts(Tension tension) {
   return static_cast<float>(tension.count()) * kMilli;
@@ -47,7 +50,7 @@ float induced(Velocity velocity) {
   return static_cast<float>(velocity.count()) * kConstant;
 }
 
-// Returns the voltage of a current across the nominal winding.
+// Returns the voltage that a current causes across the nominal winding.
 float across(Current current) {
   constexpr float kWinding = static_cast<float>(SystemConstants::instance().winding()) * kMilli;
   return static_cast<float>(current.count()) * kMilli * kWinding;
@@ -80,7 +83,8 @@ bool LeadsWatch::swapped(const WheelMeasurements& measured, std::optional<Tensio
   if (cycle.moved && (*tension > kBringUp || *tension < -kBringUp)) {
     weigh(cycle);
   }
-  // Without edges the measured velocity is only an upper bound.
+  // Without a Hall edge in this cycle, a measured velocity other than 0 is only an upper bound. The
+  // model does not learn from such a velocity.
   if (evidence_ < kDoubtThreshold && (cycle.moved || measured.velocity == Velocity())) {
     learn(cycle);
   }
@@ -122,8 +126,8 @@ LeadsWatch::Cycle LeadsWatch::examine(const WheelMeasurements& measured, Tension
   return cycle;
 }
 
-// Swapped leads change the sign of the induced voltage: the balance then differs by twice this
-// voltage.
+// Changes the evidence. Swapped leads change the sign of the induced voltage. Therefore they change
+// the unexplained voltage by twice the induced voltage.
 void LeadsWatch::weigh(const Cycle& cycle) {
   const float turning = (1 + deviations_[kInduced]) * cycle.inputs[kInduced];
   const float shown = -2 * turning * (cycle.unexplained + turning) * cycle.weight;
@@ -131,7 +135,7 @@ void LeadsWatch::weigh(const Cycle& cycle) {
                          kSwappedThreshold);
 }
 
-// Executes one step of the recursive least squares.
+// Corrects the model by one step of the algorithm "recursive least squares".
 void LeadsWatch::learn(const Cycle& cycle) {
   for (std::size_t row = 0; row < kParameters; ++row) {
     const float gain = cycle.spread[row] * cycle.weight;

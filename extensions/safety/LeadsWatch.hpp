@@ -9,29 +9,32 @@
 
 namespace wr {
 
-/// @brief Supervision of the polarity of one motor.
+/// @brief Supervision of the polarity of one motor: finds swapped leads.
 ///
-/// @function Learns the resistance, the constant and the offset of a motor while it turns. Detects
-/// leads that are swapped later: the induced voltage then changes its sign in one cycle.
+/// @function Learns the resistance of the motor, its motor constant and the offset of its current
+/// sensor. Detects leads that are swapped later: the sign of the induced voltage then changes from
+/// one cycle to the next.
 ///
 /// @secret How the model of a motor is learned, and how strongly the measurements must contradict
-/// the model.
+/// the model before the leads count as swapped.
 class LeadsWatch final {
  public:
-  /// @brief Begins with the nominal motor.
+  /// @brief Constructs the supervision with the model of the nominal motor.
   LeadsWatch();
   LeadsWatch(const LeadsWatch&) = delete;
   LeadsWatch& operator=(const LeadsWatch&) = delete;
 
-  /// @brief Compares the measurements of a cycle with the model, and learns from them.
+  /// @brief Compares the measurements of a cycle with the model, and adapts the model to these
+  /// measurements.
   /// @param measured measurements of the cycle that ends
-  /// @param tension voltage of the wheel during this cycle [mV]; nothing while its driver is off
-  /// @return whether the leads of the motor are swapped.
+  /// @param tension voltage of the wheel during this cycle [mV]; no value while the driver of the
+  /// wheel is off
+  /// @return true if the leads of the motor are probably swapped.
   /// @satisfies FR-307
   /// @isr{no}
   [[nodiscard]] bool swapped(const WheelMeasurements& measured, std::optional<Tension> tension);
 
-  /// @brief Begins again with the nominal motor.
+  /// @brief Sets the model to the nominal motor again, and clears the evidence.
   /// @satisfies FR-307
   /// @isr{no}
   void reset();
@@ -40,13 +43,13 @@ class LeadsWatch final {
   static constexpr std::size_t kParameters = 3;
   using Vector = std::array<float, kParameters>;
 
-  /// The evidence of one cycle.
+  /// The values of one cycle that change the evidence and the model.
   struct Cycle {
-    Vector inputs{};        // voltages of the nominal motor, and 1 V [V]
-    Vector spread{};        // covariance of the parameters times the inputs
+    Vector inputs{};        // [V] winding voltage and induced voltage of the nominal motor, and 1 V
+    Vector spread{};        // product of the covariance matrix of the parameters and the inputs
     float unexplained = 0;  // voltage that the model does not explain [V]
-    float weight = 0;       // 1 divided by the variance of this voltage [1/V^2]
-    bool moved = false;     // the Hall edges show the direction of the velocity
+    float weight = 0;       // 1 divided by the variance of the unexplained voltage [1/V^2]
+    bool moved = false;     // the Hall edges confirm the direction of the velocity
   };
 
   [[nodiscard]] Cycle examine(const WheelMeasurements& measured, Tension tension);
@@ -54,9 +57,8 @@ class LeadsWatch final {
   void learn(const Cycle& cycle);
 
   Vector deviations_{};                       // deviations of the parameters from the nominal motor
-  std::array<Vector, kParameters> doubts_{};  // covariance of the deviations
-  float evidence_ = 0;                        // evidence for swapped leads, a logarithm of
-                                              // probabilities
+  std::array<Vector, kParameters> doubts_{};  // covariance matrix of the deviations
+  float evidence_ = 0;                        // evidence that the leads are swapped, a logarithm
   Tension tension_{};                         // voltage of the previous cycle
   Velocity velocity_{};                       // velocity of the previous cycle
   std::optional<HallCount> position_;         // position of the previous cycle

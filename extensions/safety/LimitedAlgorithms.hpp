@@ -10,20 +10,20 @@
 
 namespace wr {
 
-/// @brief The algorithms of a wheel, with their limits.
+/// @brief The control algorithms of one wheel, and the limits that wrap them.
 /// @datatype
 struct LimitedAlgorithms {
   VelocityAlgorithm velocity;                  ///< algorithm for orders of velocity
   TensionAlgorithm tension;                    ///< algorithm for orders of voltage
   CurrentAlgorithm current;                    ///< algorithm for orders of current
-  SpeedLimited slowTension{tension};           ///< orders of voltage, limited at the speed limit
-  SpeedLimited slowCurrent{current};           ///< orders of current, limited at the speed limit
-  CurrentLimited limitedVelocity{velocity};    ///< orders of velocity, limited
-  CurrentLimited limitedTension{slowTension};  ///< orders of voltage, limited
-  CurrentLimited limitedCurrent{slowCurrent};  ///< orders of current, limited
+  SpeedLimited slowTension{tension};           ///< limits the speed during orders of voltage
+  SpeedLimited slowCurrent{current};           ///< limits the speed during orders of current
+  CurrentLimited limitedVelocity{velocity};    ///< limits the current during orders of velocity
+  CurrentLimited limitedTension{slowTension};  ///< limits the current during orders of voltage
+  CurrentLimited limitedCurrent{slowCurrent};  ///< limits the current during orders of current
 
-  /// @brief Returns the algorithm of each quantity, in the order of WheelQuantity.
-  /// @return limited algorithms of velocity, voltage and current.
+  /// @brief Returns the limited algorithm for each quantity, in the sequence of WheelQuantity.
+  /// @return limited algorithms for velocity, voltage and current.
   /// @isr{no}
   [[nodiscard]] std::array<WheelAlgorithm*, 3> all() {
     return {&limitedVelocity, &limitedTension, &limitedCurrent};

@@ -7,39 +7,42 @@
 
 namespace wr {
 
-/// @brief A stage on the path of an order to the control systems.
+/// @brief One of the stages that each order passes on its way to the control systems.
 ///
-/// @function Receives the order of each cycle as one call, and returns the measurements of the cycle.
+/// @function Receives the order of each cycle in one call, and returns the measurements of the
+/// cycle.
 ///
-/// @secret How a stage changes an order before forwarding it.
+/// @secret How a stage changes an order before it forwards the order.
 class OrderStage {
  public:
   OrderStage(const OrderStage&) = delete;
   OrderStage& operator=(const OrderStage&) = delete;
 
-  /// @brief Executes a cycle that follows set-points.
+  /// @brief Executes an order to follow set-points.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @isr{no}
   virtual void follow(const SetPoints& setPoints, std::uint32_t cycle) = 0;
 
-  /// @brief Executes a cycle that halts the wheels and holds the steering.
+  /// @brief Executes an order to halt the wheels and to hold the steering.
   /// @param cycle number of the cycle
   /// @isr{no}
   virtual void stand(std::uint32_t cycle) = 0;
 
-  /// @brief Executes a cycle that releases latched faults and holds the robot.
+  /// @brief Executes an order to release latched faults. In this cycle the wheels halt and the
+  /// steering keeps its angle.
   /// @param cycle number of the cycle
   /// @isr{no}
   virtual void recover(std::uint32_t cycle) = 0;
 
-  /// @brief Checks whether the orders of a cycle have been carried out.
+  /// @brief Checks whether all control systems have executed the orders of a cycle.
   /// @param cycle number of the cycle
-  /// @return true if all orders have been carried out.
+  /// @return true if all orders of this cycle have been executed.
   /// @isr{no}
   [[nodiscard]] virtual bool completed(std::uint32_t cycle) const = 0;
 
-  /// @brief Replaces the measurements and outputs of an earlier cycle by the values of this cycle.
+  /// @brief Writes the measurements and outputs of this cycle, which replace the values of an
+  /// earlier cycle.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @isr{no}

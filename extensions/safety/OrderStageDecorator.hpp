@@ -8,20 +8,20 @@ namespace wr {
 
 /// @brief A stage that extends another stage.
 ///
-/// @function Forwards each operation to the wrapped stage, unless a subclass extends it. Subclasses
-/// change the orders that they extend.
+/// @function Forwards the calls of completed() and collect() to the wrapped stage. Subclasses
+/// define how they change an order before they forward it.
 ///
-/// @secret Which calls of the wrapped stage are forwarded unchanged.
+/// @secret Which calls are forwarded to the wrapped stage without a change.
 class OrderStageDecorator : public OrderStage {
  public:
-  /// @brief Checks whether the wrapped stage has carried out the orders of a cycle.
+  /// @brief Checks whether the wrapped stage has executed the orders of a cycle.
   /// @param cycle number of the cycle
-  /// @return true if it has carried them out.
+  /// @return true if the wrapped stage has executed the orders.
   /// @satisfies FR-293
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
 
-  /// @brief Adds the measurements and outputs of the wrapped stage.
+  /// @brief Writes the measurements and outputs of the wrapped stage.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @satisfies FR-293
@@ -29,13 +29,13 @@ class OrderStageDecorator : public OrderStage {
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
  protected:
-  /// @brief Binds the decorator to the stage that it extends.
+  /// @brief Binds the decorator to the wrapped stage.
   /// @param wrapped the extended stage
   explicit OrderStageDecorator(OrderStage& wrapped);
   ~OrderStageDecorator() = default;
 
   /// @brief Returns the wrapped stage.
-  /// @return stage that the decorator extends.
+  /// @return stage that receives the forwarded orders.
   /// @isr{no}
   [[nodiscard]] OrderStage& wrapped() const;
 

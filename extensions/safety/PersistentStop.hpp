@@ -5,34 +5,36 @@
 
 namespace wr {
 
-/// @brief Keeps the stop of a source during a reset.
+/// @brief A mode that keeps a stop command of its source in force after a reset.
 ///
-/// @function Stores the stop of the wrapped mode in every cycle. A stop that was in force before a
-/// reset stays in force until the source orders neutral set-points without a stop.
+/// @function When a stop begins or ends, stores this change in a memory that a reset does not
+/// clear. A stop that was in force before a reset stays in force until the source sends neutral
+/// set-points without a stop.
 ///
 /// @secret The event that ends a stop that was stored before a reset.
 ///
 /// @role{mode-extensions, Concrete Decorator}
 class PersistentStop final : public ModeDecorator {
  public:
-  /// @brief Binds the decorator to the mode and to the memory of its stop.
+  /// @brief Binds this mode to the extended mode and to the memory of the stop.
   /// @param wrapped the extended mode
-  /// @param memory memory of the stop
+  /// @param memory memory of the stop, which a reset does not clear
   PersistentStop(Mode& wrapped, StopMemory& memory);
 
-  /// @brief Serves the wrapped mode, and stores its stop.
+  /// @brief Calls serve() of the wrapped mode, and stores whether a stop is in force.
   /// @satisfies FR-290
   /// @isr{no}
   void serve() override;
 
-  /// @brief Reads an order; a neutral order ends a stop that was stored before the reset.
-  /// @param mCtrl controller whose data receive the set-points
+  /// @brief Reads an order. A neutral order without a stop ends a stop that was stored before the
+  /// reset.
+  /// @param mCtrl main controller that receives the set-points
   /// @satisfies FR-290
   /// @isr{no}
   void read(MainController& mCtrl) override;
 
-  /// @brief Has no effect: the mode that wraps this mode changes the reading mode.
-  /// @param mCtrl controller whose mode stays
+  /// @brief Has no effect, because the mode that wraps this mode changes the reading mode.
+  /// @param mCtrl main controller whose reading mode does not change
   /// @isr{no}
   void changeMode(MainController& mCtrl) override;
 
@@ -45,7 +47,7 @@ class PersistentStop final : public ModeDecorator {
 
  private:
   StopMemory& memory_;
-  bool kept_;  // a stop was ordered before the reset
+  bool kept_;  // a stop from before the reset is still in force
 };
 
 }  // namespace wr

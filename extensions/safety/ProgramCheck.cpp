@@ -8,8 +8,9 @@ namespace wr {
 
 namespace {
 
-// With one step per tick, a sum over a program of 64 KiB takes 147 ms; the check can need two sums
-// to find a change.
+// Size of a step, in groups of four words. With one step in each tick, the sum of a program of 64
+// KiB is complete after 147 ms. A changed bit is found at the end of the present sum or of the next
+// sum.
 constexpr std::size_t kWordsOfStep = 28;
 
 std::uint32_t sumOf(std::span<const ProgramCheck::Words> words) {

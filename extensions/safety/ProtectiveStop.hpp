@@ -12,58 +12,62 @@
 
 namespace wr {
 
-/// @brief Stops the whole robot when one of its parts fails.
+/// @brief A stage that stops the whole robot when one device of the robot fails.
 ///
-/// @function Checks the contact of the emergency-stop circuit, the steering and every wheel after each
-/// order. When a part fails, all control systems hold in this cycle and in every later cycle until
-/// an acknowledgement.
+/// @function Checks the contact of the emergency-stop circuit, the steering and every wheel after
+/// each order. When a check finds a fault, latches a protective stop: the wheels halt and the
+/// steering keeps its angle, from this cycle until an acknowledgement.
 ///
-/// @secret Which parts are supervised, and how long a protective stop lasts.
+/// @secret Which devices are checked, and how long a protective stop lasts.
 class ProtectiveStop final : public OrderStageDecorator {
  public:
-  /// @brief Binds the protective stop to the robot.
-  /// @param wrapped all control systems of the robot
+  /// @brief Binds this stage to the wrapped stage. A protective stop from before a reset is latched
+  /// again.
+  /// @param wrapped stage that forwards orders to all control systems of the robot
   /// @param emergencyStop watches the contact of the emergency-stop circuit
-  /// @param memory stores the protective stop; a protective stop from before a reset is latched
-  /// again
+  /// @param memory memory of the protective stop, which a reset does not clear
   ProtectiveStop(OrderStage& wrapped, ContactWatch& emergencyStop, RetainedProtection& memory);
 
-  /// @brief Adds the measurements and outputs of the robot, and the state of the protective stop.
+  /// @brief Writes the measurements and outputs of the robot, and the state of the protective stop.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @satisfies FR-281
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
-  /// @brief Forwards set-points; holds the robot while a protective stop is latched.
+  /// @brief Forwards set-points, and checks the robot. While a protective stop is latched, halts
+  /// the wheels and holds the steering instead.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-270
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
-  /// @brief Holds the robot and checks it.
+  /// @brief Halts the wheels and holds the steering, then checks the robot.
   /// @param cycle number of the cycle
   /// @satisfies FR-270
   /// @isr{no}
   void stand(std::uint32_t cycle) override;
 
-  /// @brief Releases the protective stop.
+  /// @brief Releases the protective stop, and forwards the acknowledgement. If the contact of the
+  /// emergency-stop circuit is open, latches a protective stop again.
   /// @param cycle number of the cycle
   /// @satisfies FR-291
   /// @isr{no}
   void recover(std::uint32_t cycle) override;
 
  private:
-  /// @brief Checks all parts, and latches the first cause.
-  /// @param followed set-points that the robot follows; nullptr while it is held
+  /// @brief Checks the emergency-stop contact, the steering and the wheels, and latches the first
+  /// cause of a protective stop.
+  /// @param followed set-points that the robot follows; nullptr while it follows no set-points
   /// @satisfies FR-271
   /// @satisfies FR-272
   /// @satisfies FR-273
   void examine(const SetPoints* followed);
   /// @brief Compares the wheels with each other while they follow set-points.
   /// @param measurements measurements of the cycle
-  /// @param following true while they follow set-points
+  /// @param following true while the wheels follow set-points; false clears the records of the
+  /// comparison
   /// @satisfies FR-297
   /// @satisfies FR-298
   void compareWheels(const Measurements& measurements, bool following);

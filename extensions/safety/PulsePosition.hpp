@@ -7,22 +7,23 @@
 
 namespace wr {
 
-/// @brief The position of a switch, from a pulse of the remote control.
+/// @brief The function that computes the position of a switch from a pulse of the remote control.
 ///
-/// @function Computes the deflection of the pulse from its middle. It has no neutral range and no
-/// bounds: a pulse out of range also has a position.
+/// @function Computes the deflection: the width of the pulse minus the width of a middle pulse.
+/// There is no neutral range around the middle, and a pulse outside the valid range also gets a
+/// deflection.
 ///
 /// @secret The relation between the width of a pulse and the position of a switch.
 ///
 /// @role{functions, Concrete Strategy}
 class PulsePosition final : public Function {
  public:
-  /// @brief Constructs the function without state.
+  /// @brief Constructs the function, which has no state.
   PulsePosition() = default;
 
-  /// @brief Computes the deflection.
-  /// @param arguments Raw [width, us] and Offset [middle, us]
-  /// @return deflection [us]; nothing when an argument is missing.
+  /// @brief Computes the deflection of a pulse.
+  /// @param arguments Raw: width of the pulse [us]; Offset: width of a middle pulse [us]
+  /// @return deflection [us]; no value if an argument is missing.
   /// @isr{yes}
   /// @satisfies FR-285
   [[nodiscard]] std::optional<std::int32_t> calculate(const Arguments& arguments) const override;

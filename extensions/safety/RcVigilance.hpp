@@ -8,13 +8,13 @@
 
 namespace wr {
 
-/// @brief Detects a remote control whose pulses no longer change.
+/// @brief A detector of a remote control whose pulses no longer change.
 ///
-/// @function Compares the pulses of all channels with the pulses at the last change, and measures
-/// how long the remote control has moved the robot without a change.
+/// @function Compares the pulses of all channels with the pulses at the last change. Measures how
+/// long the remote control has moved the robot since this change.
 ///
-/// @secret The change of a pulse that shows that a person holds the remote control, and how often
-/// this change is expected.
+/// @secret The smallest change of a pulse that shows that a person holds the remote control, and
+/// the longest permitted time without this change.
 class RcVigilance final {
  public:
   static constexpr std::size_t kChannels = 3;  ///< velocity, direction, enable
@@ -22,16 +22,17 @@ class RcVigilance final {
   /// @brief Deflections of all channels [us].
   using Deflections = std::array<std::int32_t, kChannels>;
 
-  /// @brief Begins without pulses.
+  /// @brief Constructs the detector before the first pulses.
   RcVigilance() = default;
   RcVigilance(const RcVigilance&) = delete;
   RcVigilance& operator=(const RcVigilance&) = delete;
 
-  /// @brief Checks the pulses of a cycle.
+  /// @brief Checks whether the pulses still change while the remote control moves the robot.
   /// @param deflections newest deflections of all channels
   /// @param moving true while the remote control orders a motion
   /// @param now present time
-  /// @return true if the pulses of a moving robot have not changed for too long.
+  /// @return true if the remote control has moved the robot for more than 2 s without a change of
+  /// its pulses.
   /// @satisfies FR-289
   /// @isr{no}
   [[nodiscard]] bool expired(const Deflections& deflections, bool moving, Instant now);

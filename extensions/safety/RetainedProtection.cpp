@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-// Marks valid content; erased or empty memory does not contain it.
+// Bit pattern of valid content. Erased memory and empty memory do not contain this pattern.
 constexpr std::uint32_t kRetainedMark = 0x96C3'0000;
 constexpr std::uint32_t kMarkBits = 0xFFFF'0000;
 constexpr std::uint32_t kByte = 0xFF;

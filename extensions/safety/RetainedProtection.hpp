@@ -7,12 +7,12 @@
 
 namespace wr {
 
-/// @brief The latched protective stop in memory that a reset does not change.
+/// @brief The latched protective stop, stored in memory that a reset does not change.
 ///
-/// @function Stores the cause of the protective stop and its wheel, with a check word. After
-/// power-on there is no protective stop. After a loss of the clock there is a protective stop.
-/// After any other reset, content that fails its check counts as a protective stop because of a
-/// missing measurement.
+/// @function Stores the cause of the protective stop, the wheel with the fault, and a check word.
+/// Power-on clears the protective stop. A loss of the clock causes a protective stop. If the
+/// content fails its check after any other reset, it counts as a protective stop with the cause
+/// MissingMeasurement.
 ///
 /// @secret How a protective stop is encoded, and how damaged memory is detected.
 class RetainedProtection final {
@@ -21,14 +21,14 @@ class RetainedProtection final {
   /// @datatype
   struct Cells {
     std::uint32_t value;  ///< the encoded protective stop
-    std::uint32_t check;  ///< complement of the value
+    std::uint32_t check;  ///< bitwise complement of the value
   };
 
   /// @brief A protective stop.
   /// @datatype
   struct Stop {
     StopCause cause = StopCause::None;          ///< cause of the stop; None: no protective stop
-    std::uint8_t wheel = Protection::kNoWheel;  ///< wheel that the cause concerns, 0 to 3
+    std::uint8_t wheel = Protection::kNoWheel;  ///< wheel with the fault: 0 to 3, or kNoWheel
 
     /// @brief Compares two protective stops.
     friend constexpr bool operator==(const Stop&, const Stop&) = default;
@@ -41,21 +41,22 @@ class RetainedProtection final {
   RetainedProtection(const RetainedProtection&) = delete;
   RetainedProtection& operator=(const RetainedProtection&) = delete;
 
-  /// @brief Checks the cause of the start. After power-on there is no protective stop. After a loss of
-  /// the clock there is a protective stop.
+  /// @brief Clears the protective stop after power-on. Stores a protective stop after a loss of the
+  /// clock, if no protective stop is stored.
   /// @param start cause of the last reset, and the fault before it
   /// @satisfies FR-291
   /// @isr{no}
   void begin(const StartRecord& start);
 
   /// @brief Returns the stored protective stop.
-  /// @return its cause and its wheel; MissingMeasurement if the content fails its check.
+  /// @return cause and wheel of the protective stop. If the content fails its check, the cause is
+  /// MissingMeasurement.
   /// @satisfies FR-291
   /// @isr{no}
   [[nodiscard]] Stop stored() const;
 
   /// @brief Stores a protective stop with its check word.
-  /// @param stop the protective stop; the cause None after an acknowledgement
+  /// @param stop the protective stop; after an acknowledgement its cause is None
   /// @satisfies FR-291
   /// @isr{no}
   void save(const Stop& stop);

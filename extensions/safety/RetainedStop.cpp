@@ -4,8 +4,7 @@ namespace wr {
 
 namespace {
 
-// The two words differ in more than half of their bits. Erased or empty memory does not contain
-// them.
+// The two values differ in all bits. Erased memory and empty memory contain neither value.
 constexpr std::uint32_t kStopped = 0x5AC3'3C69;
 constexpr std::uint32_t kReleased = 0xA53C'C396;
 

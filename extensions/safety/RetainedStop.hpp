@@ -7,10 +7,10 @@
 
 namespace wr {
 
-/// @brief A stop in memory that a reset does not change.
+/// @brief The stop command of a source, stored in memory that a reset does not change.
 ///
-/// @function Stores the stop with a check word. After power-on there is no stop; after any other
-/// reset, content that fails its check counts as a stop.
+/// @function Stores whether a stop is in force, with a check word. Power-on clears the stop. If the
+/// content fails its check after any other reset, it counts as a stop.
 ///
 /// @secret Which numbers mean a stop, and how damaged memory is detected.
 class RetainedStop final : public StopMemory {
@@ -18,27 +18,27 @@ class RetainedStop final : public StopMemory {
   /// @brief The content of the memory.
   /// @datatype
   struct Cells {
-    std::uint32_t value;  ///< number of the state
-    std::uint32_t check;  ///< complement of the value
+    std::uint32_t value;  ///< number that means "stop" or "no stop"
+    std::uint32_t check;  ///< bitwise complement of the value
   };
 
   /// @brief Binds the object to its memory.
   /// @param cells memory that a reset does not change
   explicit RetainedStop(Cells& cells);
 
-  /// @brief Checks the cause of the last reset: after power-on there is no stop.
+  /// @brief Clears the stop after power-on.
   /// @param cause cause of the last reset
   /// @satisfies FR-290
   /// @isr{no}
   void begin(ResetCause cause);
 
-  /// @brief Returns the stored value.
+  /// @brief Returns whether a stop is stored.
   /// @return true if a stop is stored, or if the content fails its check.
   /// @satisfies FR-290
   /// @isr{no}
   [[nodiscard]] bool stopped() const override;
 
-  /// @brief Stores a value with its check word.
+  /// @brief Stores whether a stop is in force, with a check word.
   /// @param stopped true while a stop is in force
   /// @satisfies FR-290
   /// @isr{no}

@@ -10,9 +10,9 @@
 
 namespace wr {
 
-/// @brief The last stage of an order: all control systems of the robot.
+/// @brief The last stage of an order. It contains all control systems of the robot.
 ///
-/// @function Forwards each order to every control system of the robot, so that the stages before it
+/// @function Forwards each order to every control system of the robot. Therefore the earlier stages
 /// do not depend on the number of control systems.
 ///
 /// @secret How many control systems receive an order.
@@ -25,40 +25,42 @@ class RobotStage final : public OrderStage {
   RobotStage() = default;
 
   /// @brief Adds a control system.
-  /// @param system control system of the robot; it exists as long as this object
-  /// @errors Beyond the capacity the program ends with the assertion PoolFull.
+  /// @param system control system of the robot; it must exist as long as this object
+  /// @errors If the stage already has kCapacity control systems, the program ends with the
+  /// assertion PoolFull.
   /// @satisfies FR-293
   /// @isr{no}
   void add(ControlSystem& system);
 
-  /// @brief Checks whether every control system of the robot has carried out the orders of a cycle.
+  /// @brief Checks whether every control system of the robot has executed the orders of a cycle.
   /// @param cycle number of the cycle
   /// @return true if all control systems have executed the orders.
   /// @satisfies FR-293
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
 
-  /// @brief Adds the measurements and outputs of every control system of the robot.
+  /// @brief Writes the measurements and outputs of every control system of the robot.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @satisfies FR-293
   /// @isr{no}
   void collect(Measurements& measurements, Outputs& outputs) const override;
 
-  /// @brief Lets every control system follow set-points.
+  /// @brief Orders every control system to follow set-points.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-293
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
-  /// @brief Lets every control system hold.
+  /// @brief Orders the wheels to halt and the steering to hold its angle.
   /// @param cycle number of the cycle
   /// @satisfies FR-293
   /// @isr{no}
   void stand(std::uint32_t cycle) override;
 
-  /// @brief Lets every control system acknowledge.
+  /// @brief Orders every control system to release its latched faults, and to stand still in this
+  /// cycle.
   /// @param cycle number of the cycle
   /// @satisfies FR-293
   /// @isr{no}

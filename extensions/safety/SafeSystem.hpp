@@ -10,26 +10,28 @@ namespace wr {
 
 /// @brief The robot and its safety functions, together as a single control system.
 ///
-/// @function Records the order of a cycle while it arrives in parts, and passes it to the first
-/// safety function in one call: follow set-points, hold, or acknowledge.
+/// @function Receives the order of a cycle in several calls, and passes it to the first stage in
+/// one call. This call orders the robot to follow set-points, to stand still, or to acknowledge
+/// faults.
 ///
-/// @secret How the parts of an order are combined in one call.
+/// @secret How the calls that form one order are combined into one call.
 ///
 /// @role{control-system-orders, Concrete Class}
 class SafeSystem final : public ControlSystem {
  public:
   /// @brief Binds the system to the first stage of its orders.
-  /// @param first first safety function
+  /// @param first first stage of each order
   explicit SafeSystem(OrderStage& first);
 
-  /// @brief Checks whether every control system of the robot has carried out the orders of a cycle.
+  /// @brief Checks whether every control system of the robot has executed the orders of a cycle.
   /// @param cycle number of the cycle
   /// @return true if all control systems have executed the orders.
   /// @satisfies FR-293
   /// @isr{no}
   [[nodiscard]] bool completed(std::uint32_t cycle) const override;
 
-  /// @brief Adds the measurements and outputs of the robot, and the state of its safety functions.
+  /// @brief Writes the measurements and outputs of the robot, and the state of its safety
+  /// functions.
   /// @param measurements receives the measurements
   /// @param outputs receives the outputs
   /// @satisfies FR-281
@@ -44,7 +46,7 @@ class SafeSystem final : public ControlSystem {
   void apply(const SetPoints& setPoints) override;
   void halt() override;
   void release() override;
-  /// @brief Forwards the recorded order.
+  /// @brief Passes the recorded order to the first stage.
   /// @param cycle number of the cycle
   /// @satisfies FR-293
   void activate(std::uint32_t cycle) override;

@@ -21,10 +21,10 @@
 
 namespace wr {
 
-/// @brief Builds the robot and its safety functions as a single control system.
+/// @brief The builder of a single control system that contains the robot and its safety functions.
 ///
-/// @function Calls each step of the builders of the robot's control systems, wraps their products
-/// in the safety functions of the control cycle, and forwards ticks to them.
+/// @function Calls each step of the builders of the robot's control systems. Wraps the safety
+/// functions around these control systems. Forwards each tick to these control systems.
 ///
 /// @secret Which safety functions wrap the robot, and in which sequence.
 ///
@@ -32,27 +32,28 @@ namespace wr {
 /// @role{steering-system-construction, Concrete Builder}
 class SafetyBuilder final : public ControlSystemBuilder {
  public:
-  /// @brief Builders of the robot and devices of its safety functions. Each exists as long as this builder.
+  /// @brief Builders of the robot, and devices of its safety functions. All must exist as long as
+  /// this builder.
   /// @datatype
   struct Parts {
     std::span<WheelSystemBuilder> wheels;            ///< builders of the wheels
     std::span<ControlSystemBuilder* const> systems;  ///< builders of all control systems
-    EdgeInput& emergencyStop;    ///< contact of the emergency-stop circuit; high: active
-    RetainedProtection& memory;  ///< memory of the protective stop; begin() was called
+    EdgeInput& emergencyStop;    ///< emergency-stop contact; high while it is open
+    RetainedProtection& memory;  ///< memory of the protective stop; begin() must be called first
   };
 
   /// @brief Binds the builder to the builders of the robot.
-  /// @param parts builders of the robot
+  /// @param parts builders of the robot, and devices of its safety functions
   explicit SafetyBuilder(const Parts& parts);
 
   void buildActuator() override;
   void buildSensors() override;
-  /// @brief Builds every controller; the controllers of the wheels get algorithms with a speed
-  /// limit.
+  /// @brief Builds every controller. The controllers of the wheels get algorithms that limit speed
+  /// and current.
   /// @satisfies FR-283
   /// @isr{no}
   void buildController() override;
-  /// @brief Builds every control system, and wraps the control systems in the safety functions.
+  /// @brief Builds every control system, and wraps the safety functions around all of them.
   /// @satisfies FR-293
   /// @isr{no}
   void buildSystem() override;
@@ -70,14 +71,15 @@ class SafetyBuilder final : public ControlSystemBuilder {
     SafeSystem system;
   };
 
-  /// @brief Executes the tick command of every control system, and samples the contact.
+  /// @brief The command of a tick: samples the emergency-stop contact, then executes the tick
+  /// command of every control system.
   class Ticks final : public Command {
    public:
-    /// @brief Adds a command.
-    /// @param command executed at each tick
+    /// @brief Adds the tick command of a control system.
+    /// @param command command that each tick executes
     void add(Command& command);
-    /// @brief Sets the contact that is sampled at each tick.
-    /// @param contact the contact
+    /// @brief Sets the contact that each tick samples.
+    /// @param contact detector of the emergency-stop contact
     void watch(ContactWatch& contact);
     void execute() override;
 

@@ -15,24 +15,25 @@
 
 namespace wr {
 
-/// @brief Builds a robot with safety functions, and starts it.
+/// @brief The director that builds and starts a robot with safety functions and a remote control.
 ///
-/// @function Calls the steps of the builders in the required sequence, replaces the standard
-/// reading modes by reading modes with safety functions, and starts the built parts.
+/// @function Calls the steps of the builders in the required sequence. Passes reading modes with
+/// safety functions to the builder of the main controller, instead of the standard modes PC and RC.
+/// Starts the control systems and the main controller.
 ///
-/// @secret Which steps build a robot with safety functions.
+/// @secret Which steps build a robot with safety functions and a remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}
 /// @role{rc-pin-interrupt, Client}
 class SafetyDirector final {
  public:
-  /// @brief Devices of the safety functions. Each exists as long as the director.
+  /// @brief Devices of the safety functions. Each device must exist as long as the director.
   /// @datatype
   struct Devices {
-    const Timebase& timebase;  ///< returns the time
+    const Timebase& timebase;  ///< returns the present time
     const Timebase& edgeTime;  ///< returns the time of an edge of the remote control
-    StopMemory& memory;        ///< memory of the PC's stop
+    StopMemory& memory;        ///< memory of a stop command of the PC
     EdgeInput& enablePin;      ///< pin of the enable switch
     Pipe<Velocity>& velocity;  ///< position of the velocity stick
     Pipe<Angle>& direction;    ///< position of the direction stick
@@ -57,16 +58,16 @@ class SafetyDirector final {
   void construct();
 
   /// @brief Starts the control cycles.
-  /// @pre A robot was built.
-  /// @errors A robot that was not built ends the program with the assertion PartMissing.
+  /// @pre construct() was called.
+  /// @errors If construct() was not called, the program ends with the assertion PartMissing.
   /// @satisfies FR-293
   /// @isr{no}
   void start();
 
   /// @brief Returns the pin of the enable switch.
-  /// @return pin that serves the interrupts of the switch.
+  /// @return pin object; its function serve() handles the interrupts of the switch.
   /// @pre construct() was called.
-  /// @errors Without the pin the program ends with the assertion PartMissing.
+  /// @errors If construct() was not called, the program ends with the assertion PartMissing.
   /// @satisfies FR-285
   /// @isr{yes}
   [[nodiscard]] RcPin& enablePin();

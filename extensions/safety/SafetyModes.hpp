@@ -14,15 +14,16 @@
 
 namespace wr {
 
-/// @brief The reading modes of a robot with safety functions that receives orders from the PC and the remote control.
+/// @brief The reading modes of a robot that has safety functions and receives orders from the PC
+/// and the remote control.
 /// @datatype
 struct SafetyModes {
-  /// @brief Constructs the modes.
+  /// @brief Constructs the modes, and binds them to the sources of their orders.
   /// @param pcReader reader of the PC's orders
   /// @param rcReader reader of the remote control's orders
   /// @param connection link to the PC
   /// @param signals signals of the remote control
-  /// @param memory memory of the PC's stop
+  /// @param memory memory of a stop command of the PC
   SafetyModes(Reader& pcReader, Reader& rcReader, PcConnection& connection,
               const EnableSwitch::Signals& signals, StopMemory& memory)
       : basicPc(pcReader),
@@ -36,12 +37,12 @@ struct SafetyModes {
 
   BasicMode basicPc;              ///< reads orders of the PC
   BasicMode basicRc;              ///< reads orders of the remote control
-  PersistentStop persistentStop;  ///< keeps the stop of the PC during a reset
-  SteeringGeometry geometry;      ///< computes the velocity of each wheel
-  EnableSwitch enableSwitch;      ///< adds a stop to the remote control
-  PC pc;                          ///< mode of the PC
-  RC rc;                          ///< mode of the remote control
-  std::array<Mode*, 2> all;       ///< both modes
+  PersistentStop persistentStop;  ///< keeps a stop command of the PC in force after a reset
+  SteeringGeometry geometry;      ///< computes the velocity of each wheel in a curve
+  EnableSwitch enableSwitch;      ///< adds the enable switch to the remote control
+  PC pc;                          ///< the reading mode PC
+  RC rc;                          ///< the reading mode RC
+  std::array<Mode*, 2> all;       ///< both reading modes
 };
 
 }  // namespace wr

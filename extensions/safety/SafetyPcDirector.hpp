@@ -9,28 +9,30 @@
 
 namespace wr {
 
-/// @brief Builds a robot with safety functions that receives orders only from the PC, and starts it.
+/// @brief The director that builds and starts a robot that has safety functions and receives orders
+/// only from the PC.
 ///
-/// @function Calls the steps of the builders in the required sequence, replaces the standard
-/// reading modes by the reading mode with safety functions, and starts the built parts.
+/// @function Calls the steps of the builders in the required sequence. Passes one reading mode with
+/// safety functions to the builder of the main controller, instead of the standard mode PC. Starts
+/// the control systems and the main controller.
 ///
-/// @secret Which steps build a robot with safety functions that has no remote control.
+/// @secret Which steps build a robot that has safety functions and no remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}
 class SafetyPcDirector final {
  public:
-  /// @brief Binds the director to the builders and to the memory of the PC's stop.
+  /// @brief Binds the director to the builders and to the memory of a stop command of the PC.
   /// @param poolBuilder builds the control systems, with their safety functions
   /// @param controllerBuilder builds the main controller
-  /// @param memory memory of the PC's stop
+  /// @param memory memory of a stop command of the PC
   SafetyPcDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder,
                    StopMemory& memory);
 
   SafetyPcDirector(const SafetyPcDirector&) = delete;
   SafetyPcDirector& operator=(const SafetyPcDirector&) = delete;
 
-  /// @brief Builds the robot.
+  /// @brief Builds the control systems and the main controller.
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-293
@@ -39,7 +41,7 @@ class SafetyPcDirector final {
 
   /// @brief Starts the control cycles.
   /// @pre construct() was called.
-  /// @errors A robot that was not built ends the program with the assertion PartMissing.
+  /// @errors If construct() was not called, the program ends with the assertion PartMissing.
   /// @satisfies FR-293
   /// @isr{no}
   void start();

@@ -11,13 +11,14 @@
 
 namespace wr {
 
-/// @brief The reading mode of a robot with safety functions that receives orders only from the PC.
+/// @brief The reading mode of a robot that has safety functions and receives orders only from the
+/// PC.
 /// @datatype
 struct SafetyPcMode {
-  /// @brief Constructs the mode.
+  /// @brief Constructs the mode, and binds it to the PC.
   /// @param pcReader reader of the PC's orders
   /// @param connection link to the PC
-  /// @param memory memory of the PC's stop
+  /// @param memory memory of a stop command of the PC
   SafetyPcMode(Reader& pcReader, PcConnection& connection, StopMemory& memory)
       : basicPc(pcReader),
         persistentStop(basicPc, memory),
@@ -25,9 +26,9 @@ struct SafetyPcMode {
         all{&pc} {}
 
   BasicMode basicPc;              ///< reads orders of the PC
-  PersistentStop persistentStop;  ///< keeps the stop of the PC during a reset
-  PC pc;                          ///< mode of the PC
-  std::array<Mode*, 1> all;       ///< the mode
+  PersistentStop persistentStop;  ///< keeps a stop command of the PC in force after a reset
+  PC pc;                          ///< the reading mode PC
+  std::array<Mode*, 1> all;       ///< the only reading mode
 };
 
 }  // namespace wr

@@ -10,29 +10,31 @@ namespace wr {
 
 namespace {
 
-// 0.5 m/s^2 in a cycle of 0.1 s are 0.05 m/s; 300 rpm of the motor shaft are 0.85 m/s.
+// At 0.5 m/s^2 the velocity changes by 0.05 m/s in a cycle of 0.1 s. At 300 rpm of the motor shaft
+// the robot drives 0.85 m/s.
 constexpr std::int32_t kMaxChangePerCycle = 176;  // [0.1 rpm] in a cycle
 
-// 2.4 V in a cycle is also the rate of a stop.
-constexpr Tension kMaxRisePerCycle(1000);  // in a cycle, away from 0
-constexpr Tension kMaxFallPerCycle(2400);  // in a cycle, towards 0
+// The voltage also falls by 2.4 V per cycle when a wheel is stopped.
+constexpr Tension kMaxRisePerCycle(1000);  // [mV] away from 0
+constexpr Tension kMaxFallPerCycle(2400);  // [mV] towards 0
 
-// When a slope or a curve makes the robot too fast, its set-points are lowered.
-constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] above the greatest set-point
+// When a slope or a curve makes the robot too fast, one factor lowers all set-points.
+constexpr std::int32_t kOverspeedMargin = 100;  // [0.1 rpm] above the greatest permitted set-point
 constexpr std::int32_t kFullScale = 1000;
-constexpr std::int32_t kMinScale = 100;       // [0.001]
-constexpr std::int32_t kPredictedCycles = 2;  // cycles
-constexpr std::int32_t kScaleFall = 60;       // [0.001] in a cycle
-constexpr std::int32_t kScaleRise = 10;       // [0.001] in a cycle
+constexpr std::int32_t kMinScale = 100;       // [0.001] smallest factor
+constexpr std::int32_t kPredictedCycles = 2;  // number of predicted cycles
+constexpr std::int32_t kScaleFall = 60;       // [0.001] decrease of the factor in a cycle
+constexpr std::int32_t kScaleRise = 10;       // [0.001] increase of the factor in a cycle
 
-// In a curve the tyres push the wheels on the outside.
+// In a curve the tyres make the outer wheels faster than ordered. Therefore the greatest permitted
+// set-point depends on the steering angle.
 constexpr std::int32_t kStraight =
     100;  // [0.01 degree] up to this angle the robot drives straight on
 constexpr std::int32_t kCurveAngle = 500;  // [0.01 degree]
 constexpr std::int32_t kTightestAngle = SystemConstants::instance().steeringLimit().count();
 constexpr std::int32_t kFastStraight = SystemConstants::instance().velocityLimit().count();
-constexpr std::int32_t kCurveVelocity = 2600;     // [0.1 rpm] greatest velocity at kCurveAngle
-constexpr std::int32_t kTightestVelocity = 2400;  // [0.1 rpm] greatest velocity at kTightestAngle
+constexpr std::int32_t kCurveVelocity = 2600;     // [0.1 rpm] greatest set-point at kCurveAngle
+constexpr std::int32_t kTightestVelocity = 2400;  // [0.1 rpm] greatest set-point at kTightestAngle
 
 bool isVelocity(const WheelSetPoint& setPoint) {
   return setPoint.quantity == WheelQuantity::Velocity;
@@ -42,7 +44,7 @@ std::int32_t between(std::int32_t low, std::int32_t high, std::int32_t part, std
   return low + (high - low) * part / whole;
 }
 
-// Returns the greatest set-point of velocity at a steering angle.
+// Returns the greatest permitted set-point of velocity [0.1 rpm] at a steering angle [0.01 degree].
 std::int32_t greatestAt(std::int32_t angle) {
   if (angle <= kCurveAngle) {
     const std::int32_t part = std::max(angle - kStraight, std::int32_t{0});
@@ -52,12 +54,13 @@ std::int32_t greatestAt(std::int32_t angle) {
   return between(kCurveVelocity, kTightestVelocity, part, kTightestAngle - kCurveAngle);
 }
 
-// Returns the velocity of a wheel without load at a voltage.
+// Returns the velocity that a voltage causes in a wheel without load.
 std::int32_t unloadedVelocity(Tension tension) {
   return tension.count() * kFullScale / SystemConstants::instance().motorConstant().count();
 }
 
-// Returns the next voltage on the way to the ordered voltage.
+// Returns the voltage for this cycle: the ordered voltage, within the permitted change from the
+// present voltage.
 Tension ramped(Tension order, Tension applied) {
   const Tension most =
       applied < Tension() ? applied + kMaxFallPerCycle : applied + kMaxRisePerCycle;
@@ -107,8 +110,9 @@ void SetPointRamp::recover(std::uint32_t cycle) {
   wrapped().recover(cycle);
 }
 
-// After an order of voltage or current, a ramp begins at the lower of two velocities: the measured
-// velocity, and the velocity without load at the present voltage. The voltage then does not jump.
+// Sets the velocity at which the ramp begins after an order of voltage or current. The ramp begins
+// at the lower of two velocities: the measured velocity, and the velocity that the present voltage
+// causes without load. Otherwise the voltage would jump.
 void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements& measurements,
                                   const Outputs& outputs) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -122,7 +126,8 @@ void SetPointRamp::followMeasured(const SetPoints& setPoints, const Measurements
   }
 }
 
-// A wheel that is too fast, or will be too fast in two cycles, lowers the set-points of all wheels.
+// Lowers the factor of all set-points while a wheel is too fast or will be too fast in two cycles.
+// Otherwise raises the factor again.
 void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t most) {
   bool fast = false;
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {
@@ -135,7 +140,8 @@ void SetPointRamp::lowerWhenFast(const Measurements& measurements, std::int32_t 
   share_ = std::clamp(share_ + (fast ? -kScaleFall : kScaleRise), kMinScale, kFullScale);
 }
 
-// One factor for all wheels keeps the robot on its circle.
+// Multiplies the set-points of all wheels by the same factors. Therefore the robot stays on its
+// circle.
 void SetPointRamp::limit(SetPoints& setPoints, std::int32_t most) const {
   std::int32_t greatest = most;
   for (const WheelSetPoint& setPoint : setPoints.wheels) {

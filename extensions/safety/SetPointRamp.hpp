@@ -10,23 +10,23 @@
 
 namespace wr {
 
-/// @brief Limits the acceleration and the speed of the robot.
+/// @brief A stage that limits the acceleration and the speed of the robot.
 ///
-/// @function Changes the set-points of velocity towards the ordered set-points by at most 0.5
-/// m/s^2, and the set-points of voltage by at most 1.0 V per cycle. The greatest velocity falls
-/// with the steering angle. The wheels share one factor, so that the ratio of their velocities
-/// stays as ordered. While a wheel is too fast, the set-points of all wheels are lowered by another
-/// factor.
+/// @function Changes the set-points step by step towards the ordered set-points: velocities by at
+/// most 0.5 m/s^2, and voltages by at most 1.0 V per cycle away from 0 and 2.4 V per cycle towards
+/// 0. At a greater steering angle the greatest permitted velocity is lower. The same factor limits
+/// all wheels. Therefore the ratio of their velocities stays as ordered. While a wheel is too fast,
+/// another factor lowers the set-points of all wheels.
 ///
 /// @secret How far a set-point changes in a cycle, how fast a curve may be driven, and how a robot that is too
 /// fast slows down.
 class SetPointRamp final : public OrderStageDecorator {
  public:
-  /// @brief Binds the ramp to the robot.
-  /// @param wrapped control system that follows the limited set-points
+  /// @brief Binds this stage to the wrapped stage.
+  /// @param wrapped stage that receives the limited set-points
   explicit SetPointRamp(OrderStage& wrapped);
 
-  /// @brief Forwards limited set-points.
+  /// @brief Limits the set-points, and forwards them.
   /// @param setPoints set-points of the cycle
   /// @param cycle number of the cycle
   /// @satisfies FR-282
@@ -35,13 +35,13 @@ class SetPointRamp final : public OrderStageDecorator {
   /// @isr{no}
   void follow(const SetPoints& setPoints, std::uint32_t cycle) override;
 
-  /// @brief Holds the robot; the next ramp begins at 0.
+  /// @brief Halts the wheels and holds the steering. The next set-points of velocity begin at 0.
   /// @param cycle number of the cycle
   /// @satisfies FR-282
   /// @isr{no}
   void stand(std::uint32_t cycle) override;
 
-  /// @brief Acknowledges; the next ramp begins at 0.
+  /// @brief Forwards the acknowledgement. The next set-points of velocity begin at 0.
   /// @param cycle number of the cycle
   /// @satisfies FR-282
   /// @isr{no}
@@ -56,10 +56,11 @@ class SetPointRamp final : public OrderStageDecorator {
 
   Measurements measurements_;  // measurements of the present cycle
   Outputs outputs_;
-  std::array<std::int32_t, kWheelCount> ramped_{};      // [0.1 rpm] set-point of each wheel
-  std::array<std::int32_t, kWheelCount> velocities_{};  // [0.1 rpm] magnitudes of the previous
-                                                        // cycle
-  std::int32_t share_ = 1000;                           // [0.001] factor of the ordered set-points
+  std::array<std::int32_t, kWheelCount> ramped_{};  // [0.1 rpm] set-point of each wheel
+  // [0.1 rpm] Magnitude of the velocity of each wheel in the previous cycle.
+  std::array<std::int32_t, kWheelCount> velocities_{};
+  // [0.001] Factor of all set-points. It falls while a wheel is too fast.
+  std::int32_t share_ = 1000;
 };
 
 }  // namespace wr

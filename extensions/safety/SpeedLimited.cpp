@@ -8,13 +8,14 @@ namespace wr {
 
 namespace {
 
-// Change of the voltage in a cycle, as in the control of velocity.
-constexpr std::int32_t kPerVelocity = 21;      // [mV] change for 1 rpm below the limit
-constexpr std::int32_t kPerAcceleration = 47;  // [mV] per rpm of change in a cycle
+// Factors for the permitted change of the voltage in a cycle: the rounded gains of the velocity
+// control.
+constexpr std::int32_t kPerVelocity = 21;      // [mV] for each rpm below the speed limit
+constexpr std::int32_t kPerAcceleration = 47;  // [mV] for each rpm of change in a cycle
 constexpr std::int32_t kTenths = 10;
 
-// Returns a voltage for a wheel whose voltage is unknown. It is less than the induced voltage,
-// because the supply may be higher than assumed and the robot may drive downhill.
+// Returns an assumed voltage for a wheel whose voltage is unknown. This voltage is lower than the
+// induced voltage, because the real supply may be higher, and because the robot may drive downhill.
 Tension assumed(Velocity velocity) {
   constexpr std::int32_t kInduced = SystemConstants::instance().motorConstant().count() * 3 / 4;
   constexpr std::int32_t kThousand = 1000;
@@ -25,10 +26,10 @@ Tension assumed(Velocity velocity) {
 
 SpeedLimited::SpeedLimited(WheelAlgorithm& wrapped) : wrapped_(wrapped) {}
 
-// The limits begin at the present voltage of the wheel, so that neither the supply nor a slope
-// makes the wheel faster than the limit.
+// The permitted voltages are computed from the present voltage of the wheel. Therefore the wheel
+// does not exceed the speed limit, even if the supply is high or the robot drives downhill.
 Tension SpeedLimited::calculate(std::int16_t setPoint, const WheelFeedback& feedback) {
-  constexpr std::int32_t kLimit = 2900;
+  constexpr std::int32_t kLimit = 2900;  // [0.1 rpm] speed limit
   const std::int32_t velocity = feedback.velocity.count();
   const std::int32_t lost = before_.value_or(feedback.velocity).count() - velocity;
   before_ = feedback.velocity;

@@ -8,19 +8,19 @@
 
 namespace wr {
 
-/// @brief An algorithm with a speed limit.
+/// @brief A control algorithm that limits the speed of its wheel.
 ///
-/// @function Computes the voltage of the wrapped algorithm, and limits its difference from the
-/// present voltage of the wheel. The closer the wheel is to the speed limit, and the more it
-/// accelerates, the smaller is this difference.
+/// @function Gets the next voltage from the wrapped algorithm. Limits the difference between this
+/// voltage and the present voltage of the wheel. The permitted difference is smaller if the wheel
+/// is closer to the speed limit, or if the wheel accelerates more.
 ///
-/// @secret How the voltage of an order that sets no velocity is limited.
+/// @secret How the voltage is limited while an order sets a voltage or a current.
 ///
 /// @role{wheel-control-algorithms, Concrete Strategy}
 class SpeedLimited final : public WheelAlgorithm {
  public:
-  /// @brief Binds the limit to an algorithm.
-  /// @param wrapped algorithm whose voltage is limited
+  /// @brief Binds this algorithm to the wrapped algorithm.
+  /// @param wrapped algorithm that computes the voltage without this limit
   explicit SpeedLimited(WheelAlgorithm& wrapped);
 
   /// @brief Computes the limited voltage.
@@ -31,13 +31,14 @@ class SpeedLimited final : public WheelAlgorithm {
   /// @isr{no}
   Tension calculate(std::int16_t setPoint, const WheelFeedback& feedback) override;
 
-  /// @brief Records the applied voltage, and passes it to the algorithm.
+  /// @brief Records the voltage that was applied to the wheel, and passes it to the wrapped
+  /// algorithm.
   /// @param tension voltage of the wheel [mV]
   /// @satisfies FR-283
   /// @isr{no}
   void applied(Tension tension) override;
 
-  /// @brief Clears all records.
+  /// @brief Clears the recorded velocity and voltage, and resets the wrapped algorithm.
   /// @satisfies FR-283
   /// @isr{no}
   void reset() override;
@@ -45,7 +46,7 @@ class SpeedLimited final : public WheelAlgorithm {
  private:
   WheelAlgorithm& wrapped_;
   std::optional<Velocity> before_;  // velocity of the previous cycle
-  std::optional<Tension> applied_;  // voltage of the wheel
+  std::optional<Tension> applied_;  // last voltage that was applied to the wheel
 };
 
 }  // namespace wr

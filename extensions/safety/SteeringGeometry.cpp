@@ -17,13 +17,13 @@ namespace {
 constexpr double kWheelbase = 1.582;  // [m]
 constexpr double kTrack = 1.054;      // [m]
 
-constexpr std::size_t kDegrees = 33;        // 0 to 32
-constexpr std::int32_t kDegree = 100;       // [0.01 degree]
-constexpr std::int32_t kFullShare = 10000;  // factor of the wheel on the greatest circle
+constexpr std::size_t kDegrees = 33;        // number of factors in the table: 0 to 32 degrees
+constexpr std::int32_t kDegree = 100;       // [0.01 degree] one degree
+constexpr std::int32_t kFullShare = 10000;  // factor of the wheel with the greatest circle
 constexpr double kRadians = std::numbers::pi / 180;
 
-// Factors of the wheels at a steering angle. The front wheel on the outside has the greatest
-// circle.
+// Velocity factors of three wheels at a steering angle. The outer front wheel is not here: it rolls
+// on the greatest circle, and its factor is always kFullShare.
 struct Shares {
   std::int32_t innerFront = kFullShare;
   std::int32_t innerRear = kFullShare;
@@ -38,7 +38,8 @@ consteval double root(double square) {
   return value;
 }
 
-// Returns the tangent, computed by its continued fraction. Up to 45 degrees 10 digits are exact.
+// Returns the tangent of an angle [rad], computed by a continued fraction. Up to 45 degrees the
+// first 10 digits are exact.
 consteval double tangent(double angle) {
   double fraction = 0;
   for (int odd = 21; odd > 0; odd -= 2) {
@@ -47,7 +48,7 @@ consteval double tangent(double angle) {
   return fraction / angle;
 }
 
-// Returns a share [1/kFullShare], rounded. The share must not be negative.
+// Converts a share between 0 and 1 to a rounded integer in the unit 1/kFullShare.
 consteval std::int32_t shareOf(double part) {
   return (static_cast<std::int32_t>(2 * kFullShare * part) + 1) / 2;
 }

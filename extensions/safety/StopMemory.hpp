@@ -2,22 +2,22 @@
 
 namespace wr {
 
-/// @brief Memory of a stop that a reset does not clear.
+/// @brief A memory for the stop command of one source. A reset does not clear this memory.
 ///
 /// @function Stores whether a stop is in force.
 ///
-/// @secret Where the stop is stored, and how its content is protected.
+/// @secret Where the stop is stored, and how the stored value is protected.
 class StopMemory {
  public:
   StopMemory(const StopMemory&) = delete;
   StopMemory& operator=(const StopMemory&) = delete;
 
-  /// @brief Returns the stored value.
-  /// @return true if a stop was in force, or if the content fails its check.
+  /// @brief Returns whether a stop is stored.
+  /// @return true if a stop is stored, or if the content of the memory fails its check.
   /// @isr{no}
   [[nodiscard]] virtual bool stopped() const = 0;
 
-  /// @brief Stores a value.
+  /// @brief Stores whether a stop is in force.
   /// @param stopped true while a stop is in force
   /// @isr{no}
   virtual void save(bool stopped) = 0;

@@ -8,19 +8,20 @@ namespace wr {
 
 namespace {
 
-constexpr std::int32_t kComparedWay = 20;  // [edges] 0.057 m
+constexpr std::int32_t kComparedWay = 20;  // [edges] distance of one comparison: 0.057 m
 
-// In the tightest curve the slowest wheel moves 71 % of the mean distance. While the robot reverses
-// in a curve, this wheel can move less in one comparison.
+// In the tightest curve the slowest wheel moves 71 % of the mean distance. When the robot changes
+// between forwards and backwards in a curve, this wheel can move less in one comparison.
 constexpr std::int32_t kMinShareDivisor = 2;  // half of the mean distance
 
-// On a straight line no wheel needs this current for longer than 1 s. In a curve the set-points of
-// a source can make the wheels work against each other for some time, so the limit is 5 s there.
+// While the robot drives straight on, no wheel needs this current for longer than 1 s. In a curve
+// the set-points of a source can make the wheels work against each other for some time. Therefore
+// the limit in a curve is 5 s.
 constexpr Current kHighCurrent(11000);
 constexpr Angle kStraight(1100);
 constexpr std::uint8_t kCurveCycles = 50;
-constexpr std::uint8_t kStraightCycle = 5;  // one cycle straight on counts as this number
-                                            // of cycles in a curve
+// A cycle in which the robot drives straight on counts as this number of cycles in a curve.
+constexpr std::uint8_t kStraightCycle = 5;
 
 bool isGreat(std::optional<Current> current) {
   const Current measured = current.value_or(Current());
@@ -78,8 +79,8 @@ void WheelComparison::add(const Measurements& measurements) {
   }
 }
 
-// Returns the mean of the values of all wheels but the least and the greatest. One failed wheel
-// does not change this mean much.
+// Returns the mean of the two middle distances. The least and the greatest of the four distances
+// are left out. Therefore one failed wheel does not change the mean much.
 std::int32_t WheelComparison::common() const {
   const auto [least, greatest] = std::ranges::minmax(ways_);
   std::int32_t sum = 0;

@@ -12,31 +12,32 @@ namespace wr {
 
 /// @brief Comparison of the wheels of one robot.
 ///
-/// @function Adds the Hall edges of each wheel until the robot has driven 0.057 m. Returns a wheel
-/// that moved at most half as far as the other wheels in two successive comparisons. Returns a
-/// wheel that has a great current although the robot drives straight on.
+/// @function Counts the Hall edges of each wheel until the robot has driven 0.057 m, then compares
+/// the counts. Finds a wheel that has moved at most half as far as the other wheels in two
+/// successive comparisons. Finds a wheel whose current is too high for too long.
 ///
-/// @secret How far the wheels of one robot can differ, and the distance and the time of a
+/// @secret How much the wheels of one robot may differ, and the distance and the time of a
 /// comparison.
 class WheelComparison final {
  public:
-  /// @brief Begins without measurements.
+  /// @brief Constructs the comparison without measurements.
   WheelComparison() = default;
   WheelComparison(const WheelComparison&) = delete;
   WheelComparison& operator=(const WheelComparison&) = delete;
 
-  /// @brief Compares the wheels. Each cycle in which the wheels follow set-points calls this
-  /// function.
+  /// @brief Compares the distances of the wheels. This function is called once in each cycle in
+  /// which the wheels follow set-points.
   /// @param measurements measurements of the cycle that ends
-  /// @return number of the wheel that moved too little, 0 to 3; nothing if there is none.
+  /// @return number of the wheel that moved too little, 0 to 3; no value if there is no such wheel.
   /// @satisfies FR-297
   /// @isr{no}
   [[nodiscard]] std::optional<std::uint8_t> behind(const Measurements& measurements);
 
-  /// @brief Checks the currents of a robot that drives straight on. Each cycle in which the wheels follow
-  /// set-points calls this function.
+  /// @brief Checks how long the current of each wheel is high. This function is called once in each
+  /// cycle in which the wheels follow set-points.
   /// @param measurements measurements of the cycle that ends
-  /// @return number of a wheel whose current was too great for too long, 0 to 3; nothing if there is none.
+  /// @return number of a wheel whose current was too high for too long, 0 to 3; no value if there
+  /// is no such wheel.
   /// @satisfies FR-298
   /// @isr{no}
   [[nodiscard]] std::optional<std::uint8_t> overloaded(const Measurements& measurements);
@@ -52,9 +53,9 @@ class WheelComparison final {
   [[nodiscard]] std::int32_t common() const;
 
   std::array<std::optional<HallCount>, kWheelCount> before_{};  // positions of the previous cycle
-  std::array<std::int32_t, kWheelCount> ways_{};                // [edges]
-  std::array<std::uint8_t, kWheelCount> greatCycles_{};         // successive cycles with a great
-                                                                // current
+  std::array<std::int32_t, kWheelCount> ways_{};  // [edges] distances in this comparison
+  // Count of successive cycles with a high current, for each wheel.
+  std::array<std::uint8_t, kWheelCount> greatCycles_{};
   std::optional<std::uint8_t> late_;  // wheel that moved too little at the last comparison
 };
 

@@ -12,40 +12,44 @@ namespace {
 
 constexpr Velocity kMaxVelocity(3300);  // 10 % above the velocity limit
 
-// A wheel turns against its voltage.
+// Limits for the fault: a motor turns its wheel in the wrong direction.
 constexpr Tension kDriving(1000);
 constexpr Velocity kOpposingVelocity(50);
-constexpr std::int32_t kOpposingPercent = 50;  // share of the induced voltage
-constexpr std::int32_t kDrivingPercent = 40;   // share of the voltage, to allow for supply, winding
-                                               // and delay
+constexpr std::int32_t kOpposingPercent = 50;  // tolerance: share of the induced voltage
+// Tolerance: share of the wheel's voltage. It covers the supply, the winding, and the delay of the
+// measurements.
+constexpr std::int32_t kDrivingPercent = 40;
 constexpr std::uint8_t kOpposingCycles = 2;
 
-// A wheel is faster than its set-point.
+// Limits for the fault: a wheel is faster than its set-point.
 constexpr Velocity kMargin(400);
-constexpr std::int32_t kMarginShare = 4;  // a quarter of the set-point is added
-constexpr Velocity kSlower(10);  // decrease of the velocity in a cycle when the control brakes the
-                                 // wheel
+constexpr std::int32_t kMarginShare = 4;  // a quarter of the set-point is added to the margin
+// If the velocity decreases by more than this value in a cycle, the control is slowing the wheel
+// down.
+constexpr Velocity kSlower(10);
 constexpr std::uint8_t kTooFastCycles = 3;
 
-// Voltage, velocity and current do not match. The percentages cover a supply of 21 to 29 V, and the
-// variation of the resistance and the motor constant with temperature and from motor to motor.
-constexpr Tension kResidual(700);         // offset of the current, and changes during a cycle
-constexpr Tension kMaxIdleTension(1500);  // 1 A in the winding; 1 V turns a wheel at bring-up
+// Limits for the fault: voltage, velocity and current do not match. The percentages cover a supply
+// of 21 to 29 V. They also cover the differences of resistance and motor constant between motors,
+// and the effect of the temperature on both.
+constexpr Tension kResidual(700);         // for the sensor offset, and for changes in a cycle
+constexpr Tension kMaxIdleTension(1500);  // 1 A in the winding; the bring-up applies 1 V
 constexpr std::int32_t kSupplyPercent = 20;
 constexpr std::int32_t kWindingPercent = 25;
 constexpr std::int32_t kInducedPercent = 10;
 constexpr std::int32_t kWinding = 1500;  // [mOhm] resistance of winding and leads
 constexpr std::uint8_t kDeviatingCycles = 2;
 
-constexpr std::uint8_t kMissingCycles = 3;  // in the third cycle, a value is missing for over 0.2 s
+constexpr std::uint8_t kMissingCycles = 3;  // in the third cycle a value is missing for over 0.2 s
 
-constexpr std::uint8_t kEqualCycles = 7;  // successive cycles in which a current does not
-                                          // change by a milliampere
+// It is a fault if the measured current [mA] does not change in this number of successive cycles.
+constexpr std::uint8_t kEqualCycles = 7;
 
-// Implausible edges, counted in halves: each cycle subtracts half an edge.
+// Limits for the fault: too many Hall edges are implausible. The count has the unit half an edge,
+// because each cycle subtracts half an edge.
 constexpr std::int32_t kRejectedEdges = 18;
 constexpr std::int32_t kRejectedOfCycle = 10;
-constexpr Velocity kTurning(100);  // a slower wheel can come to rest on an edge
+constexpr Velocity kTurning(100);  // a slower wheel can stop exactly at an edge
 
 constexpr std::int32_t kThousand = 1000;
 constexpr std::int32_t kPercent = 100;
@@ -62,7 +66,7 @@ Tension induced(Velocity velocity) {
                  kThousand);
 }
 
-// Returns the voltage of a current in the winding.
+// Returns the voltage that a current causes in the winding.
 Tension across(Current current) {
   return Tension(kWinding * current.count() / kThousand);
 }
@@ -71,8 +75,8 @@ Tension part(Tension tension, std::int32_t percent) {
   return magnitude(tension) * percent / kPercent;
 }
 
-// Counts the cycles with a condition, subtracts half a cycle for each cycle without it, and returns
-// whether the count reached its limit.
+// Counts the cycles in which a condition is true, and subtracts half a cycle for each other cycle.
+// Returns true if the condition is true and the count has reached its limit.
 bool lasts(bool condition, std::uint8_t& halves, std::uint8_t limit) {
   const std::int32_t greatest = kHalves * limit;
   const std::int32_t counted = condition ? halves + kHalves : halves - 1;
@@ -146,8 +150,9 @@ WheelSupervision::Balance WheelSupervision::balanceOf(Velocity velocity, Current
           .residual = *tension_ - ofVelocity - ofCurrent};
 }
 
-// A slope or the other wheels can drag a wheel against its voltage: its current is then consistent
-// with its velocity. A wheel draws less current when its motor turns it in the wrong direction.
+// Checks whether the motor turns its wheel in the wrong direction. The wheel then draws less
+// current than its voltage and its velocity require. If a slope or the other wheels drag a wheel
+// against its voltage, its current matches its velocity, and this is no fault.
 bool WheelSupervision::opposes(const Balance& balance) {
   const bool forwards = balance.tension > Tension();
   const bool driven = magnitude(balance.tension) > kDriving;
@@ -194,7 +199,8 @@ bool WheelSupervision::rejectsEdges(const WheelMeasurements& measured) {
   return counts && rejecting_ >= kRejectedEdges;
 }
 
-// A measured current always varies by some milliamperes.
+// Checks whether the measured current does not change. The current of a working sensor always
+// varies by some milliamperes.
 bool WheelSupervision::staysEqual(std::optional<Current> current) {
   const bool driven = magnitude(tension_.value_or(Tension())) > kDriving;
   const bool equal = driven && current && current == current_;

@@ -22,15 +22,17 @@ namespace wr {
 /// tolerated.
 class WheelSupervision final {
  public:
-  /// @brief Begins without measurements.
+  /// @brief Constructs the supervision without measurements.
   WheelSupervision() = default;
   WheelSupervision(const WheelSupervision&) = delete;
   WheelSupervision& operator=(const WheelSupervision&) = delete;
 
-  /// @brief Checks the measurements of a cycle.
+  /// @brief Checks whether the measurements of a cycle are plausible.
   /// @param measured measurements of the cycle that ends
-  /// @param applied voltage that the wheel has from now on [mV]; nothing while its driver is off
-  /// @param followed set-point that the wheel follows; nullptr while it is halted
+  /// @param applied voltage that the wheel has in the next cycle [mV]; no value while the driver of
+  /// the wheel is off
+  /// @param followed set-point that the wheel follows in the next cycle; nullptr while the wheel is
+  /// halted
   /// @return cause of a protective stop; StopCause::None if the measurements are plausible.
   /// @satisfies FR-273
   /// @satisfies FR-274
@@ -52,9 +54,9 @@ class WheelSupervision final {
  private:
   static constexpr std::size_t kReferences = 10;  // number of stored set-points
 
-  // The parts of the voltage of a wheel: the part that the velocity causes, the part that the
-  // current causes, and the rest. All values are 0 while the voltage or a measurement is missing,
-  // so they show no fault.
+  // The voltage of a wheel and its three parts: the voltage that the velocity induces, the voltage
+  // that the current causes in the winding, and the rest. If the voltage or a measurement is
+  // missing, all values are 0. Then the checks find no fault.
   struct Balance {
     Velocity velocity{};
     Tension tension{};
@@ -72,18 +74,19 @@ class WheelSupervision final {
   void record(std::optional<Tension> applied, const WheelSetPoint* followed);
 
   std::optional<Tension> tension_;         // voltage during the cycle that ends
-  std::optional<std::uint16_t> rejected_;  // implausible Hall edges up to the previous cycle
+  std::optional<std::uint16_t> rejected_;  // number of implausible Hall edges up to the last cycle
   Velocity velocity_{};                    // velocity of the previous cycle
   std::optional<Current> current_;         // current of the previous cycle
   std::uint8_t equalCycles_ = 0;
-  std::array<std::optional<Velocity>, kReferences> references_{};  // magnitudes of set-points
+  // Magnitudes of the last set-points of velocity.
+  std::array<std::optional<Velocity>, kReferences> references_{};
   std::size_t oldest_ = 0;  // index of the oldest set-point, which the next set-point replaces
   bool following_ = false;
-  std::uint8_t opposing_ = 0;  // number of half cycles
+  std::uint8_t opposing_ = 0;  // [half cycle] count, as in the next three counts
   std::uint8_t tooFast_ = 0;
   std::uint8_t deviating_ = 0;
   std::uint8_t missing_ = 0;
-  std::uint8_t rejecting_ = 0;  // number of halves of implausible edges
+  std::uint8_t rejecting_ = 0;  // [half edge] count of implausible edges
   LeadsWatch leads_;
 };
 

@@ -5,43 +5,47 @@
 
 namespace wr {
 
-/// @brief A waiting state with a warning that the connection may have a problem.
+/// @brief A waiting state in which the robot warns that its source of orders may soon be lost.
 ///
-/// @function Switches a warning on as long as the state lasts, and reports it to the PC by the
-/// number of the state in the report. A message ends the state, and a failed read sets the next
-/// state. Meanwhile the control systems follow the set-points that were read last.
+/// @function Switches a warning on while the state lasts, unless a stop is in force. The report to
+/// the PC contains the number of this state. A message sets the working state, and a failed read
+/// sets the next waiting state. Until then the control systems follow the set-points that were read
+/// last.
 ///
-/// @secret The means of the warning.
+/// @secret The output that shows the warning.
 ///
 /// @role{operation-states, Concrete State}
 /// @role{read-orders, Concrete Class}
 /// @role{reading-modes, Context}
 class WaitingK final : public OperationState {
  public:
-  /// @brief Number of the state, as in reports.
+  /// @brief Number of this state in reports.
   static constexpr OperationStateId kId{4};
 
-  /// @brief Binds the state to its successors and to the warning.
-  /// @param working state after a message; only its address is used before the first read()
-  /// @param next state after a failed read; only its address is used before the first read()
-  /// @param warning output that is on during a warning
+  /// @brief Binds the state to its successors and to the output of the warning.
+  /// @param working state that follows when a message arrives; it need not be constructed before
+  /// the first read()
+  /// @param next state that follows when a read fails; it need not be constructed before the first
+  /// read()
+  /// @param warning output that is on while the robot warns
   WaitingK(OperationState& working, OperationState& next, DigitalOutput& warning);
 
-  /// @brief Warns unless a stop is in force, then orders the control systems to follow the set-points that were read last.
-  /// @param mCtrl controller whose control systems are ordered
+  /// @brief Sets the output of the warning: off while a stop is in force, otherwise on. Then orders
+  /// the control systems to follow the set-points that were read last.
+  /// @param mCtrl main controller that passes the order to its control systems
   /// @satisfies FR-152
   /// @isr{no}
   void control(MainController& mCtrl) override;
 
  private:
-  /// @brief Ends the warning, reads the message and sets the working state.
-  /// @param mCtrl controller that reads
-  /// @param md present mode
+  /// @brief Switches the warning off, reads the message and sets the working state.
+  /// @param mCtrl main controller whose state changes
+  /// @param md present reading mode
   /// @satisfies FR-152
   void actionWithMsg(MainController& mCtrl, Mode& md) override;
 
-  /// @brief Ends the warning and sets the next state.
-  /// @param mCtrl controller that reads
+  /// @brief Switches the warning off and sets the next state.
+  /// @param mCtrl main controller whose state changes
   /// @satisfies FR-152
   void actionNoMsg(MainController& mCtrl) override;
 

@@ -7,28 +7,29 @@
 
 namespace wr {
 
-/// @brief Builds a robot that warns before it stops, and starts it.
+/// @brief The director that builds and starts a robot that warns before it stops.
 ///
-/// @function Calls the steps of the builders in the required sequence, replaces the standard
-/// operation states by the states of this product, and starts the built parts.
+/// @function Calls the steps of the builders in the required sequence. Passes operation states with
+/// a warning to the builder of the main controller, instead of the standard states. Starts the
+/// control systems and the main controller.
 ///
-/// @secret Which steps build a robot with a warning that the PC and the remote control command.
+/// @secret Which steps build a robot that has a warning and a remote control.
 ///
 /// @role{pool-construction, Director}
 /// @role{main-controller-construction, Director}
 class WarningDirector final {
  public:
-  /// @brief Binds the director to the builders and to the warning.
+  /// @brief Binds the director to the builders and to the output of the warning.
   /// @param poolBuilder builds the control systems
   /// @param controllerBuilder builds the main controller
-  /// @param warning output that is on during a warning
+  /// @param warning output that is on while the robot warns
   WarningDirector(ControlSystemPoolBuilder& poolBuilder, MainControllerBuilder& controllerBuilder,
                   DigitalOutput& warning);
 
   WarningDirector(const WarningDirector&) = delete;
   WarningDirector& operator=(const WarningDirector&) = delete;
 
-  /// @brief Builds all parts of the robot.
+  /// @brief Builds the control systems and the main controller.
   /// @post start() can be called.
   /// @errors A second call ends the program with the assertion PartBuiltTwice.
   /// @satisfies FR-152
@@ -37,7 +38,7 @@ class WarningDirector final {
 
   /// @brief Starts the control cycles.
   /// @pre construct() was called.
-  /// @errors A robot that was not built ends the program with the assertion PartMissing.
+  /// @errors If construct() was not called, the program ends with the assertion PartMissing.
   /// @satisfies FR-152
   /// @isr{no}
   void start();

@@ -12,12 +12,12 @@
 
 namespace wr {
 
-/// @brief The operation states of a robot that warns after N - 1 failed reads, one cycle before the last
-/// waiting state.
+/// @brief The operation states of a robot that warns. The warning begins after N - 1 successive
+/// failed reads, one cycle before the last waiting state. N is SystemConstants::waitingCycles().
 /// @datatype
 struct WarningStates {
-  /// @brief Constructs the states and binds each to its successors.
-  /// @param warning output that is on during a warning
+  /// @brief Constructs the states, and binds each state to its successors.
+  /// @param warning output that is on while the robot warns
   explicit WarningStates(DigitalOutput& warning)
       : waiting(working, waitingK, kFailedReads),
         working(waiting),
@@ -25,15 +25,17 @@ struct WarningStates {
         waitingN(working, reconnecting),
         reconnecting(working) {}
 
-  /// @brief Number of the failed read that sets the state that warns.
+  /// @brief Number of successive failed reads after which the warning begins.
   static constexpr std::uint8_t kFailedReads = SystemConstants::instance().waitingCycles() - 1;
-  static_assert(kFailedReads >= 2, "the first failed read sets a waiting state that does not warn");
+  static_assert(
+      kFailedReads >= 2,
+      "after the first failed read, the robot is in the state Waiting, which does not warn");
 
   Waiting waiting;            ///< counts failed reads
-  Working working;            ///< the first state
+  Working working;            ///< follows new orders; it is the first state
   WaitingK waitingK;          ///< warns
   WaitingN waitingN;          ///< the last waiting state
-  Reconnecting reconnecting;  ///< looks for another source
+  Reconnecting reconnecting;  ///< searches for another source of orders
 };
 
 }  // namespace wr

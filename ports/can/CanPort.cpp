@@ -12,7 +12,7 @@ namespace wr {
 
 namespace {
 
-// K64P144M120SF5RM, chapters SIM and CAN (FlexCAN).
+// Source of the registers: reference manual K64P144M120SF5RM, chapters SIM and CAN (FlexCAN).
 inline constexpr Register<std::uint32_t, 0x4004803C> SCGC6;
 constexpr auto SCGC6_FLEXCAN0 = SCGC6.bit(4);
 inline constexpr Register<std::uint32_t, 0x40024000> MCR;
@@ -29,7 +29,7 @@ inline constexpr Register<std::uint32_t, 0x40024030, Access::Flags> IFLAG1;
 inline constexpr std::uint32_t kBuffer = 0x10;  // distance between two message buffers [byte]
 inline constexpr Register<std::uint32_t, 0x40024080, Access::Flags> CS;
 inline constexpr Register<std::uint32_t, 0x40024084, Access::Flags> ID;
-inline constexpr Register<std::uint32_t, 0x40024088, Access::Flags> DATA;  // two words
+inline constexpr Register<std::uint32_t, 0x40024088, Access::Flags> DATA;  // two words of 32 bits
 
 constexpr unsigned kCodeAt = 24;
 constexpr unsigned kLengthAt = 16;
@@ -44,19 +44,21 @@ constexpr auto CS_CODE_DATA = CS.field(0xC, kCodeAt);
 constexpr unsigned kReceiver = 1;
 constexpr unsigned kSender = 2;
 constexpr std::uint32_t kBuffers = 3;
-constexpr std::size_t kMost = 8;  // bytes in a frame
+constexpr std::size_t kMost = 8;  // greatest number of bytes in a frame
 
-// A bit has 20 quanta: 1, PROPSEG + 1 = 8, PSEG1 + 1 = 8, PSEG2 + 1 = 3. It is sampled after 85 %.
+// A bit has 20 time quanta: 1 for the synchronisation, PROPSEG + 1 = 8, PSEG1 + 1 = 8, and PSEG2 +
+// 1 = 3. The controller samples a bit after 85 % of its time.
 constexpr std::uint32_t kQuanta = 20;
 constexpr std::uint32_t kBitRate = 500'000;
 constexpr std::uint32_t kDivider = K64Board::kBusClock / (kBitRate * kQuanta);
 static_assert(kDivider * kBitRate * kQuanta == K64Board::kBusClock);
-constexpr auto kClockOfBus = CTRL1.bit(13);  // CLKSRC
+constexpr auto kClockOfBus = CTRL1.bit(13);  // CLKSRC: the bus clock is used
 constexpr auto kTiming = CTRL1.field(kDivider - 1, 24) | CTRL1.field(2, 22) | CTRL1.field(7, 19) |
                          CTRL1.field(2, 16) | kClockOfBus | CTRL1.field(7, 0);
 
-// The controller confirms a change of its mode within a few bit times. Without this confirmation
-// the port sends nothing, and the connection of the PC ends.
+// Greatest number of reads while the port waits for the controller. The controller confirms a
+// change of its mode within a few bit times. If it does not confirm the change, the port sends
+// nothing, and the connection of the PC ends.
 constexpr int kMostReads = 10'000;
 
 void await(decltype(MCR)::Bits flag, bool wanted) {
@@ -75,13 +77,13 @@ constexpr std::uint32_t bufferAt(unsigned number) {
 
 }  // namespace
 
-// The definition is not in the header: otherwise the compiler could initialise an object, and the
-// empty buffers would be in flash.
+// This constructor is not defined in the header. Otherwise the compiler could initialise the object
+// at compile time, and the empty buffers would use space in the flash.
 CanPort::CanPort(const Timebase& clock) : clock_(clock) {}
 
 void CanPort::start() {
   SCGC6.set(SCGC6_FLEXCAN0);
-  CTRL1.write(kClockOfBus);  // written while the controller is disabled
+  CTRL1.write(kClockOfBus);  // must be set while the controller is disabled
   MCR.write(MCR_FRZ | MCR_HALT | MCR_SRXDIS | MCR.field(kBuffers - 1, 0));
   await(MCR_FRZACK, true);
   CTRL1.write(kTiming);
@@ -124,7 +126,7 @@ void CanPort::receive() {
   }
 }
 
-// Sends the next frame, if there are bytes.
+// Sends the next frame if no frame is being sent and there are bytes to send.
 void CanPort::send() {
   const std::size_t length = std::min(toSend().count(), kMost);
   if (sending_ || length == 0) {
@@ -141,7 +143,7 @@ void CanPort::send() {
       .write(CS_CODE_DATA | CS.field(static_cast<std::uint32_t>(length), kLengthAt));
 }
 
-// The interrupt calls send() too, so the interrupt is blocked here.
+// The interrupt handler also calls send(). Therefore interrupts are blocked here.
 void CanPort::beginSending() {
   const InterruptLock lock;
   send();

@@ -7,25 +7,26 @@
 
 namespace wr {
 
-/// @brief The bytes of the line to the PC in frames of the CAN bus, at 500 kbit/s. A frame has up
-/// to 8 bytes. Frames to the robot have the identifier kToRobot, frames from the robot kFromRobot.
+/// @brief A port that exchanges bytes with the PC in frames of the CAN bus, at 500 kbit/s. A frame
+/// contains up to 8 bytes. A frame to the robot has the identifier kToRobot. A frame from the robot
+/// has the identifier kFromRobot.
 class CanPort final : public BufferedPort {
  public:
-  /// @brief Identifier of the frames with bytes of the PC.
+  /// @brief Identifier of a frame from the PC.
   static constexpr std::uint32_t kToRobot = 0x101;
 
-  /// @brief Identifier of the frames with bytes of the robot.
+  /// @brief Identifier of a frame from the robot.
   static constexpr std::uint32_t kFromRobot = 0x102;
 
   /// @brief Constructs the port of CAN0.
-  /// @param clock time of the received zero bytes
+  /// @param clock returns the time at which a byte is received
   explicit CanPort(const Timebase& clock);
 
-  /// @brief Starts the controller.
+  /// @brief Starts the CAN controller.
   /// @isr{no}
   void start();
 
-  /// @brief Serves the interrupt of the controller.
+  /// @brief Handles the interrupt of the CAN controller.
   /// @isr{yes}
   void serve();
 

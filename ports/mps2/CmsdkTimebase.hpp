@@ -9,12 +9,13 @@
 
 namespace wr::mps2 {
 
-/// @brief The first half of the dual timer, which counts down without end.
+/// @brief A timebase that reads the first counter of the dual timer. This counter counts down
+/// without end.
 class CmsdkTimebase final : public Timebase {
  public:
   constexpr CmsdkTimebase() = default;
 
-  /// @brief Starts the time.
+  /// @brief Starts the counter.
   /// @isr{no}
   void start() {
     dual_timer::CONTROL.write({0});
@@ -23,8 +24,8 @@ class CmsdkTimebase final : public Timebase {
     last_ = dual_timer::VALUE.read().value;
   }
 
-  /// @pre The last call was less than 171 s ago, so that the counter has overflowed at most once.
-  /// Each control cycle calls this function.
+  /// @pre The last call was less than 171 s ago. After a longer time the counter can have
+  /// overflowed twice. Each control cycle calls this function.
   [[nodiscard]] Instant now() const override {
     const InterruptLock lock;
     const std::uint32_t count = dual_timer::VALUE.read().value;
@@ -33,7 +34,7 @@ class CmsdkTimebase final : public Timebase {
     return Instant(ticks_ / kTicksPerMicrosecond);
   }
 
-  /// @return always 0: the board does not count cycles
+  /// @return always 0, because the board does not count the cycles of its processor
   [[nodiscard]] std::uint32_t awakeCycles() const override { return 0; }
 
  private:

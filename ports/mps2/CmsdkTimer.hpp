@@ -7,14 +7,14 @@
 
 namespace wr::mps2 {
 
-/// @brief One of the two timers of the board.
+/// @brief A timer of the board, which has two such timers.
 class CmsdkTimer final : public PeriodicTimer {
  public:
   /// @brief Number of a timer.
   enum class Number : std::uint8_t { First = 0, Second = 1 };
 
-  /// @brief Binds a timer.
-  /// @param number its number
+  /// @brief Binds the object to a timer of the board.
+  /// @param number number of the timer
   explicit constexpr CmsdkTimer(Number number)
       : offset_(static_cast<std::uint32_t>(number) * timer::kDistance) {}
 

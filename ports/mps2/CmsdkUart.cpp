@@ -19,8 +19,8 @@ bool has(decltype(uart::STATE)::Bits flag) {
 
 }  // namespace
 
-// The definition is not in the header: otherwise the compiler could initialise an object, and the
-// empty buffers would be in the image.
+// This constructor is not defined in the header. Otherwise the compiler could initialise the object
+// at compile time, and the firmware image would contain the empty buffers.
 CmsdkUart::CmsdkUart(const Timebase& clock) : clock_(clock) {}
 
 void CmsdkUart::start() {
@@ -46,8 +46,8 @@ void CmsdkUart::serve() {
   }
 }
 
-// The interrupt comes only when a sent byte leaves the port, so this function requests the first
-// interrupt.
+// The hardware requests an interrupt only after it has sent a byte. Therefore this function
+// requests the first interrupt.
 void CmsdkUart::beginSending() {
   nvic::ISPR.write(nvic::ISPR.bit(kSendLine));
 }

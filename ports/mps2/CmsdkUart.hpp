@@ -5,18 +5,18 @@
 
 namespace wr::mps2 {
 
-/// @brief The first serial port of the board, at 115200 baud. It has no FIFO.
+/// @brief The first serial port of the board, at 115200 baud. This port has no FIFO.
 class CmsdkUart final : public BufferedPort {
  public:
   /// @brief Constructs the port.
-  /// @param clock time of the received zero bytes
+  /// @param clock returns the time at which a byte is received
   explicit CmsdkUart(const Timebase& clock);
 
   /// @brief Starts the port.
   /// @isr{no}
   void start();
 
-  /// @brief Serves the interrupts of the port.
+  /// @brief Handles the interrupts of the port.
   /// @isr{yes}
   void serve();
 

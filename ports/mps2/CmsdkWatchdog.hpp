@@ -6,8 +6,9 @@
 
 namespace wr::mps2 {
 
-/// @brief The watchdog of the board. Its counter has to expire twice: the first time it requests an
-/// NMI, the second time it resets the board.
+/// @brief The watchdog of the board. When its counter expires for the first time, the watchdog
+/// requests an NMI. When the counter expires for the second time, the watchdog resets the board.
+/// Therefore the counter starts with half of the timeout.
 class CmsdkWatchdog final : public Watchdog {
  public:
   constexpr CmsdkWatchdog() = default;

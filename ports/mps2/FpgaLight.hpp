@@ -5,11 +5,11 @@
 
 namespace wr::mps2 {
 
-/// @brief One of the lights of the board.
+/// @brief A light of the board.
 class FpgaLight final : public DigitalOutput {
  public:
-  /// @brief Binds a light.
-  /// @param bit its bit in the register of the lights
+  /// @brief Binds the object to a light of the board.
+  /// @param bit bit of this light in the register of the lights
   explicit constexpr FpgaLight(decltype(lights::LED)::Bits bit) : bit_(bit) {}
 
   void set(bool on) override {

@@ -8,7 +8,8 @@
 #include "devices/EdgeInput.hpp"
 #include "devices/PwmOutput.hpp"
 
-// The board has no motors, no sensors and no remote control. Its firmware sees open inputs.
+// The board has no motors, no sensors and no remote control. The devices below are used in their
+// place.
 
 namespace wr::mps2 {
 
@@ -35,7 +36,7 @@ class NoEdges final : public EdgeInput {
   [[nodiscard]] bool acknowledge() override { return false; }
 };
 
-/// @brief A converter that has no result.
+/// @brief A converter that never has a sample.
 class NoVoltage final : public AnalogInput {
  public:
   constexpr NoVoltage() = default;

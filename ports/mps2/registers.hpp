@@ -4,18 +4,19 @@
 
 #include "k64/Register.hpp"
 
-// Registers of the devices of the FPGA image AN386, as far as the firmware uses them. Addresses:
-// Arm application note AN386, memory map. Registers: Arm DDI 0479, Cortex-M System Design Kit
-// technical reference manual, chapter 4.
+// The registers of the FPGA image AN386 that the firmware uses. Source of the addresses: Arm
+// application note AN386, memory map. Source of the registers: Arm DDI 0479, Cortex-M System Design
+// Kit technical reference manual, chapter 4.
 
 namespace wr::mps2 {
 
-/// @brief Clock of the core and of all devices [Hz].
+/// @brief Clock frequency of the core and of all devices [Hz].
 inline constexpr std::uint32_t kClock = 25'000'000;
 inline constexpr std::uint32_t kTicksPerMicrosecond = kClock / 1'000'000;
 
 namespace timer {
-inline constexpr std::uint32_t kDistance = 0x1000;  // distance from timer 0 to timer 1 [byte]
+inline constexpr std::uint32_t kDistance =
+    0x1000;  // difference of the addresses of two timers [byte]
 inline constexpr Register<std::uint32_t, 0x40000000> CTRL;
 inline constexpr auto CTRL_ENABLE = CTRL.bit(0);
 inline constexpr auto CTRL_INTERRUPT = CTRL.bit(3);

@@ -3,8 +3,8 @@
 extern "C" {
 
 /// @brief Sleeps until the next interrupt. When the processor sleeps, it has served all earlier
-/// interrupts; a debugger that stops here finds the firmware at rest. The label `awake` follows the
-/// instruction that sleeps.
+/// interrupts. Therefore the firmware is at rest when a debugger stops it in this function. The
+/// label `awake` marks the first instruction after the sleep.
 /// @isr{no}
 [[gnu::noinline]] void rest();
 }

@@ -12,7 +12,7 @@
 #include "ports/mps2/lines.hpp"
 #include "services/assertion.hpp"
 
-// The linker script defines them.
+// The linker script defines the variables of this block.
 extern "C" {
 using Constructor = void (*)();
 extern std::uint32_t stackTop;
@@ -25,7 +25,7 @@ extern const Constructor constructorsBegin[];
 extern const Constructor constructorsEnd[];
 
 /// @brief Handles the call of a pure virtual function.
-// The ABI of the compiler defines the name.
+// The ABI of the compiler defines this name.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 [[noreturn]] void __cxa_pure_virtual() {
   unexpected();
@@ -41,7 +41,7 @@ void unexpected() {
 
 namespace {
 
-// Handles the NMI that the watchdog requests before it resets the board.
+// Handles the NMI that the watchdog requests before it resets the board. Does nothing.
 void warning() {}
 
 }  // namespace
@@ -68,7 +68,8 @@ void assertionFailed(AssertId /*id*/) {
 
 namespace {
 
-constexpr std::size_t kExceptions = 16;  // number of core exceptions; the interrupt lines follow
+// Number of the vectors of the core. The vectors of the interrupt lines follow them.
+constexpr std::size_t kExceptions = 16;
 constexpr std::size_t kHandlers = kExceptions - 1 + mps2::kLines;
 
 using Handler = void (*)();

@@ -4,8 +4,8 @@
 
 namespace wr {
 
-/// @brief Key that the robot shares with its Bluetooth device. It is written into the image when
-/// the image is flashed.
+/// @brief Key that the robot shares with its Bluetooth device. The command ./wr flash writes the
+/// key into the firmware image.
 extern const SipHash::Key bluetoothKey;
 
 }  // namespace wr

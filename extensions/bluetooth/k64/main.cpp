@@ -1,4 +1,5 @@
-// The composition of the weeding robot that receives orders from the PC and a Bluetooth device.
+// The composition of the weeding robot that receives orders from the PC and a Bluetooth device: it
+// constructs and connects the objects of this robot variant.
 
 #include <cstdint>
 #include <optional>
@@ -29,7 +30,7 @@ MainControllerBuilder controllerBuilder({.thread = platform::mainThread,
                                          .pcPort = platform::pcPort,
                                          .watchdog = platform::watchdog,
                                          .start = platform::startRecord});
-// Reads numbers from the random number generator of the microcontroller.
+// Returns random numbers from the generator in the microcontroller.
 class BoardRandom final : public RandomSource {
  public:
   std::optional<std::uint64_t> draw() override {

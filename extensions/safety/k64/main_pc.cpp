@@ -1,4 +1,5 @@
-// The composition of the weeding robot with safety functions that receives orders only from the PC.
+// The composition of the weeding robot that has safety functions and receives orders only from the
+// PC: it constructs and connects the objects of this robot variant.
 
 #include "construction/MainControllerBuilder.hpp"
 #include "k64/core.hpp"

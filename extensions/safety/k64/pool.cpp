@@ -1,4 +1,4 @@
-// The pool of control systems of a product with safety functions.
+// Constructs the pool of control systems for a robot variant with safety functions.
 
 #include <array>
 

@@ -15,7 +15,8 @@ ProgramCheck::Part part(const Words* original, const Words* begin, const Words* 
   return {.original = {original, copy.size()}, .copy = copy};
 }
 
-// The start of the firmware copies these parts before it constructs any object.
+// The start of the firmware copies these three sections from flash to RAM before it constructs any
+// object.
 const std::array<ProgramCheck::Part, 3> kParts{part(codeInitial, codeBegin, codeEnd),
                                                part(vectors, ramVectors, ramVectorsEnd),
                                                part(dataInitial, dataBegin, constantsEnd)};

@@ -4,11 +4,12 @@
 
 namespace wr::platform {
 
-/// @brief Compares the program in RAM with the program in flash. The handler of the tick and checkForever()
-/// call it.
+/// @brief The check that compares the program in RAM with the program in flash. The handler of each
+/// tick permits one step, and checkForever() executes the step.
 extern ProgramCheck programCheck;
 
-/// @brief Shows that control cycles run, and checks the program between the interrupts.
+/// @brief Switches on the light that shows that control cycles run, and checks the program between
+/// the interrupts. Never returns.
 /// @satisfies FR-309
 /// @isr{no}
 [[noreturn]] void checkForever();

@@ -5,10 +5,10 @@
 
 namespace wr::platform {
 
-/// @brief Stop of the PC, in memory that a reset does not change.
+/// @brief The stop command of the PC, stored in memory that a reset does not change.
 extern RetainedStop stopMemory;
 
-/// @brief Protective stop, in memory that a reset does not change.
+/// @brief The protective stop, stored in memory that a reset does not change.
 extern RetainedProtection protectionMemory;
 
 }  // namespace wr::platform

@@ -6,13 +6,14 @@
 namespace wr::can {
 namespace {
 
-// The firmware has a separate copy of these numbers, so that a mistake in its copy fails the tests.
+// The tests do not use the numbers of the firmware. Therefore a wrong number in the firmware makes
+// the tests fail.
 constexpr std::uint16_t kToRobot = 0x101;
 constexpr std::uint16_t kFromRobot = 0x102;
-constexpr std::size_t kMost = 8;  // bytes in a frame
+constexpr std::size_t kMost = 8;  // greatest number of bytes in a frame
 constexpr std::chrono::milliseconds kPeriod{100};
 
-// A frame of 8 bytes has 111 bits, of 2 us each.
+// A frame with 8 bytes has 111 bits. Each bit takes 2 us.
 constexpr std::chrono::microseconds kLongestFrame{222};
 
 }  // namespace
@@ -48,7 +49,8 @@ bool CanSession::runThroughPulse() {
     return false;
   }
   const auto limit = std::chrono::duration_cast<Time>(all_->pulses().back() + kPeriod / 2);
-  // Between two frames of the robot the bus is idle until the robot has served its interrupt.
+  // Between two frames of the robot the bus is idle for a short time, until the robot has served
+  // its interrupt. Therefore the bus must be idle at two successive checks.
   for (int idle = 0; idle < 2 && now() < limit; idle = all_->board.canIdle() ? idle + 1 : 0) {
     if (!all_->runUntil(now() + std::chrono::microseconds(100))) {
       return false;

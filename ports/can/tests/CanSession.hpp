@@ -10,12 +10,12 @@
 
 namespace wr::can {
 
-/// @brief A robot on the virtual K64 whose PC is another node of the CAN bus. Everything else is
-/// the same as with the serial line.
+/// @brief A session with a robot on the virtual K64. The PC is another node of the CAN bus.
+/// Everything else is the same as with the serial line.
 class CanSession final : public scenario::RobotSession {
  public:
   /// @brief Connects the PC to a board that is switched on.
-  /// @param board board whose image uses the bus
+  /// @param board board whose firmware image uses the CAN bus
   explicit CanSession(std::unique_ptr<board_robot::BoardSession> board) : all_(std::move(board)) {}
 
   void send(std::span<const std::uint8_t> bytes) override;

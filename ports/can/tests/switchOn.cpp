@@ -1,4 +1,4 @@
-// The robot of the system tests is the image with the CAN bus, on the virtual K64.
+// Here the system tests run the firmware image with the CAN bus, on the virtual K64.
 
 #include <chrono>
 #include <memory>

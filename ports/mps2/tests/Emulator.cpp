@@ -22,11 +22,11 @@
 namespace wr::mps2 {
 namespace {
 
-constexpr int kPatience = 20'000;  // [ms] time of this machine after which a test fails
+constexpr int kPatience = 20'000;  // [ms] real time without an answer, after which a test fails
 constexpr char kMessages[] = "messages";
 constexpr char kProgram[] = "qemu-system-arm";
 
-// Connects as soon as QEMU listens.
+// Tries to connect to a socket until QEMU listens at this socket.
 std::unique_ptr<UnixLine> connectTo(const std::filesystem::path& socket) {
   for (int tried = 0;; ++tried) {
     try {
@@ -48,7 +48,7 @@ std::filesystem::path newFolder() {
   return path;
 }
 
-// The messages of QEMU are in a file.
+// Starts QEMU, which writes its error messages to a file.
 pid_t start(std::vector<std::string> words, const std::filesystem::path& messages) {
   std::vector<char*> arguments;
   for (std::string& word : words) {
@@ -75,10 +75,10 @@ std::string hex(std::uint32_t value) {
   return text.data();
 }
 
-// Returns the value of a little-endian word in hexadecimal digits.
+// Converts the hexadecimal digits of a little-endian word to its value.
 std::uint32_t wordOf(const std::string& digits) {
   if (digits.size() != 8) {
-    throw std::runtime_error("QEMU answers " + digits);
+    throw std::runtime_error("QEMU does not answer with 8 hexadecimal digits, but with: " + digits);
   }
   return __builtin_bswap32(static_cast<std::uint32_t>(std::stoul(digits, nullptr, 16)));
 }
@@ -89,8 +89,8 @@ Emulator::Emulator(const std::filesystem::path& elf) : folder_(newFolder()) {
   const auto socket = [this](const std::string& name) {
     return "socket,id=" + name + ",server=on,wait=off,path=" + (folder_ / name).string();
   };
-  // An instruction takes 128 ns. This is three times slower than on the board, so that there is
-  // less to emulate.
+  // Each instruction takes 128 ns, three times as long as on the board. Therefore QEMU executes
+  // fewer instructions in the same emulated time.
   process_ = start({kProgram,      "-M",           "mps2-an386",  "-display",     "none",
                     "-monitor",    "none",         "-icount",     "shift=7",      "-S",
                     "-chardev",    socket("line"), "-serial",     "chardev:line", "-chardev",
@@ -125,13 +125,14 @@ void Emulator::send(std::span<const std::uint8_t> bytes, std::uint32_t rest) {
   for (const std::uint8_t byte : bytes) {
     static_cast<void>(serial_->write({&byte, 1}));
     const auto begin = std::chrono::steady_clock::now();
-    // STATE of the port
+    // register STATE of the serial port
     while ((word(0x40004004) & uart::STATE_RX_FULL.value) == 0) {
       if (std::chrono::steady_clock::now() - begin > std::chrono::milliseconds(kPatience)) {
-        throw std::runtime_error("the serial port does not accept a byte");
+        throw std::runtime_error("the serial port of the emulated board does not accept a byte");
       }
     }
-    // The interrupt is served before the instruction at which the program is at rest.
+    // The program serves the interrupt of this byte before it reaches the instruction at which it
+    // is at rest.
     static_cast<void>(runTo({rest}));
   }
 }

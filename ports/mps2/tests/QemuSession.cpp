@@ -9,12 +9,12 @@
 namespace wr::mps2 {
 namespace {
 
-constexpr std::uint32_t kCounter = 0x40002004;  // VALUE of the dual timer, which the timebase reads
+constexpr std::uint32_t kCounter = 0x40002004;  // register VALUE of the dual timer
 constexpr scenario::RobotSession::Time kPeriod{SystemConstants::instance().cyclePeriod().count()};
 
-// QEMU stops for each byte. While the program is stopped, the clock of the emulator can continue
-// for as long as this machine is busy. The bytes arrive early, so that most of a period is left for
-// the stops of a frame.
+// QEMU stops the program for each byte. If the host computer is busy, the emulated time can
+// continue during such a stop. Therefore the bytes are sent early: then the clock pulse does not
+// come before the last byte of a frame.
 constexpr scenario::RobotSession::Time kEarlier{80'000};
 
 }  // namespace
@@ -41,7 +41,8 @@ void QemuSession::run(std::initializer_list<std::uint32_t> places) {
   ticks_ += counter_ - counter;
   counter_ = counter;
   now_ = Time(static_cast<Time::rep>(ticks_ / kTicksPerMicrosecond));
-  // The clock pulse stores its time, and then triggers the thread of the cycle.
+  // The clock pulse triggers this thread. Therefore the present time is the time of the clock
+  // pulse.
   if (place_ == cycle_) {
     lastPulse_ = now_;
     run({rest_, end_});
@@ -76,7 +77,8 @@ bool QemuSession::runUntil(Time instant) {
   return place_ != end_;
 }
 
-// At rest all threads have ended, and all bytes are sent.
+// When the program is at rest after the clock pulse, all threads have ended and all bytes have been
+// sent.
 bool QemuSession::runThroughPulse() {
   if (place_ != end_) {
     run({cycle_, end_});

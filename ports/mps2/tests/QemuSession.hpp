@@ -14,13 +14,14 @@
 
 namespace wr::mps2 {
 
-/// @brief The firmware on the emulated board, in stepped time. It has no motors and no sensors.
-/// Bytes to the robot arrive at once; bytes that are due before a clock pulse arrive up to 80 ms
-/// earlier. The firmware does not sleep here: during a sleep QEMU uses the time of this machine.
+/// @brief A session with the firmware on the emulated board. The board has no motors and no
+/// sensors, and its time advances step by step. send() passes bytes to the robot at once.
+/// sendBeforePulse() passes bytes up to 80 ms earlier than requested. The instruction that sleeps
+/// is replaced, because during a sleep QEMU uses the time of the host computer.
 class QemuSession final : public scenario::RobotSession {
  public:
-  /// @brief Switches the robot on, and returns when it is at rest for the first time.
-  /// @param elf its firmware
+  /// @brief Switches the robot on, and returns when its firmware is at rest for the first time.
+  /// @param elf path of the ELF file of the firmware
   explicit QemuSession(const std::filesystem::path& elf);
 
   void send(std::span<const std::uint8_t> bytes) override;
@@ -43,7 +44,7 @@ class QemuSession final : public scenario::RobotSession {
   std::uint32_t cycle_;
   std::uint32_t end_;
   Emulator emulator_;
-  std::uint32_t place_ = 0;  // instruction at which the firmware is stopped
+  std::uint32_t place_ = 0;  // address of the instruction at which the firmware is stopped
   std::uint32_t counter_ = 0xFFFF'FFFF;
   std::uint64_t ticks_ = 0;
   Time now_{0};

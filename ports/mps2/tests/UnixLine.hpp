@@ -9,11 +9,11 @@
 
 namespace wr::mps2 {
 
-/// @brief A line to a program that listens at a socket of this machine.
+/// @brief A connection to a program that listens at a Unix socket.
 class UnixLine final : public programs::SerialLine {
  public:
-  /// @brief Connects. Throws std::system_error when no program listens.
-  /// @param path the socket
+  /// @brief Connects to the socket. Throws std::system_error if no program listens at the socket.
+  /// @param path path of the socket
   explicit UnixLine(std::string path);
   ~UnixLine() override;
 
@@ -22,7 +22,7 @@ class UnixLine final : public programs::SerialLine {
   bool write(std::span<const std::uint8_t> bytes) override;
 
   /// @brief Waits until bytes can be read.
-  /// @param milliseconds the longest time
+  /// @param milliseconds longest time to wait [ms]
   /// @return false if no bytes came
   [[nodiscard]] bool wait(int milliseconds) const;
 

@@ -1,4 +1,4 @@
-// The robot of the system tests is the firmware on the board MPS2, which QEMU emulates.
+// Here the system tests run the firmware on the board MPS2, which QEMU emulates.
 
 #include <memory>
 #include <stdexcept>

@@ -12,9 +12,9 @@
 #include "services/StartRecord.hpp"
 #include "units/SetPoints.hpp"
 
-// This file replaces the file of the same name in src, so that the composition of the robot
-// includes it. The names come from the K64, and the devices belong to the board MPS2. K64Thread
-// uses only the interrupt controller of the core.
+// The composition of the robot includes this file instead of the file of the same name in src. The
+// objects have the same names as for the K64, but they are devices of the board MPS2. K64Thread is
+// used without a change, because it uses only the interrupt controller of the core.
 
 namespace wr::platform {
 
@@ -53,13 +53,13 @@ struct RcEdges {
   bool direction;
 };
 
-/// @brief Returns no edges: the board has no remote control.
+/// @brief Returns no edges, because the board has no remote control.
 /// @isr{yes}
 inline RcEdges enterRcInterrupt() {
   return {.velocity = false, .direction = false};
 }
 
-/// @brief Does nothing: the inputs of the board have no edges.
+/// @brief Does nothing, because the inputs of the board have no edges.
 /// @isr{yes}
 inline void allowEdges() {}
 
@@ -71,7 +71,8 @@ void startDevices();
 /// @isr{no}
 void enableInterrupts();
 
-/// @brief Switches on the light for running control cycles, and sleeps between the interrupts.
+/// @brief Switches on the light that shows that control cycles run, and sleeps between the
+/// interrupts. Never returns.
 /// @isr{no}
 [[noreturn]] void sleepForever();
 
