@@ -66,8 +66,8 @@ class K64PortOnBoard : public testing::Test {
   std::vector<std::uint16_t> before;
 };
 
-/// @brief Each rising and each falling edge of an input causes an interrupt. It causes no edge at
-/// another input.
+/// @brief Each rising and each falling edge of an input causes an interrupt. The edge is not
+/// counted at another input.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_BothEdgesOfEachInputInterrupt) {
   std::vector<int> expected(kEdgeInputs.size(), 0);

@@ -105,8 +105,8 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief A stop of any mode holds the control systems. The operation state still runs in every
-/// cycle.
+/// @brief If any mode reports a stop, the control systems are held. The operation state still runs
+/// in every cycle.
 /// @verifies FR-21
 TEST_F(MainControllerTest, FR21_StopOfAnyModeHolds) {
   data.saveSetPoints({});

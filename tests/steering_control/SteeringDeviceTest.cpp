@@ -119,7 +119,7 @@ TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {
 
 /// @brief An end stop is reached when its switch opens and its input is high.
 /// @verifies FR-105
-TEST_F(SteeringDeviceTest, FR105_ASwitchThatIsLowTellsTheEnd) {
+TEST_F(SteeringDeviceTest, FR105_AnEndStopIsReachedWhenItsInputIsHigh) {
   EXPECT_FALSE(device.leftEnd());
   EXPECT_FALSE(device.rightEnd());
   motor.leftEnd.reached = true;

@@ -11,8 +11,8 @@ namespace {
 
 class OrdersOfRobot : public testing::Test {
  protected:
-  // Connects the PC at power-up and keeps the connection until a number of reads in the mode RC
-  // have failed.
+  // Connects the PC at power-up. Then keeps it connected, without orders, until `reads` reads in
+  // the mode RC have failed.
   void connectAndFail(int reads) {
     robot.connect();
     for (int failed = 2; failed < reads; ++failed) {
