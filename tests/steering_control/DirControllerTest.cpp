@@ -103,8 +103,8 @@ TEST_F(DirControllerTest, FR227_PositionFollowsTheStepsWithin3Degrees) {
   }
 }
 
-/// @brief The first reduction of the difference is one second after the motor was switched on, even
-/// if the motor was also on earlier.
+/// @brief The controller slowly reduces the stored difference between position and steps. The first
+/// reduction is one second after the motor was switched on, even if the motor was also on earlier.
 /// @verifies FR-227
 TEST_F(DirControllerTest, FR227_EachStartBeginsItsOwnSecond) {
   switchOn();
@@ -174,7 +174,7 @@ TEST_F(DirControllerTest, FR105_NoSlowTurnTowardsAnEnd) {
   EXPECT_EQ(state(), SteeringState::Turning);
 }
 
-/// @brief A stall that begins in the middle of a turn is detected in the next window.
+/// @brief A stall that begins in the middle of a turn is detected in the next observation window.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
   beginTurn();
@@ -236,8 +236,8 @@ TEST_F(DirControllerTest, FR110_APositionIsYoungFor20Milliseconds) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief A release in the tick of the fault does not end the fault, because it was sent before the
-/// fault was reported.
+/// @brief A release in the tick of the fault does not end the fault, because the release was sent
+/// before the fault was reported.
 /// @verifies FR-112
 TEST_F(DirControllerTest, FR112_AReleaseOfTheTickOfTheFaultDoesNotEndIt) {
   tickOnly();

@@ -64,7 +64,7 @@ inline Bytes stuffed(const Bytes& body) {
   return line;
 }
 
-/// @brief Returns the bytes of a frame on the line.
+/// @brief Returns the bytes of a frame on the serial line.
 inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& payload,
                        std::uint8_t version = 2) {
   Bytes body;
@@ -74,8 +74,8 @@ inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& pa
   return stuffed(withCrc(std::move(body)));
 }
 
-/// @brief Splits bytes on the line into bodies, each with its CRC. Zero bytes between them are
-/// ignored.
+/// @brief Splits bytes on the serial line into bodies, each with its CRC. Zero bytes between them
+/// are ignored.
 inline std::vector<Bytes> bodies(const Bytes& line) {
   std::vector<Bytes> found;
   Bytes body;

@@ -5,7 +5,7 @@
 
 namespace wr::torture {
 
-/// @brief Content of a record of the torture program.
+/// @brief Kind of a record of the torture program.
 enum class Kind : std::uint8_t {
   Entered,      ///< an exception was entered
   Left,         ///< an exception is about to be left
@@ -58,11 +58,11 @@ struct Record {
 };
 static_assert(sizeof(Record) == 24);
 
-/// @brief Addresses of the runner's settings in the image of the program.
+/// @brief Addresses in the program at which the test stores the seed and the number of actions.
 inline constexpr std::uint32_t kSeedAddress = 0xC0;
 inline constexpr std::uint32_t kActionsAddress = 0xC4;
 
-/// @brief Memory of the program, besides the vectors and the code at address 0.
+/// @brief Memory of the program. The vectors and the code are at address 0.
 inline constexpr std::uint32_t kCodeSize = 0x10000;
 inline constexpr std::uint32_t kRamStart = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x80000;

@@ -72,8 +72,8 @@ class ControlledWheel {
     currents.write(current, time.now());
   }
 
-  /// Runs one cycle of a wheel that turns. Its position changes by more edges than a single sensor
-  /// can cause.
+  /// Runs one cycle of a wheel that turns. Its position changes by more edges than a single working
+  /// Hall sensor can cause.
   void control(const WheelSetPoint& setPoint, Velocity velocity = Velocity(),
                Current current = Current()) {
     measure(velocity, current);

@@ -21,8 +21,8 @@ class WheelControllerTest : public testing::Test, protected ControlledWheel {
   }
 };
 
-/// @brief The output has the voltage of an order in the cycle that reads the order, within 0.5 % or
-/// 6 mV.
+/// @brief In the cycle that reads an order, the output already has the ordered voltage. The error
+/// is at most the greater of 0.5 % and 6 mV.
 /// @verifies FR-80
 TEST_F(WheelControllerTest, FR80_TensionStandsAtTheOutputAtOnce) {
   for (const std::int16_t tension :
@@ -42,7 +42,7 @@ TEST_F(WheelControllerTest, FR81_RiseIsLimited) {
   EXPECT_EQ(output(), Tension(24000));
 }
 
-/// @brief Each quantity has its algorithm.
+/// @brief Each quantity is controlled by a separate algorithm.
 /// @verifies FR-80
 /// @verifies FR-82
 /// @verifies FR-85
@@ -55,7 +55,7 @@ TEST_F(WheelControllerTest, FR80_FR82_FR85_EachQuantityHasItsAlgorithm) {
   EXPECT_EQ(controller.applied(), Tension(1500));
 }
 
-/// @brief A change of the quantity clears the memory of control.
+/// @brief A change of the quantity clears the memory of the controller.
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   for (int cycle = 0; cycle < 5; ++cycle) {
@@ -157,7 +157,8 @@ TEST_F(WheelControllerTest, FR88_HaltLowersThenShortCircuits) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief After an incomplete halt the rise begins at the remaining voltage.
+/// @brief A halt that has not ended yet leaves a voltage. The next rise of the voltage begins at
+/// this remaining voltage.
 /// @verifies FR-81
 TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -166,8 +167,8 @@ TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   EXPECT_EQ(controller.applied(), Tension(7600 + 12000));
 }
 
-/// @brief After a halt, a reversal begins at the remaining voltage. The orientation changes only
-/// without voltage.
+/// @brief A reversal after a halt begins at the voltage that the halt has left. The orientation
+/// changes only without voltage.
 /// @verifies FR-87
 TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -468,8 +469,8 @@ TEST_F(WheelControllerTest, FR87_CreepingWheelCanBeReversed) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief A wheel that is dragged faster than its set-point while its demand brakes never has a
-/// late reversal.
+/// @brief A slope may drag a wheel faster than its set-point, so that the demand brakes the wheel.
+/// This never counts as a late reversal.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_ADraggedWheelIsNeverLate) {
   for (int cycle = 0; cycle < 50; ++cycle) {

@@ -11,7 +11,8 @@
 namespace wr::test {
 namespace {
 
-/// An output whose level change is interrupted by an overcurrent trip, just before the change.
+/// An output that simulates an interrupt: just before its level changes, an overcurrent trip
+/// occurs.
 class Interrupted final : public DigitalOutput {
  public:
   Wheel* wheel = nullptr;

@@ -173,8 +173,8 @@ TEST(ScenarioTest, ADamagedScenarioIsReadOrHasALineWithAnError) {
   EXPECT_GT(errors, 100);
 }
 
-/// @brief The sticks of the remote control have the units of orders. A fault has a name and a
-/// wheel.
+/// @brief The positions of the sticks of the remote control are in the units of orders. A fault has
+/// a name and a wheel.
 TEST(ScenarioTest, ActionsOfTheWorld) {
   const scenario::Scenario scenario = scenarioOf(
       "seed 9\nat 0 rc velocity -1500 steering 1600\nat 1 rc off\nat 2 slope -2.5\n"
@@ -195,7 +195,8 @@ TEST(ScenarioTest, ActionsOfTheWorld) {
   EXPECT_FALSE(worldOf<scenario::world::SetNoise>(steps[5]).on);
 }
 
-/// @brief Switch, fail-safe, emergency stop, plant, clock and reset are also actions of the world.
+/// @brief Actions can also set the enable switch, the fail-safe, the emergency stop, the parameters
+/// of the robot and the clock, and can cause a reset.
 TEST(ScenarioTest, SafetyActionsOfTheWorld) {
   const scenario::Scenario scenario = scenarioOf(
       "plant varied\nplant supply 21000\nat 0 rc enable drive\nat 1 rc failsafe hold\n"
@@ -237,7 +238,7 @@ TEST(ScenarioTest, ArmConnectsAndOrdersNeutral) {
   }
 }
 
-/// @brief An action of the world can be read from a single line.
+/// @brief An action on the robot or its surroundings can be read from a single line of text.
 TEST(ScenarioTest, WorldActionOfALine) {
   EXPECT_TRUE(std::holds_alternative<scenario::world::SetEmergencyStop>(
       scenario::worldActionOf("estop press")));
@@ -298,8 +299,8 @@ TEST(ScenarioPlayerTest, HostHasNoExternalClock) {
   EXPECT_THROW(static_cast<void>(played("at 0 clock lost\nat 10 end\n")), std::runtime_error);
 }
 
-/// @brief Actions of the world affect the robot. A scenario can have expectations about the true
-/// values of the robot.
+/// @brief Actions on the surroundings affect the robot. A scenario can have expectations about the
+/// true values of the robot.
 TEST(ScenarioPlayerTest, WorldActsOnTheRobot) {
   const auto outcome = played(
       "seed 5\nat 0 noise off\nat 100 slope 20\nat 2200 expect way between -3000 -10\n"
@@ -349,7 +350,7 @@ TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
                            "text:7: there was no finding clock-gate, at 360 ms"));
 }
 
-/// @brief Raw bytes are sent unchanged, and each report is a line of the table.
+/// @brief Raw bytes are sent unchanged, and each report becomes a line of the table of reports.
 TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   std::ostringstream table;
   const auto outcome = played(

@@ -69,7 +69,8 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief If the wheel is not slow and turns against the demand in a cycle, the count restarts.
+/// @brief If the wheel is not slow and turns against the demand in a cycle, the count of slow
+/// cycles restarts.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {
@@ -226,7 +227,8 @@ TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
         ASSERT_GE(slow, 2);
         ASSERT_EQ(before, 0);
       }
-      ASSERT_GE(applied * static_cast<long long>(before), 0) << "the sign changes through 0 only";
+      ASSERT_GE(applied * static_cast<long long>(before), 0)
+          << "the voltage must be 0 before its sign changes";
       if (std::abs(demand) >= 100 && static_cast<long long>(demand) * before < 0) {
         ASSERT_GE(std::abs(applied), std::abs(before) - 2400);
       }

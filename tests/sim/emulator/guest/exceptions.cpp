@@ -21,7 +21,7 @@ PROGRAM pendsTwoInside() {
   note(11);
 }
 
-// Line 1 triggers line 2 while it runs.
+// The handler of interrupt line 1 triggers interrupt line 2.
 static void nest(std::uint8_t priorityOfOne, std::uint8_t priorityOfTwo) {
   stopWatchdog();
   forgetNotes();

@@ -86,7 +86,8 @@ class Source {
     return state;
   }
 
-  /// Operands of instructions that access no memory may be anything.
+  /// Fills the registers with random numbers. This is possible only for instructions that do not
+  /// access memory.
   void scatter(State& state) {
     for (std::size_t i = 0; i < 13; ++i) {
       state.core.at(i) = word();
@@ -157,7 +158,7 @@ class Source {
   std::mt19937 engine_;
 };
 
-/// @brief The interpreter of the virtual K64, with the same memory.
+/// @brief The interpreter of the virtual K64, with the same memory as the other emulator.
 class OurCore {
  public:
   OurCore() {
@@ -261,7 +262,7 @@ TEST_P(DifferentialTest, InstructionDoesTheSameAsInUnicorn) {
       theirState.flags = (theirState.flags & ~kQ) | (ourState.flags & kQ);
     }
     ASSERT_EQ(ourEnd, theirEnd) << encoding.name << std::hex << " " << bits;
-    ASSERT_TRUE(ourEnd) << encoding.name << " is defined: " << std::hex << bits;
+    ASSERT_TRUE(ourEnd) << encoding.name << " must be executable: " << std::hex << bits;
     ASSERT_TRUE(ourState == theirState)
         << encoding.name << std::hex << " " << bits << (inBlock ? " in a block" : "")
         << "\nbefore: " << text(before) << "\nours: " << text(ourState)

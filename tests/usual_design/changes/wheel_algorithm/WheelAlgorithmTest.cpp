@@ -1,5 +1,6 @@
-// A new algorithm for the velocity of a wheel. In each cycle, the velocity approaches the set-point
-// by at most 20 rpm, from the velocity at which control begins.
+// A likely change: a new algorithm for the velocity of a wheel. It begins with the present velocity
+// of the wheel. In each cycle, its internal set-point approaches the ordered set-point by at most
+// 20 rpm.
 
 #include "usual_design/host/OneWheelRobot.hpp"
 
