@@ -78,7 +78,7 @@ class Nvic {
   [[nodiscard]] std::uint32_t read(std::uint32_t offset) const;
 
   /// @brief Writes the registers at 0xE000E000.
-  /// @return false when the register cannot be written in this size.
+  /// @return false when the register cannot be written with this size.
   bool write(std::uint32_t offset, unsigned size, std::uint32_t value);
 
  private:

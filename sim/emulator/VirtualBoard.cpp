@@ -258,7 +258,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   bool sleeps_ = false;
   std::uint64_t sleptCycles_ = 0;
   std::bitset<128> lines_;
-  std::bitset<128> held_;  ///< lines that are hidden from the processor
+  std::bitset<128> held_;  ///< interrupt lines that the processor does not see
   std::optional<Reset> wantedReset_;
   bool debugs_ = false;        ///< the present access is from a debugger and causes no finding
   bool debugRefused_ = false;  ///< the access was refused

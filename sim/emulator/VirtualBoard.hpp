@@ -37,8 +37,8 @@ struct Options {
              ///< a load returns 0, and a store has no effect
 };
 
-/// @brief A K64 microcontroller with its clock and a line to a PC. It runs the unchanged image of a
-/// real board.
+/// @brief A simulated board with a K64 microcontroller, its external clock and a serial line to a
+/// PC. It runs the same firmware image as a real board.
 class VirtualBoard {
  public:
   using nanoseconds = std::chrono::nanoseconds;
@@ -57,13 +57,13 @@ class VirtualBoard {
 
   /// @brief Runs until an interrupt is entered.
   /// @param irq interrupt line
-  /// @param limit greatest time
+  /// @param limit time at which the run ends at the latest
   /// @return true when the interrupt was entered; false when a finding stopped the run or the limit
   /// was reached.
   bool runToInterrupt(int irq, nanoseconds limit);
 
   /// @brief Runs until the program waits for an interrupt.
-  /// @param limit greatest time
+  /// @param limit time at which the run ends at the latest
   /// @return true when the program waits; false when a finding stopped the run or the limit was
   /// reached.
   bool runToSleep(nanoseconds limit);
@@ -115,7 +115,7 @@ class VirtualBoard {
   /// @brief Returns true when no frame is on the bus at CAN0 and no frame waits for this bus.
   [[nodiscard]] bool canIdle() const;
 
-  /// @brief Returns whether no byte is being transferred to or from the PC.
+  /// @brief Returns true if no byte is being transferred to or from the PC.
   [[nodiscard]] bool lineIdle() const;
 
   /// @brief Returns the level of a pin, e.g. ('B', 22).
@@ -128,7 +128,7 @@ class VirtualBoard {
   /// gets the level immediately. Levels with the same time are applied in the order of the calls.
   void driveAt(nanoseconds time, char port, int number, bool level);
 
-  /// @brief Returns whether the program drives the pin as a digital output.
+  /// @brief Returns true if the program drives the pin as a digital output.
   [[nodiscard]] bool isOutput(char port, int number) const;
 
   /// @brief Returns the duty cycle at the pin of a timer's channel, as a fraction of the period.
@@ -154,7 +154,8 @@ class VirtualBoard {
   /// the order in which they were set.
   void onTime(nanoseconds period, std::function<void()> call);
 
-  /// @brief Raises an exception by hardware before the next instruction, e.g. 3 HardFault.
+  /// @brief Triggers an exception before the next instruction, as the hardware does. For example, 3
+  /// is a HardFault.
   void raise(int exception);
 
   /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument if the address is neither
@@ -171,7 +172,7 @@ class VirtualBoard {
   void setCore(unsigned number, std::uint32_t value);
 
   /// @brief Hides an interrupt line from the processor, or connects it again.
-  /// @param irq the line
+  /// @param irq number of the interrupt line
   /// @param held true: the processor reads the line as low
   void holdInterrupt(int irq, bool held);
 
@@ -197,8 +198,8 @@ class VirtualBoard {
   /// @brief Returns the number of cycles in which the program waited for an interrupt.
   [[nodiscard]] std::uint64_t sleptCycles() const;
 
-  /// @brief Returns the priority of an exception, 0 to 15. The exception has a number of 16 or
-  /// more. Priority 0 is the highest.
+  /// @brief Returns the priority of an interrupt, 0 to 15. Priority 0 is the highest. The number of
+  /// the exception must be 16 or more.
   [[nodiscard]] unsigned priority(unsigned exception) const;
 
   /// @brief Returns the frequency of the core.

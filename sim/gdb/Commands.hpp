@@ -12,7 +12,7 @@ namespace wr::gdb {
 /// @brief Thrown when GDB ends the program.
 struct Killed {};
 
-/// @brief The commands of the GDB remote serial protocol, and the commands behind `monitor`.
+/// @brief The commands of the GDB remote serial protocol, and the commands of `monitor`.
 class Commands {
  public:
   /// @param line the line to GDB; must outlive the object
@@ -31,7 +31,7 @@ class Commands {
   void glance();
 
  private:
-  // Report of the next stop.
+  // Report that GDB expects at the next stop.
   enum class Owed { Nothing, Stop, Monitor };
 
   void serve(const std::string& why);

@@ -20,18 +20,19 @@ struct BeginsAgain {};
 
 /// @brief A debugger that stops the program and can return to an earlier time.
 ///
-/// A position is a number of executed instructions. The same input causes the same run. A second
-/// run from the start therefore reaches an earlier position, and no state has to be restored.
+/// A position is a number of executed instructions. The same input causes the same run. To go back
+/// to an earlier position, the debugger starts a second run from the beginning. It need not restore
+/// any state.
 class Debugger {
  public:
   /// @brief Serves the user while the program is stopped.
   ///
-  /// It returns when the program shall continue. The text is the reason for the stop, in the form
-  /// of a GDB stop reply, e.g. `05` or `05watch:20000004;`.
+  /// The function returns when the program shall continue. The text is the reason for the stop, in
+  /// the form of a GDB stop reply, e.g. `05` or `05watch:20000004;`.
   using Serve = std::function<void(const std::string& why)>;
 
   /// @param serve is called at each stop, before an instruction or after the end of the run
-  /// @param asked returns whether the user requests a stop of the program
+  /// @param asked returns true if the user requests a stop of the program
   Debugger(Serve serve, std::function<bool()> asked);
 
   /// @brief Begins a run. The first run stops before its first instruction.
@@ -69,7 +70,7 @@ class Debugger {
   [[nodiscard]] StopRules& rules() { return rules_; }
   void rulesChanged();
 
-  /// @brief Returns whether the run has ended.
+  /// @brief Returns true if the run has ended.
   [[nodiscard]] bool ended() const { return ended_; }
 
  private:

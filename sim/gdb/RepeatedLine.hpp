@@ -9,8 +9,8 @@
 
 namespace wr::gdb {
 
-/// @brief A line whose input can be repeated. A restarted run reads the same bytes at the same
-/// calls of read(). The output that it repeats is discarded.
+/// @brief A serial line whose input can be repeated. A restarted run reads the same bytes at the
+/// same calls of read(). The output that the restarted run repeats is discarded.
 class RepeatedLine final : public programs::SerialLine {
  public:
   /// @param line the line

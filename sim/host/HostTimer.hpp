@@ -27,7 +27,7 @@ class HostTimer final : public PeriodicTimer {
   /// @return period of the running timer; 0 if the timer is stopped.
   [[nodiscard]] Microseconds period() const;
 
-  /// @brief Returns whether the interrupt was raised and is not yet acknowledged.
+  /// @brief Returns true if the interrupt was raised and is not yet acknowledged.
   /// @return true while the interrupt flag is set.
   [[nodiscard]] bool pending() const;
 

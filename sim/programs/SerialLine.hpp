@@ -8,7 +8,7 @@
 
 namespace wr::programs {
 
-/// @brief The line to a serial port of the robot, on this machine. No call blocks.
+/// @brief A serial line to a port of the robot, on this computer. No call blocks.
 class SerialLine {
  public:
   SerialLine() = default;
@@ -30,12 +30,12 @@ class SerialLine {
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
 };
 
-/// @brief Opens a line. Throws std::system_error when this fails.
+/// @brief Opens a serial line. Throws std::system_error when this fails.
 /// @param kind "pty", "stdout" or "tcp:PORT"; see isLineKind()
 /// @return the line
 [[nodiscard]] std::unique_ptr<SerialLine> openLine(const std::string& kind);
 
-/// @brief Checks whether openLine() supports a kind of line.
+/// @brief Checks whether openLine() supports a kind of serial line.
 [[nodiscard]] bool isLineKind(const std::string& kind);
 
 }  // namespace wr::programs

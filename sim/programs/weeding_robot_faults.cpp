@@ -29,7 +29,8 @@ void print(const faults::Result& result) {
   std::fflush(stdout);  // a later copy of this process must not print this text again
 }
 
-// A case of a record. It has the time of the drive in ms, and the fault.
+// A case of the record. It consists of a fault, and of the time in the drive at which the fault is
+// injected [ms].
 struct Case {
   int at;
   faults::Fault fault;

@@ -169,10 +169,12 @@ Scenario::Action readAction(const std::string& word, Words& words) {
   throw Scenario::Error("there is no action '" + word + "'");
 }
 
-// This limit is greater than the number of times of a line that acts every 100 ms for an hour.
+// Greatest number of repetitions of one scenario line. This is enough for an action every 100 ms
+// for an hour.
 constexpr int kMostTimes = 100'000;
 
-// The times at which a line acts. A line has one time or repeated times.
+// The times at which the action of a scenario line is executed. A line has one time or repeated
+// times.
 struct Times {
   Time first;
   Time last;

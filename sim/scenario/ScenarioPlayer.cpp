@@ -12,9 +12,9 @@ namespace wr::scenario {
 
 namespace {
 
-// Time between two reads of the PC's line.
+// Time between two reads of the PC's serial line.
 constexpr RobotSession::Time kGlance{5'000};
-// Time between two reads while an expectation may become true.
+// Time between two reads while at least one expectation is pending.
 constexpr RobotSession::Time kClose{1'000};
 
 void writeHeader(std::ostream& reports) {
@@ -94,8 +94,8 @@ void ScenarioPlayer::end() {
   }
 }
 
-// Runs until the next read of the line or until an earlier time. Then reads the received bytes.
-// Returns false if a finding has stopped the robot.
+// Runs until the next read of the serial line, or until the given time if it is earlier. Then reads
+// the received bytes. Returns false if a finding has stopped the robot.
 bool ScenarioPlayer::glance(Time instant) {
   const Time length = pending_.empty() ? kGlance : kClose;
   const bool runs = robot_.runUntil(std::min(instant, robot_.now() + length));
@@ -125,7 +125,7 @@ void ScenarioPlayer::listen() {
     }
     const Bytes frame = std::exchange(line_, {});
     if (frame.empty()) {
-      continue;  // this zero ends the bytes that were on the line before the first frame
+      continue;  // this zero byte ends the bytes that were sent before the first frame
     }
     if (const FrameBody body = bodyOf(frame); body.damage.empty()) {
       take(body.bytes);

@@ -169,7 +169,7 @@ WorldAction readGround(const std::string& word, Words& words) {
   return world::SetGrip{words.number("a grip in percent") / kPercent};
 }
 
-// Executes each action.
+// Executes each kind of action on a robot.
 struct Actor {
   RobotSession& robot;
 
