@@ -11,8 +11,8 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 
-# Programs that a test starts must end on Ctrl-C. This is true even if a shell started the tests
-# with SIGINT ignored.
+# Programs that a test starts must end when they receive SIGINT (Ctrl-C), even if a shell started
+# the tests with SIGINT ignored.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 

@@ -1,5 +1,5 @@
 """The built pages are accessible and do not scroll sideways. On a narrow screen, they are at most
-twice as tall."""
+twice as tall as on a wide screen."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ PAGES = [
     "docs/glossary", "source/index", "source/src/main_control/operation_modes/RC.cpp", "exports",
     "modules/RC", "modules/MainController", "plot",
 ]  # fmt: skip
-# The pages that axe checks. Together they contain all parts of pages.
+# The pages that axe checks. Together they contain all kinds of elements.
 LOOKED_AT = [
     "index", "answers/index", "answers/is-rc-a-state-or-a-decorator", "architecture", "structure",
     "patterns/index", "patterns/reading-modes", "machines", "changes/reading-modes", "products",

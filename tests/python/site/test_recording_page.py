@@ -31,7 +31,7 @@ RANGES = {
 }
 REPORTS = 60
 PERIOD_MS = 100
-RESET = 30  # the first report after a reset of the robot; its time begins again
+RESET = 30  # the first report after a reset of the robot; its time begins at 0 again
 # Chooses or drops a file. Returns the drawings, the changes and the findings of axe.
 SHOW = """
 const files = new view.DataTransfer();

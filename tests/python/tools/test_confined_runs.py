@@ -150,7 +150,7 @@ def test_set_up_without_network_says_so_and_begins_anew(copy: Path) -> None:
         assert not (copy / ".venv/stamp").exists()
 
 
-# ---- set-up at once and after an end by force --------------------------------------
+# ---- two set-ups at once, and a set-up after a killed one ---------------------------
 
 
 def test_a_set_up_waits_for_another_and_does_not_repeat_it(copy: Path) -> None:
