@@ -11,8 +11,8 @@
 
 namespace wr::board_robot {
 
-/// @brief The firmware image on the virtual K64 in the simulated robot. The line to the PC has
-/// 115200 baud.
+/// @brief The firmware image on the virtual K64 in the simulated robot. The serial line to the PC
+/// has 115200 baud.
 class BoardSession final : public scenario::RobotSession {
  public:
   /// @brief Interrupt of channel 0 of the PIT, which generates the clock pulses.

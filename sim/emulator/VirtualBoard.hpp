@@ -95,12 +95,12 @@ class VirtualBoard {
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
   /// @brief Sends bytes to another serial port, after the bytes that are still being sent.
-  /// @param number of the UART: 0 (the line to the PC) or 4
+  /// @param uart number of the UART: 0 (the serial line to the PC) or 4
   /// @param bytes the bytes
   void receiveOn(int uart, std::span<const std::uint8_t> bytes);
 
   /// @brief Returns the bytes that the board has sent at a serial port since the last call.
-  /// @param number of the UART: 0 (the line to the PC) or 4
+  /// @param uart number of the UART: 0 (the serial line to the PC) or 4
   [[nodiscard]] std::vector<std::uint8_t> takeSentOn(int uart);
 
   /// @brief Sets the baud rate of the device at a serial port. The initial baud rate is 115200.
@@ -160,7 +160,7 @@ class VirtualBoard {
 
   /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument if the address is neither
   /// in flash nor in RAM.
-  /// @param address of the byte
+  /// @param address address of the byte
   /// @param bit 0 to 7
   void flipBit(std::uint32_t address, unsigned bit);
 

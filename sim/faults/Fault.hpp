@@ -29,7 +29,7 @@ inline constexpr std::uint32_t kKinds = 10;
 /// @brief Returns the name of a kind, as in the record of the fault campaign.
 [[nodiscard]] std::string_view nameOf(Kind kind);
 
-/// @brief Returns the kind with a name; nothing if there is no such kind.
+/// @brief Returns the kind with the given name; nothing if there is no such kind.
 [[nodiscard]] std::optional<Kind> kindOf(std::string_view name);
 
 /// @brief Memory and interrupts of the firmware that faults can affect.

@@ -9,7 +9,7 @@
 
 namespace wr::gdb {
 
-/// @brief Thrown when GDB ends the program.
+/// @brief An exception that is thrown when GDB ends the program.
 struct Killed {};
 
 /// @brief The commands of the GDB remote serial protocol, and the commands of `monitor`.

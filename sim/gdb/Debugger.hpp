@@ -14,8 +14,8 @@
 
 namespace wr::gdb {
 
-/// @brief Thrown when a run restarts. The owner of the board constructs a new board, passes it to
-/// begin(), and runs it as before.
+/// @brief An exception that is thrown when a run restarts. The owner of the board constructs a new
+/// board, passes it to begin(), and runs it as before.
 struct BeginsAgain {};
 
 /// @brief A debugger that stops the program and can return to an earlier time.
@@ -66,7 +66,7 @@ class Debugger {
   /// @brief Returns the board. The result is valid only during a run.
   [[nodiscard]] const emulator::DebugPort& port() const { return *port_; }
 
-  /// @brief Returns the rules. Call rulesChanged() after a change of the rules.
+  /// @brief Returns the breakpoints and watchpoints. Call rulesChanged() after a change of them.
   [[nodiscard]] StopRules& rules() { return rules_; }
   void rulesChanged();
 

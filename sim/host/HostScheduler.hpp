@@ -31,7 +31,7 @@ class HostScheduler {
 
   /// @brief Executes an interrupt. Then runs every triggered thread that has a higher priority than
   /// the running thread.
-  /// @param vector command of the interrupt
+  /// @param vector function that the interrupt calls
   void interrupt(const std::function<void()>& vector);
 
  private:

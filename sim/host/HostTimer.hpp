@@ -16,8 +16,8 @@ class HostTimer final : public PeriodicTimer {
   /// @param scheduler serves the interrupt
   explicit HostTimer(HostScheduler& scheduler);
 
-  /// @brief Sets the vector of the interrupt.
-  /// @param vector command of the interrupt
+  /// @brief Sets the handler of the interrupt.
+  /// @param vector function that the interrupt calls
   void connect(std::function<void()> vector);
 
   /// @brief Raises the interrupt. A stopped timer raises no interrupt.

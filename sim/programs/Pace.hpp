@@ -24,7 +24,7 @@ class Pace final {
                 std::function<void(Clock::time_point)> sleepUntil = &Pace::sleep);
 
   /// @brief Waits for a time of the robot.
-  /// @param the time, since the start of the robot
+  /// @param time time since the start of the robot
   void waitFor(Clock::duration time);
 
   /// @brief Returns the duration in which the simulated time did not advance.

@@ -118,7 +118,7 @@ Exit run(const Settings& settings) {
 int main(int count, char** arguments) try {
   wr::programs::Settings settings;
   CLI::App app(
-      "Runs the firmware in the simulated robot on this machine, in real time. The PC link is a\n"
+      "Runs the firmware in the simulated robot on this computer, in real time. The PC link is a\n"
       "pseudo-terminal.",
       "weeding_robot_host");
   wr::programs::addOptions(app, settings);

@@ -276,11 +276,10 @@ Exit run(const CampaignOptions& settings) {
 int main(int count, char** arguments) try {
   wr::programs::CampaignOptions settings;
   CLI::App app(
-      "Runs random drives of a raw image of a K64 on the virtual board, with a PC that loads its\n"
-      "line. For each drive, prints a line of JSON with the longest time from a clock pulse to the "
-      "end "
-      "of\n"
-      "the main thread.",
+      "Runs random drives of the robot with a raw firmware image on the virtual K64. The PC keeps "
+      "its\n"
+      "serial line busy. For each drive, prints a line of JSON with the longest time from a clock\n"
+      "pulse to the end of the main thread.",
       "weeding_robot_loads");
   settings.addTo(app);
   return wr::programs::runProgram(app, count, arguments,

@@ -30,7 +30,7 @@ void writeHeader(std::ostream& reports) {
   reports << '\n';
 }
 
-// Returns a true value with one decimal.
+// Returns the text of a true value with one decimal.
 std::string tenths(double value) {
   std::array<char, 32> text{};
   const auto [end, error] =
@@ -238,7 +238,7 @@ std::string ScenarioPlayer::mismatch(const Scenario::Expect& expect) const {
   const auto value = valueOf(expect);
   if (!value) {
     return name + " is unknown: no " + ((*field)->type == PcWelcome::kType ? "Welcome" : "Report") +
-           " has come";
+           " was received";
   }
   if (*value >= static_cast<double>(expect.low) && *value <= static_cast<double>(expect.high)) {
     return {};
@@ -285,7 +285,7 @@ void ScenarioPlayer::checkPending() {
 
 void ScenarioPlayer::act(const Scenario::ExpectSilence& action) {
   if (report_ && robot_.now() - reportAt_ < action.duration) {
-    fail("a report came at " + inMilliseconds(reportAt_));
+    fail("a report was received at " + inMilliseconds(reportAt_));
   }
 }
 

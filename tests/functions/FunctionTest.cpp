@@ -22,7 +22,7 @@ namespace {
 constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
 constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
 
-/// Arguments, each of which may be missing.
+/// Arguments for a function under test. Each argument may be missing.
 struct Given : Arguments {
   virtual ~Given() = default;
 

@@ -1,7 +1,7 @@
-// Fuzzes the line of the PC and the signed line of a Bluetooth device, with short inputs at a high
-// rate. Each byte of an input is an operation. An operation is a good frame, a frame with one
-// error, raw bytes, a step of time, or a control cycle. The oracles were written only from
-// docs/protocol.rst and docs/bluetooth.rst.
+// Fuzzes the serial line of the PC and the signed serial line of a Bluetooth device, with short
+// inputs at a high rate. Each byte of an input is an operation. An operation is a good frame, a
+// frame with one error, raw bytes, a step of time, or a control cycle. The oracles were written
+// only from docs/protocol.rst and docs/bluetooth.rst.
 
 #include <algorithm>
 #include <array>
@@ -125,8 +125,8 @@ Bytes trailerOf(char direction, std::uint32_t counter, std::span<const std::uint
   return trailer;
 }
 
-// The rules of the signed line. They determine the frames that reach the connection, and the number
-// of challenges.
+// The rules of the signed serial line. They determine the frames that reach the connection, and the
+// number of challenges.
 class SignedOracle {
  public:
   SignedOracle() { line_.reserve(kLongestSigned + 1); }
@@ -310,7 +310,7 @@ class Link {
     const bool due = oracle_.endService(now_);
     connection_.beginCycle(Instant() + Microseconds(now_));
     connection_.service();
-    expect(port_.drained(), "one cycle reads the bytes of the line");
+    expect(port_.drained(), "one cycle reads all bytes of the serial line");
     port_.clear();
     ends_ = 0;
     const std::optional<std::uint8_t> session = takeSent();

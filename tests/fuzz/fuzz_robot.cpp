@@ -239,7 +239,7 @@ class FuzzedRobot {
   bool stopBefore_ = false;
   bool protectedBefore_ = false;
   bool resetNow_ = false;
-  int stopped_ = 0;  // cycles
+  int stopped_ = 0;  // number of cycles since the robot was stopped
 };
 
 void connect(FuzzedRobot& robot) {

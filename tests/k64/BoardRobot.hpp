@@ -48,8 +48,8 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
     {'B', 22, false},
 }};
 
-/// The firmware on the virtual K64. A test also has access to the board. Tests cause faults and
-/// resets. The board continues after a fault or a reset.
+/// The firmware on the virtual K64, with access to the board. Because tests cause faults and
+/// resets, the board continues after a fault or a reset.
 class BoardRobot : public SteppedRobot {
  public:
   explicit BoardRobot(emulator::Options options = {})

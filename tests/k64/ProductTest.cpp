@@ -31,7 +31,7 @@ class ProductRobot : public SteppedRobot {
  public:
   explicit ProductRobot(const std::string& product) : ProductRobot(switchedOn(product)) {}
 
-  // Runs cycles without orders, until the robot reads in a mode.
+  // Runs cycles without orders, until the robot reads in the given mode.
   void waitForMode(int mode) {
     for (int cycles = 0; cycles < 2 * (kWaitingCycles + 2) && report().mode != mode; ++cycles) {
       silentCycle();

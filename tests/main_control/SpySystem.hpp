@@ -17,8 +17,7 @@ class SpySystem final : public ControlSystem {
   SetPoints applied;
   std::uint32_t cycle = 0;
   bool completes = true;
-  /// true: the system represents the whole robot, so that also its missing values replace other
-  /// values
+  /// true: the system represents the whole robot; its missing values then also replace other values
   bool whole = false;
   Measurements measured;
   Outputs outputs;

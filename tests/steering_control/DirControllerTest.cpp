@@ -184,8 +184,9 @@ TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
   EXPECT_LE(control.clock.now() - begin, milliseconds(600));
 }
 
-/// @brief The status of each tick has the time of the tick. It shows the work of the motor, the end
-/// stops, and the newest position with the time of its measurement.
+/// @brief The status of each tick has the time of the tick. The status contains the state of the
+/// steering, the rate of the motor, the end stops, and the newest position with the time of its
+/// measurement.
 /// @verifies FR-116
 TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {
   tickOnly();

@@ -15,7 +15,7 @@ namespace {
 struct SteeringDeviceTest : testing::Test {
   SteeringDeviceTest() { motor.settle(); }
 
-  /// @brief Sets the turn, and waits until the motor has reached it.
+  /// @brief Sets the rate of the turn, and waits until the motor has reached this rate.
   void reach(std::int32_t rate) {
     device.turn(StepRate(rate));
     motor.run(1000);

@@ -40,8 +40,9 @@ inline Bytes withCrc(Bytes body) {
   return body;
 }
 
-/// @brief Stuffs a body of at most 253 bytes. Each group of bytes without a zero has its length
-/// before it.
+/// @brief Returns a body of at most 253 bytes with COBS byte stuffing. Each zero byte ends a group
+/// of bytes. Before each group, the result has a byte with the length of the group plus 1. A zero
+/// byte ends the result.
 inline Bytes stuffed(const Bytes& body) {
   Bytes line;
   line.reserve(body.size() + 2);

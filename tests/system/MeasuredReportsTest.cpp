@@ -71,8 +71,8 @@ TEST_F(MeasuredReportsOfRobot, FR65_StateOfTheSteeringIsTold) {
   EXPECT_NEAR(robot.physics().steeringDegrees(), 5.0, 0.5);
 }
 
-/// @brief The report shows the end stop that is reached. The test has moved the steering to this
-/// end stop.
+/// @brief The test moves the steering to each end stop. The report then shows that this end stop is
+/// reached.
 /// @verifies FR-66
 TEST_F(MeasuredReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   for (const bool left : {true, false}) {

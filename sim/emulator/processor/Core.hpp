@@ -20,7 +20,7 @@ enum class Trap : std::uint8_t {
   None,
   Sleep,
   SupervisorCall,
-  ExceptionReturn,  ///< trapAddress(): EXC_RETURN
+  ExceptionReturn,  ///< trapAddress() is the EXC_RETURN value
   // The following values are faults. The instruction of a fault has no effect.
   Breakpoint,
   Undefined,
@@ -33,7 +33,7 @@ enum class Trap : std::uint8_t {
   InstructionViolation,
   LoadBus,  ///< trapAddress() is the address of the access; there is no memory at this address
   StoreBus,
-  LoadAcross,  ///< load across the border of two memories
+  LoadAcross,  ///< load that crosses the border between two memories
   StoreAcross,
   FlashStore,
   Refused  ///< the owner of a window rejected the access and has stored the reason
@@ -177,7 +177,7 @@ class Core {
   [[nodiscard]] bool beginFp();
 
   /// @brief Adds the cycles that the processor needs for a read from flash that is not part of an
-  /// instruction, for example of a vector.
+  /// instruction, for example the read of a vector.
   void spendForRead(std::uint32_t address);
 
   /// @brief Records that the next instruction does not begin a block, for example after the entry

@@ -153,8 +153,8 @@ void liveReport() {
   module().bytes = module().robot->player().report().value_or(Bytes());
 }
 
-/// Stores the bytes on the line since the last call. Each piece has its time in us (8 bytes), its
-/// sender (1: the PC), its length (4 bytes) and its bytes.
+/// Stores the bytes that were on the serial line since the last call. Each piece has its time in us
+/// (8 bytes), its sender (1: the PC), its length (4 bytes) and its bytes.
 void liveLine() {
   Bytes& bytes = module().bytes;
   bytes.clear();

@@ -48,7 +48,7 @@ class BluetoothRobot : public ProductFixture {
     devicePort.arrive(device.sign(frames.order({.id = id, .steering = 250, .stop = stop})));
   }
 
-  // Runs cycles without orders until the robot reads in a mode.
+  // Runs cycles without orders until the robot reads in the given mode.
   void waitForMode(int mode) {
     int cycles = 0;
     while (cycleWithPc().mode != mode) {

@@ -200,8 +200,8 @@ TEST_F(ProtectiveStopTest, FR291_TheCauseIsStored) {
   EXPECT_EQ(memory.stored().wheel, Protection::kNoWheel);
 }
 
-/// @brief Power-on releases the protective stop. After any other reset, a memory that is empty,
-/// erased or changed counts as a protective stop.
+/// @brief Power-on releases the protective stop. After any other reset, an empty, erased or changed
+/// memory counts as a stored protective stop.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   RetainedProtection::Cells cells{};

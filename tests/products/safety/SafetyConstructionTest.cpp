@@ -47,7 +47,8 @@ TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionForThePcTwiceEndsTheProgram) {
   EXPECT_DEATH(pcDirector.construct(), "assertion 5 failed");
 }
 
-/// @brief A robot that is not built cannot start. It has no pin of the enable switch.
+/// @brief A robot that is not built cannot start, and its pin of the enable switch cannot be
+/// requested.
 /// @verifies FR-78
 TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(director.start(), "assertion 1 failed");

@@ -674,7 +674,8 @@ TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   EXPECT_NEAR(robot.steeringVolts(), 2.45, 0.01);
 }
 
-/// @brief The contact of an end stop is open at its end and when its wire is broken.
+/// @brief The contact of an end stop is open when the end stop is reached, and when its wire is
+/// broken.
 TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
   EXPECT_FALSE(robot.leftEnd());
   robot.setFault(Fault::LeftEnd, 0, true);

@@ -70,8 +70,8 @@ TEST(LiveRobotTest, RunsCycleByCycle) {
   EXPECT_GT(std::ranges::max(robot->entries()), 4U);
 }
 
-/// @brief The record of the last call of a function has its time and its registers. A function that
-/// was never called has no time.
+/// @brief The record of the last call of a function contains the time and the registers of this
+/// call. A function that was never called has no time.
 TEST(LiveRobotTest, RecordsTheLastCallOfEachFunction) {
   const auto robot = robotIn(kFree);
   run(*robot, kCyclesToMode);
@@ -90,8 +90,8 @@ TEST(LiveRobotTest, RecordsTheLastCallOfEachFunction) {
   EXPECT_TRUE(std::ranges::any_of(calls, [](const auto& call) { return call.at.count() < 0; }));
 }
 
-/// @brief The entries and exits of interrupts and threads are in the order of time. A cycle
-/// contains them from one clock pulse to the next. There is a tick in each millisecond.
+/// @brief The record of a cycle contains the entries and exits of interrupts and threads from one
+/// clock pulse to the next, in the order of time. There is a tick in each millisecond.
 TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
   const auto robot = robotIn(kFree);
   run(*robot, kCyclesToMode);

@@ -81,8 +81,8 @@ TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
 }
 
-/// @brief If a wheel turns in the direction of the demand, its orientation changes after two such
-/// cycles, at any speed. If it turns against the demand, its orientation does not change.
+/// @brief If a wheel turns in the direction of the demand for two cycles, its orientation changes,
+/// at any speed. While the wheel turns against the demand, its orientation does not change.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(-5000, -2000), Tension(0));
