@@ -53,7 +53,7 @@ def robot(program: list[Path | str], tmp_path: Path) -> Iterator[Path]:
 
 @pytest.fixture
 def world(robot: Path) -> Iterator[Control]:
-    """Returns the path of the robot's control socket."""
+    """Yields a connection to the control socket of the robot."""
     control = Control(robot.parent / "control")
     yield control
     control.close()

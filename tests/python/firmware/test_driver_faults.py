@@ -241,8 +241,8 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Program:
 
 @pytest.fixture(scope="module")
 def table() -> Iterator[dict[str, dict[str, object]]]:
-    """Yields the table of findings. If all faults were tried, the list of findings is a result of
-    the run."""
+    """Yields the table of findings. If all faults were tried, stores the list of findings as a
+    result of the run."""
     rows: dict[str, dict[str, object]] = {}
     yield rows
     for fault, row in rows.items():

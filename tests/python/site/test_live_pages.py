@@ -208,7 +208,8 @@ def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
     assert states(after) - states(before) == {"WaitingK"}
     assert states(before) <= states(after)
     assert "WaitingK" in set(after["modules"]) - set(before["modules"])
-    assert set(before["modules"]) - set(after["modules"]) == {"RobotDirector"}  # the composition
+    # The module that composes the robot differs.
+    assert set(before["modules"]) - set(after["modules"]) == {"RobotDirector"}
 
 
 def from_bytes(part: bytes, signed: bool = False) -> int:

@@ -1,4 +1,4 @@
-"""Facts of the project in the exported model. Readers of the code computed these facts."""
+"""Facts in the exported model of this project. The tools compute these facts from the code."""
 
 from __future__ import annotations
 

@@ -46,8 +46,8 @@ def command(root: Path) -> list[str | Path]:
 
 @pytest.fixture
 def copy() -> Iterator[Path]:
-    """Returns a copy of ./wr without its Python packages. Each user can read its folder. The name
-    of the folder has a blank.
+    """Returns a copy of ./wr without its Python packages. Each user can read the folder of the
+    copy. The name of this folder has a blank.
     """
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder) / "a copy"

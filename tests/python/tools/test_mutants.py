@@ -1,4 +1,5 @@
-"""Mutants of a small class, with their places, the compiled copy, and the tests that find them."""
+"""Mutants of a small class, with their positions in the source, the compiled copy, and the tests
+that find them."""
 
 from __future__ import annotations
 
