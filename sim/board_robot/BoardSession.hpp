@@ -19,7 +19,7 @@ class BoardSession final : public scenario::RobotSession {
   static constexpr int kPulseInterrupt = 48;
 
   /// @brief Switches the board on.
-  /// @param image content of the flash
+  /// @param image firmware image, which is the content of the flash
   /// @param options options of the board
   BoardSession(std::vector<std::uint8_t> image, emulator::Options options);
 

@@ -111,7 +111,7 @@ class CycleMeter {
   Instant pulseAt_;
   Instant chargedAt_;  ///< cycle up to which costs are assigned to exceptions
   Cycle cycle_;
-  std::vector<std::uint32_t> stack_;  ///< words of the stack before the image ran
+  std::vector<std::uint32_t> stack_;  ///< words of the stack before the firmware ran
   std::vector<unsigned> active_;
   std::vector<Cycle> cycles_;
   std::map<unsigned, Exception> exceptions_;

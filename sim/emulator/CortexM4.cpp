@@ -19,7 +19,7 @@ constexpr unsigned kSupervisorCall = 11;
 constexpr unsigned kFirstLine = 16;
 
 // An interrupt counts as endless when it is entered this number of times after one rise of its
-// line.
+// interrupt line.
 constexpr unsigned kStorm = 1000;
 
 constexpr std::uint32_t kAlignedBit = 1U << 9;

@@ -19,7 +19,7 @@ class ExecutedCode {
     }
   }
 
-  /// @brief Returns whether the instruction at an address was executed.
+  /// @brief Returns true if the instruction at an address was executed.
   [[nodiscard]] bool noted(std::uint32_t address) const { return timesOf(address) != 0; }
 
   /// @brief Returns the number of executions of the instruction at an address.

@@ -44,7 +44,8 @@ class VirtualBoard {
   using nanoseconds = std::chrono::nanoseconds;
 
   /// @brief Switches the board on.
-  /// @param image content of the flash from address 0; the rest of the flash is erased
+  /// @param image firmware image, which is the content of the flash from address 0; the rest of the
+  /// flash is erased
   /// @param options options of the board
   explicit VirtualBoard(std::vector<std::uint8_t> image, Options options = {});
   ~VirtualBoard();
@@ -173,7 +174,7 @@ class VirtualBoard {
 
   /// @brief Hides an interrupt line from the processor, or connects it again.
   /// @param irq number of the interrupt line
-  /// @param held true: the processor reads the line as low
+  /// @param held true: the processor reads the interrupt line as low
   void holdInterrupt(int irq, bool held);
 
   /// @brief Starts or stops the external clock of 50 MHz.

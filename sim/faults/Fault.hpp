@@ -48,7 +48,7 @@ struct Fault {
   Kind kind = Kind::Ram;
   std::uint32_t place =
       0;  ///< memory address, register, interrupt line, or number of the fault within its kind
-  std::uint32_t bit = 0;  ///< bit of the place, or number of the wheel
+  std::uint32_t bit = 0;  ///< number of the bit, or number of the wheel
   int value = 0;          ///< value of the fault, if its kind has a value
 };
 

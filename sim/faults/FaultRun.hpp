@@ -35,8 +35,8 @@ class FaultRun {
   static constexpr int kLast = 6500;   ///< ms of the drive before the last fault
 
   /// @brief Runs the drive without a fault. Throws std::runtime_error if the robot does not drive.
-  /// @param image content of the flash
-  /// @param elf ELF file of the image, with its symbols
+  /// @param image firmware image, which is the content of the flash
+  /// @param elf ELF file of the firmware image, with its symbols
   /// @param seed chooses the drive
   FaultRun(std::vector<std::uint8_t> image, const std::filesystem::path& elf, std::uint64_t seed);
 

@@ -36,7 +36,7 @@ enum class Outcome : std::uint8_t {
            ///< reset
   Silent,  ///< the outputs were wrong, and there was neither a reset nor a report
   Hung,    ///< there was no report, no answer and no reset
-  Stopped  ///< the virtual board cannot continue, so the behaviour of a real board is unknown
+  Stopped  ///< the virtual board cannot continue; the behaviour of a real board is unknown
 };
 
 /// @brief Returns the name of a class, as in the record of the fault campaign.

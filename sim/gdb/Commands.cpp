@@ -30,7 +30,7 @@ constexpr std::string_view kFeatures = "PacketSize=4000;QStartNoAckMode+;qXfer:f
 constexpr std::string_view kWaysBack = ";ReverseStep+;ReverseContinue+";
 constexpr std::size_t kMostBytes =
     0x1F00;                             // maximum number of bytes in the answer to a memory read
-constexpr microseconds kPatience{200};  // time between two reads of the line to GDB
+constexpr microseconds kPatience{200};  // time between two reads of the serial line to GDB
 
 // Splits a text like "a,b" or "a=b" into its two parts.
 std::pair<std::string_view, std::string_view> divided(std::string_view text, char at) {

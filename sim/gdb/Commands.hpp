@@ -15,8 +15,8 @@ struct Killed {};
 /// @brief The commands of the GDB remote serial protocol, and the commands of `monitor`.
 class Commands {
  public:
-  /// @param line the line to GDB; must outlive the object
-  /// @param ends returns whether this program shall end; it is also called while the board is
+  /// @param line the serial line to GDB; must outlive the object
+  /// @param ends returns true if this program shall end; it is also called while the board is
   /// stopped
   /// @param goesBack true when the owner of the board can restart the run; otherwise the program
   /// cannot run backwards

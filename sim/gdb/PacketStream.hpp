@@ -13,16 +13,16 @@ namespace wr::gdb {
 class PacketStream {
  public:
   /// @brief Constructs the stream. Packets are acknowledged at first.
-  /// @param line the line to GDB; must outlive the object
+  /// @param line the serial line to GDB; must outlive the object
   explicit PacketStream(programs::SerialLine& line) : line_(line) {}
 
   /// @brief Returns the content of the next packet. Returns nothing while no packet is complete.
   [[nodiscard]] std::optional<std::string> take();
 
-  /// @brief Reads the line. Returns true if Ctrl-C was received since the last call.
+  /// @brief Reads the serial line. Returns true if Ctrl-C was received since the last call.
   [[nodiscard]] bool takeInterrupt();
 
-  /// @brief Reads the line. Returns true if a part of a packet was received.
+  /// @brief Reads the serial line. Returns true if a part of a packet was received.
   [[nodiscard]] bool waiting();
 
   /// @brief Sends a packet.

@@ -13,7 +13,7 @@ namespace wr::gdb {
 /// same calls of read(). The output that the restarted run repeats is discarded.
 class RepeatedLine final : public programs::SerialLine {
  public:
-  /// @param line the line
+  /// @param line the serial line
   explicit RepeatedLine(std::unique_ptr<programs::SerialLine> line) : line_(std::move(line)) {}
 
   /// @brief Restarts the run.

@@ -99,7 +99,7 @@ class Scenario {
   using Error = ScenarioError;
 
   /// @brief Reads a scenario. Throws Error.
-  /// @param text the lines
+  /// @param text the lines of the scenario
   /// @param name name of the text in error messages
   Scenario(std::istream& text, std::string name);
 

@@ -89,7 +89,7 @@ using WorldAction =
 [[nodiscard]] std::optional<WorldAction> readWorldAction(const std::string& word, Words& words);
 
 /// @brief Reads an action of the world from a separate line. Throws ScenarioError.
-/// @param line the line
+/// @param line the line of text
 /// @return the action
 [[nodiscard]] WorldAction worldActionOf(const std::string& line);
 

@@ -83,7 +83,7 @@ class RobotWithDevice final : public ProductRobot {
     silentCycle();
   }
 
-  // Sends a signed order over the line of the Bluetooth module.
+  // Sends a signed order over the serial line of the Bluetooth module.
   void deviceOrder(const scenario::PcOrder& order) { send(frames_.order(order)); }
 
   // Returns the bytes of a signed order, without sending them.
@@ -97,8 +97,8 @@ class RobotWithDevice final : public ProductRobot {
     return SigningDevice(key, start_).signWith(kNewer, frames_.order(order));
   }
 
-  // Sends bytes over the line of the Bluetooth module, and runs the cycle that may read them.
-  // Returns true if the robot read an order.
+  // Sends bytes over the serial line of the Bluetooth module, and runs the cycle that may read
+  // them. Returns true if the robot read an order.
   bool reads(const scenario::Bytes& bytes) {
     board().receiveOn(kBluetoothPort, bytes);
     silentCycle();

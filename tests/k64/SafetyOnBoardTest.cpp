@@ -320,8 +320,8 @@ TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
 }
 
 /// @brief A changed bit of the program in RAM causes a reset within 0.3 s. The test changes one bit
-/// in each of four places: a function that runs in each cycle, a function that does not run, the
-/// vectors and the constants. After the reset, the program is correct again.
+/// in each of four parts of the program: a function that runs in each cycle, a function that does
+/// not run, the vectors and the constants. After the reset, the program is correct again.
 /// @verifies FR-309
 TEST(ProgramOfTheSafeRobot, FR309_AChangedBitResetsTheRobot) {
   constexpr int kProgramChanged = 8;

@@ -103,7 +103,7 @@ class ControllerFixture : public testing::Test {
     connection.service();
   }
 
-  // Returns the only report on the line.
+  // Returns the only report on the serial line.
   scenario::PcReport sentReport() {
     const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
     EXPECT_EQ(sent.size(), 1U);

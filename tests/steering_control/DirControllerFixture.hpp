@@ -46,7 +46,7 @@ struct DirControl {
 };
 
 /// @brief A controller. The test generates its ticks, orders and positions, and replaces its motor.
-/// There is a tick every 10 ms, so that the motor moves little between two ticks.
+/// There is a tick every 10 ms. The motor therefore moves little between two ticks.
 class DirControllerFixture : public testing::Test {
  protected:
   void follow(std::int32_t angle) {

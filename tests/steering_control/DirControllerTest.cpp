@@ -62,7 +62,8 @@ TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
 }
 
 /// @brief If the sum of the steps is less than 0.6 degrees, it is not sufficient for a decision.
-/// The window lasts until the sum is 0.6 degrees, so that a slow stall is also detected.
+/// The observation window lasts until the sum is 0.6 degrees. A slow stall is therefore also
+/// detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   beginTurn();

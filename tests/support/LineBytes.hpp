@@ -9,7 +9,8 @@
 
 namespace wr::test {
 
-/// @brief The bytes of a frame. They are encoded and decoded without the code under test.
+/// @brief The bytes of a frame. The functions below encode and decode a frame without the code
+/// under test.
 using Bytes = std::vector<std::uint8_t>;
 
 /// @brief Returns bytes whose values count from 0.

@@ -151,8 +151,8 @@ TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
   }
 }
 
-/// @brief While there are pulses of the remote control, the robot follows it. Velocity and steering
-/// follow its levers.
+/// @brief While there are pulses of the remote control, the robot follows the remote control.
+/// Velocity and steering follow its levers.
 TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.5, .steering = -1});
   this->robot.connect();

@@ -135,8 +135,8 @@ TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
 
 /// @brief After 1 s, the error of the current is at most the greater of two values: 5 % of the
 /// order, and 0.1 A. This is tested over the whole range of currents, in both directions, for any
-/// supply, winding and motor constant. Friction consumes 97 % of the torque, so the wheel stays
-/// slow, and the supply is sufficient.
+/// supply, winding and motor constant. Friction consumes 97 % of the torque. The wheel therefore
+/// stays slow, and the supply is sufficient.
 /// @verifies FR-85
 TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   for (const double supply : {21.0, 24.0, 29.0}) {

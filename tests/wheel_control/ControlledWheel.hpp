@@ -36,7 +36,7 @@ constexpr WheelSetPoint currentOf(std::int16_t value) {
   return WheelSetPoint::current(Current(value));
 }
 
-/// A wheel with its controller. They are composed as in the robot. The test replaces the sensors.
+/// A wheel with its controller, composed as in the robot. The test replaces the sensors.
 class ControlledWheel {
  public:
   host::HostPwmOutput pwm;

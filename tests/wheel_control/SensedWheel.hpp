@@ -21,8 +21,8 @@
 
 namespace wr::test {
 
-/// A wheel with controller, sensors and orders. They are composed as in the robot. The test
-/// triggers the interrupts.
+/// A wheel with controller, sensors and orders, composed as in the robot. The test triggers the
+/// interrupts.
 class SensedWheel : public ControlledWheel {
  public:
   BasicCollector basic;

@@ -68,7 +68,7 @@ TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
 }
 
 /// @brief For any demand, the wheel gets at most the supply voltage. The algorithm gets the applied
-/// voltage, so that its integral does not grow.
+/// voltage. Therefore, its integral does not grow.
 /// @verifies FR-86
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
@@ -330,7 +330,7 @@ TEST_F(WheelControllerTest, FR91_TheCountFalls) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief A halt does not clear the count. Pulses of voltage are added.
+/// @brief A halt does not clear the count. Each pulse of voltage adds to the count.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   for (int pulse = 0; pulse < 3; ++pulse) {
@@ -469,8 +469,8 @@ TEST_F(WheelControllerTest, FR87_CreepingWheelCanBeReversed) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief A slope may drag a wheel faster than its set-point, so that the demand brakes the wheel.
-/// This never counts as a late reversal.
+/// @brief If a slope drags a wheel faster than its set-point, the demand brakes the wheel. This
+/// braking never counts as a late reversal.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_ADraggedWheelIsNeverLate) {
   for (int cycle = 0; cycle < 50; ++cycle) {

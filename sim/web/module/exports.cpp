@@ -183,9 +183,9 @@ std::size_t liveCallCount() {
   return module().robot->cycle().calls.size();
 }
 
-/// Stores the entries and exits of interrupts and threads in the last control cycle. An entry has
-/// the exception (2 bytes), 1 for an entry or 0 for an exit (1 byte), and the time since the start
-/// of the cycle in ns (4 bytes).
+/// Stores the entries and exits of interrupts and threads in the last control cycle. Each item has
+/// three numbers: the exception (2 bytes), 1 for an entry or 0 for an exit (1 byte), and the time
+/// since the start of the cycle in ns (4 bytes).
 void liveSwitches() {
   Bytes& bytes = module().bytes;
   bytes.clear();
@@ -205,8 +205,8 @@ const std::uint32_t* liveEntries() {
   return module().robot->entries().data();
 }
 
-/// Stores the last call of each function. An entry has the time of the call in ns (8 bytes; -1: not
-/// called yet) and the core registers 0 to 3 at its beginning (4 bytes each).
+/// Stores the last call of each function. Each item has the time of the call in ns (8 bytes; -1:
+/// not called yet) and the core registers 0 to 3 at its beginning (4 bytes each).
 void liveLastCalls() {
   Bytes& bytes = module().bytes;
   bytes.clear();

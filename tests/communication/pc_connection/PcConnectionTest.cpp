@@ -399,7 +399,7 @@ TEST_F(PcConnectionTest, FR33_TheSilenceBeginsWithTheLastByte) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief The age of an order is measured from its last byte on the line.
+/// @brief The age of an order is measured from its last byte on the serial line.
 /// @verifies FR-20
 TEST_F(PcConnectionTest, FR20_TheAgeOfAnOrderCountsFromItsLastByte) {
   handshake();

@@ -11,8 +11,8 @@
 namespace wr::test {
 namespace {
 
-// The successors of each state are fake states. Each fake state records its steps, so that the test
-// can find the current state.
+// The successors of each state are fake states. Each fake state records its steps. With these
+// records, the test finds the current state.
 class OperationStateTest : public ControllerFixture {
  protected:
   // Makes a state the current state of the controller.

@@ -209,8 +209,8 @@ TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
   EXPECT_FALSE(deviceStop.value);
 }
 
-/// @brief Noise on the line has no effect. Orders and stops without a correct tag have no effect.
-/// The robot continues to follow the PC.
+/// @brief Noise on the serial line has no effect. Orders and stops without a correct tag have no
+/// effect. The robot continues to follow the PC.
 /// @verifies FR-151
 /// @verifies FR-262
 TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {

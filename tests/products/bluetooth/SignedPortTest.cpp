@@ -145,9 +145,9 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
   EXPECT_TRUE(device.verifies(1, line.takeSent()));
 }
 
-/// @brief The port returns the time of a frame and the number of bytes that its line has lost. The
-/// free space that it returns does not include the bytes for counter and tag. If the line has no
-/// space for a frame, the frame is not sent and uses no counter.
+/// @brief The port returns the time of a frame and the number of bytes that its serial line has
+/// lost. The free space that it returns does not include the bytes for counter and tag. If the
+/// serial line has no space for a frame, the frame is not sent and uses no counter.
 /// @verifies FR-263
 /// @verifies FR-262
 /// @verifies FR-20
@@ -245,7 +245,7 @@ TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
   }
 }
 
-/// A line on which bytes arrive faster than they can be read.
+/// A serial line on which bytes arrive faster than they can be read.
 class FloodedPort final : public SerialPort {
  public:
   explicit FloodedPort(std::size_t atOnce) : atOnce_(atOnce) {}
@@ -267,8 +267,8 @@ class FloodedPort final : public SerialPort {
   std::size_t atOnce_;
 };
 
-/// @brief A read ends even if the line never becomes empty, because one read reads at most 64 parts
-/// of 64 bytes. An empty line is read once.
+/// @brief A read ends even if the serial line never becomes empty, because one read reads at most
+/// 64 parts of 64 bytes. An empty serial line is read once.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AReadEndsInAFlood) {
   for (const auto& [atOnce, reads] : {std::pair<std::size_t, int>{64, 64}, {1, 64}, {0, 1}}) {

@@ -227,7 +227,7 @@ def brought_up(robot: Path, world: Control, images: Path) -> Record:
 @pytest.fixture
 def images(program: list[Path | str], tmp_path: Path) -> Path:
     """Returns a folder with the program that runs. The bring-up uses this program in place of the
-    built image."""
+    built firmware image."""
     folder = tmp_path / "images"
     folder.mkdir()
     (folder / "weeding_robot.bin").symlink_to(program[-1])

@@ -62,7 +62,7 @@ def across_border(program: Path) -> list[str]:
 
 
 def vector_problems(image: bytes) -> list[str]:
-    """Returns the faults in the vectors of an image."""
+    """Returns the faults in the vectors of a firmware image."""
     stack, *handlers = struct.unpack_from(f"<{VECTORS}I", image)
     problems = []
     if not SRAM_LOWER < stack <= BORDER or stack % 8:

@@ -52,7 +52,7 @@ class Program:
     def seeded(self, folder: Path, changes: tuple[Change, ...]) -> Path:
         """Compiles copies of the changed sources, and links them with the other objects.
 
-        Returns the name of the image without its suffix.
+        Returns the name of the firmware image without its suffix.
         """
         link = list(self.link)
         for file in {change.file for change in changes}:
@@ -122,7 +122,7 @@ def changed(file: str, changes: tuple[Change, ...]) -> str:
 
 
 def link_command() -> list[str]:
-    """Returns the command that links the image. The command writes no map file."""
+    """Returns the command that links the firmware image. The command writes no map file."""
     ninja = ["ninja", "-C", str(BUILD), "-t", "commands", "weeding_robot_paper.elf"]
     done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
     line = done.stdout.splitlines()[-1].removeprefix(": && ")
@@ -134,7 +134,8 @@ def link_command() -> list[str]:
 
 
 def driven(image: Path, folder: Path) -> Run:
-    """Runs an image for two seconds of the robot's time. The image is named without its suffix."""
+    """Runs a firmware image for two seconds of the robot's time. The name of the image is given
+    without its suffix."""
     scenario = folder / "drive.scenario"
     scenario.write_text(DRIVE, encoding="utf-8")
     words: list[str | Path] = [BOARD, "--image", f"{image}.bin", "--elf", f"{image}.elf"]

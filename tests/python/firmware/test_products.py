@@ -29,7 +29,8 @@ from traceability.reading.products import (
 )
 
 ROOT = Path(__file__).parents[3]
-# If only the remote control calls a method of a template, the method must not be in other images.
+# If only the remote control calls a method of a template, the method must not be in the firmware
+# images of other variants.
 INLINED = {"Pipe"}
 
 

@@ -1,4 +1,4 @@
-"""The largest use of the stack, computed from frames and calls."""
+"""The largest use of the stack, computed from stack frames and calls."""
 
 from __future__ import annotations
 

@@ -44,7 +44,7 @@ def program(request: pytest.FixtureRequest) -> Words:
 
 
 Row = dict[str, str]
-# Columns that depend on the time of a measurement, or on the run time of the image. The firmware
+# Columns that depend on the time of a measurement, or on the run time of the firmware. The firmware
 # decides all other columns of a report.
 MEASURED = {"time_ms", "steering", "velocity", "current", "position", "tension"}
 MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}

@@ -59,7 +59,8 @@ const found = [];
 async function run(width, theme, runOnly) {
   frame.style.width = `${width}px`;
   doc.documentElement.dataset.theme = theme;
-  view.dispatchEvent(new view.Event("resize")); // without a window no frame is drawn that sends it
+  // A browser without a visible window does not send this event.
+  view.dispatchEvent(new view.Event("resize"));
   const result = await view.axe.run(doc, { runOnly, resultTypes: ["violations"] });
   for (const { id, nodes } of result.violations)
     found.push(`${width} ${theme} ${id}: ${nodes.length} x ${nodes[0].target.join(" ")}`);

@@ -1,5 +1,5 @@
 """./wr when space on the disk, a writable folder, the network or rights are missing. Each message
-shows the fault, its place and the next action. The run after the correction succeeds.
+names the fault, the file or folder, and the next action. The run after the correction succeeds.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""./wr flash: the ways to write to a board, and images that are not written."""
+"""./wr flash: the ways to write a firmware image to a board, and images that are not written."""
 
 import contextlib
 import threading
@@ -95,7 +95,7 @@ def desk(
 
 @contextlib.contextmanager
 def board(drive: Path, failure: str = "", comes: bool = True) -> Iterator[None]:
-    """Acts as a debug probe. After an image was copied to the drive of the probe, the drive
+    """Acts as a debug probe. After a firmware image was copied to the drive of the probe, the drive
     disappears, and then returns with the outcome."""
     end = threading.Event()
 
@@ -167,7 +167,7 @@ def test_the_way_can_be_chosen(desk: Desk, way: str) -> None:
     ],
 )
 def test_pyocd_reads_the_flash_back(desk: Desk, content: bytes | None, words: str) -> None:
-    """pyOCD itself does not compare the flash with the image."""
+    """pyOCD itself does not compare the flash with the firmware image."""
     desk.add_probe()
     if content is None:
         desk.add_tool("pyocd")

@@ -75,8 +75,8 @@ TEST(PulsesOfBoard, ValueOfThePeriodKeepsThePinHigh) {
   EXPECT_EQ(board.pwmDuty(0, 0), 1.0);
 }
 
-/// @brief A new value takes effect at the end of the period, so that each pulse has either the old
-/// or the new width.
+/// @brief A new value takes effect at the end of the period. Each pulse therefore has either the
+/// old or the new width.
 TEST(PulsesOfBoard, NewValueWaitsForTheEndOfThePeriod) {
   VirtualBoard board(Guest("changesWidthInThePeriod").image());
   const auto pulses = pulsesOf(board, 1ms);

@@ -46,8 +46,9 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
   EXPECT_LE(events[2].at - events[1].at, 6 * 48ns);
 }
 
-/// @brief Masked interrupts wait. They are entered in the order of their priorities and numbers. An
-/// interrupt that PRIMASK masks ends the sleep. It is entered when the mask is removed.
+/// @brief Masked interrupts wait, and are later entered in the order of their priorities and
+/// numbers. An interrupt that PRIMASK masks ends the sleep. This interrupt is entered when the mask
+/// is removed.
 TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
   Guest guest("pendsTwoBehindMask");
   guest.handleLine(1, "notesOne").handleLine(2, "notesTwo").handleLine(3, "notesThree");

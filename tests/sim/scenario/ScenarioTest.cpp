@@ -354,7 +354,7 @@ TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
                   "text:7: there was no finding clock-gate, at 360 ms"));
 }
 
-/// @brief Raw bytes are sent unchanged, and each report becomes a line of the table of reports.
+/// @brief Raw bytes are sent unchanged, and each report becomes a row of the table of reports.
 TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   std::ostringstream table;
   const auto outcome = played(

@@ -40,8 +40,8 @@ constexpr std::uint32_t bit(std::uint32_t number) {
   return std::uint32_t{1} << number;
 }
 
-/// @brief Returns one to three interrupt lines, as bits. They often include the line whose handler
-/// runs.
+/// @brief Returns one to three interrupt lines, as bits. These lines often include the interrupt
+/// line whose handler runs.
 std::uint32_t randomLines() {
   std::uint32_t lines = bit(random(32));
   if (random(3) == 0) {

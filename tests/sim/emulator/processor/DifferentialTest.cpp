@@ -61,7 +61,7 @@ class Source {
     switch (below(4)) {
       case 0:
         return kLimits.at(below(kLimits.size())) ^ (any & 0x80000000U);
-      case 1:  // near 1 in magnitude, so that sums become small
+      case 1:  // near 1 in magnitude; the sum of two such numbers can be small
         return (any & 0x83FFFFFFU) + 0x3E000000U;
       case 2:
         return (any & 0x807FFFFFU) | (0x60U + below(0x40)) << 23;
