@@ -327,7 +327,7 @@ struct SideBySide {
     patterns.send(bytes);
   }
 
-  // Runs a cycle of both robots, and returns the bytes of each.
+  // Runs a cycle of both robots, and returns the sent bytes of each robot.
   std::pair<scenario::Bytes, scenario::Bytes> cycleApart() {
     usual.runThroughPulse();
     patterns.runThroughPulse();

@@ -71,9 +71,9 @@ class RobotOfPool : public SafetyChain {
   SpySystem second;
 };
 
-/// @brief The robot is one control system that contains the other control systems. It passes each
-/// order to every control system, with the number of the cycle. It has completed a cycle when all
-/// control systems have completed this cycle.
+/// @brief The robot is one control system that contains the other control systems. The robot passes
+/// each order to every control system, with the number of the cycle. The robot has completed a
+/// cycle when all control systems have completed this cycle.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   order(robot, alike(123));

@@ -107,7 +107,8 @@ TEST_F(ReverseTest, FR87_NoTurnWhileTensionIsLeft) {
   EXPECT_EQ(apply(-5000, 0), Tension(-5000));
 }
 
-/// @brief The change from backwards to forwards works in the same way.
+/// @brief The change of orientation from backwards to forwards has the same rules as the change
+/// from forwards to backwards.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_BackToForwards) {
   apply(-5000, 0);
