@@ -22,8 +22,8 @@ struct Wire {
   int number;
 };
 
-// The inputs of the Hall sensors of the wheels, then of the remote control. Each edge causes an
-// interrupt.
+// The inputs of the Hall sensors of the wheels, and then the inputs of the remote control. Each
+// edge causes an interrupt.
 constexpr std::array<Wire, 11> kEdgeInputs{{{'D', 0},
                                             {'D', 1},
                                             {'D', 2},

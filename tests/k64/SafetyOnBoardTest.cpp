@@ -29,8 +29,8 @@ using std::chrono::milliseconds;
 
 const std::string kProduct = "weeding_robot";
 const auto kFolder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/safety";
-// Switches on a board that runs the firmware image with safety functions. A reset does not stop the
-// board, because some scenarios contain a reset.
+// Switches on a board that runs the firmware image with safety functions. The board continues after
+// a reset, because some scenarios contain a reset.
 std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
   return switchProductOn(kProduct, emulator::readImage(imageOf(kProduct)),
                          {.resetsAreFindings = false});

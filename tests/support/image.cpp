@@ -2,8 +2,8 @@
 // waits for GDB at this TCP port each time a test switches a board on. If the firmware image is
 // built for recordings, the calls of the firmware are recorded as on the host. Each test writes one
 // file in the folder WR_TRACE_DIR (see trace.cpp). The file <suite>.<test>.bits in the same folder
-// contains the executed instructions. It has the bits of ExecutedCode, up to the last bit that is
-// set.
+// contains the executed instructions. These are the bits of ExecutedCode::bits(), up to the last
+// bit that is set.
 
 #include "support/image.hpp"
 

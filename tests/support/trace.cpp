@@ -33,7 +33,7 @@ std::size_t depth = 0;
 std::size_t begin = 0;  // beginning of the outermost call
 // The outermost calls with their inner calls, and the positions at which the outermost calls begin.
 std::map<std::vector<std::uint64_t>, std::size_t> before;
-thread_local bool recording = false;  // only the thread that runs the tests records
+thread_local bool recording = false;  // only the thread that runs the tests records its calls
 
 void note(std::uint64_t event) {
   if (count == kMost) {

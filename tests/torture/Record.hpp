@@ -16,7 +16,7 @@ enum class Kind : std::uint8_t {
   FpMode        ///< modes in FPSCR at the first use of the floating-point registers
 };
 
-/// @brief Actions of the program, which are the detail of a record Acted.
+/// @brief Actions of the program. In a record of the kind Acted, `detail` is one of these actions.
 enum class Action : std::uint8_t {
   PendLines,
   PendSystem,
@@ -41,8 +41,8 @@ enum class Action : std::uint8_t {
   End
 };
 
-/// @brief Checked items, which are the detail of a record CheckFailed. Numbers 0 to 12 are the core
-/// registers. Numbers 32 to 63 are the floating-point registers.
+/// @brief Checked items. In a record of the kind CheckFailed, `detail` is the number of the item.
+/// Numbers 0 to 12 are the core registers. Numbers 32 to 63 are the floating-point registers.
 enum class Check : std::uint8_t { Flags = 16, StackPointer = 17, FpStatus = 18, LogFull = 19 };
 
 /// @brief An event in the form in which the program writes it.

@@ -16,7 +16,7 @@ namespace {
 enum class Place : std::uint8_t {
   Offset,   ///< register n plus value
   Before,   ///< register n plus value; register n is written back
-  After,    ///< register n, to which value is added afterwards
+  After,    ///< register n, to which `value` is added afterwards
   Indexed,  ///< register n plus register m, which is shifted to the left by value
   Literal   ///< the program counter plus value
 };
@@ -207,7 +207,7 @@ LongPlace longPlace(Encoding code) {
   return {before || keeps, !before ? Place::After : keeps ? Place::Before : Place::Offset, byte};
 }
 
-// Two words, A5.3.6. Register m is the second register, and value is the offset.
+// Two words, A5.3.6. Register m is the second register, and `value` is the offset.
 
 template <bool kLoads, Place kPlace>
 void dual(Core& core, const Instruction& in) {
@@ -321,8 +321,8 @@ Instruction exclusiveOrTable(Encoding code) {
   }
 }
 
-// Several registers. The lower 16 bits of value are the list of registers, and d is their number.
-// If bit 16 of value is set, register n is written back.
+// Several registers. The lower 16 bits of `value` are the list of registers, and `d` is their
+// number. If bit 16 of `value` is set, register n is written back.
 constexpr std::uint32_t kKeeps = 1U << 16;
 constexpr std::uint32_t kList = 0xFFFF;
 

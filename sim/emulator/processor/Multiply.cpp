@@ -9,7 +9,7 @@ namespace wr::emulator {
 
 namespace {
 
-// The field value of an instruction contains the number of the register that is added. The lowest
+// The field `value` of an instruction contains the number of the register that is added. The lowest
 // bits of this field select the form of the instruction.
 constexpr std::uint32_t kFirstHigh = 1;   // upper half of the first operand
 constexpr std::uint32_t kSecondHigh = 2;  // upper half of the second operand
@@ -123,8 +123,8 @@ void sumOfDifferences(Core& core, const Instruction& in) {
   core.registers.r[in.d] = sum;
 }
 
-// In a long product, register d receives the lower word. The register in the field value receives
-// the upper word.
+// In a long product, register d receives the lower word. The register whose number is in the field
+// `value` receives the upper word.
 
 std::uint64_t longAddend(const Core& core, const Instruction& in) {
   return std::uint64_t{addend(core, in)} << 32 | core.registers.r[in.d];

@@ -710,8 +710,8 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   EXPECT_EQ(at(2701), 940);
 }
 
-/// @brief Any single wheel that is too fast lowers the set-points, even while its velocity falls. A
-/// wheel that will only reach the limit in two cycles does not lower them.
+/// @brief Any single wheel that is too fast lowers the set-points, even while its velocity falls.
+/// If a wheel will reach but not exceed the limit in two cycles, the set-points do not fall.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

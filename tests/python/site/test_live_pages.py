@@ -1,5 +1,5 @@
-"""The robot on other pages of the portal. The firmware image drives the robot, and the page
-highlights its calls."""
+"""The robot on the pages of the portal besides "Run the robot". The firmware image drives the
+robot, and the page highlights its calls."""
 
 from __future__ import annotations
 

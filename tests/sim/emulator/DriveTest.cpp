@@ -251,7 +251,7 @@ TEST(SecondSerialPortOfBoard, HasALineOfItsOwn) {
   EXPECT_THROW(board.receiveOn(2, Bytes{1}), std::invalid_argument);
 }
 
-/// @brief The line of the second serial port has a separate speed.
+/// @brief The serial line of the second port has its own baud rate.
 TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   Guest guest("echoesAtSecondUart");
   guest.handleLine(66, "echoesByteOfSecondUart");

@@ -35,7 +35,8 @@ TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(30));
 }
 
-/// @brief If the computer is late by more, the time of the robot continues without catching up.
+/// @brief If the computer is late by more than 20 ms, the time of the robot continues without
+/// catching up.
 TEST_F(PaceOfTheRobot, StandsStillWhileTheMachineIsLate) {
   clock += milliseconds(1005);
   pace.waitFor(milliseconds(5));
