@@ -18,8 +18,8 @@ signal.signal(signal.SIGINT, signal.default_int_handler)
 
 @pytest.fixture(scope="session")
 def build() -> Callable[..., None]:
-    """Builds targets of a preset. If tests run in several processes, they build one after the
-    other."""
+    """Builds targets of a preset. If tests run in several processes, these processes build one
+    after the other."""
 
     def built(preset: str, *targets: str) -> None:
         folder = ROOT / "build" / preset

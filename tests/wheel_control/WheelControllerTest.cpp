@@ -265,7 +265,7 @@ TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
 }
 
 /// @brief The limit of 4.5 V s is exact. The count begins at 0 after a motion, after the release,
-/// and after cycles whose voltage need not turn a wheel.
+/// and after cycles whose voltage may be too low to turn a wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
   constexpr std::int32_t kLimit = 45000;  // [mV cycles]
@@ -312,8 +312,8 @@ TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
   }
 }
 
-/// @brief The count falls by 2 V s for each second with a voltage that need not turn a wheel, down
-/// to 0.
+/// @brief The count falls by 2 V s for each second with a voltage that may be too low to turn a
+/// wheel, down to 0.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_TheCountFalls) {
   control(tensionOf(7000));
@@ -355,7 +355,8 @@ TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief A voltage of 2.0 V need not turn a wheel. A creeping wheel counts as a moving wheel.
+/// @brief A voltage of 2.0 V may be too low to turn a wheel. A creeping wheel counts as a moving
+/// wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   for (int cycle = 0; cycle < 100; ++cycle) {

@@ -1,4 +1,5 @@
-// The functions of the module for the page. Texts and bytes are in the memory of the module.
+// The functions of the WebAssembly module that the page calls. Texts and bytes are in the memory of
+// the module.
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -86,8 +87,8 @@ void liveFree(std::uint8_t* memory) {
   std::free(memory);
 }
 
-/// Switches a robot on. Bit 0 of the options continues the run after a reset, and bit 1 records all
-/// events and reports.
+/// Switches a robot on. If bit 0 of the options is set, the run continues after a reset. If bit 1
+/// is set, all events and reports are recorded.
 void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint32_t* functions,
                std::size_t functionCount, const char* scenario, std::size_t scenarioSize,
                unsigned options) {
