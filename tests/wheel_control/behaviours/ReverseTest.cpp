@@ -143,7 +143,8 @@ TEST_F(ReverseTest, FR87_NextTurnCountsFromZero) {
   EXPECT_EQ(apply(5000, 0), Tension(5000));
 }
 
-/// @brief The rise restarts after the change of orientation and after an interrupted stop.
+/// @brief The rise of the voltage restarts after the change of orientation and after an interrupted
+/// stop.
 /// @verifies FR-81
 TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   apply(12000, 0);
