@@ -68,8 +68,8 @@ bool BoardSession::runThroughPulse() {
   return settle();
 }
 
-// When the processor sleeps, the cycle has ended. When the line is idle, the report of the cycle
-// has been sent.
+// When the processor sleeps, the cycle has ended. When the serial line is idle, the report of the
+// cycle has been sent.
 bool BoardSession::settle() {
   const nanoseconds limit = pulses_.back() + kPeriod;
   if (!board.runToSleep(limit)) {

@@ -11,15 +11,15 @@
 
 namespace wr::board_robot {
 
-/// @brief The firmware image on the virtual K64 in the simulated robot. The line to the PC has
-/// 115200 baud.
+/// @brief The firmware image on the virtual K64 in the simulated robot. The serial line to the PC
+/// has 115200 baud.
 class BoardSession final : public scenario::RobotSession {
  public:
   /// @brief Interrupt of channel 0 of the PIT, which generates the clock pulses.
   static constexpr int kPulseInterrupt = 48;
 
   /// @brief Switches the board on.
-  /// @param image content of the flash
+  /// @param image firmware image, which is the content of the flash
   /// @param options options of the board
   BoardSession(std::vector<std::uint8_t> image, emulator::Options options);
 

@@ -6,7 +6,7 @@
 
 namespace wr::board_robot {
 
-/// @brief The robot's physics on the pins of the virtual K64.
+/// @brief The connections between the pins of the virtual K64 and the physics of the robot.
 class BoardWires {
  public:
   /// @brief Connects the pins to the physics. From then on, the physics advance by one step in each

@@ -10,10 +10,10 @@
 
 namespace wr::board_robot {
 
-/// @brief Writes the calls and the events of a part of a run, each with its time.
+/// @brief A writer of the calls and events in a part of a run, each with its time.
 ///
-/// Each line has the time in ns, the name of the event, a number and a value. For a call, the
-/// number is the address of the function. For an exception, the value is its priority.
+/// Each line of the output has the time in ns, the name of the event, a number and a value. For a
+/// call, the number is the address of the function. For an exception, the value is its priority.
 class CallTimeline {
  public:
   /// @brief A part of a run, in time of the board.
@@ -22,12 +22,12 @@ class CallTimeline {
     std::chrono::nanoseconds to;
   };
 
-  /// @brief Replaces the observer of the line. The timeline must be constructed before the first
-  /// run.
-  /// @param robot the image in its robot; it must outlive the timeline
-  /// @param elf file of the image with its symbols
+  /// @brief Replaces the event callback of the robot. The timeline must be constructed before the
+  /// first run.
+  /// @param robot the robot with its firmware image; it must outlive the timeline
+  /// @param elf ELF file of the firmware image, with its symbols
   /// @param window the recorded part of the run
-  /// @param output receives the lines; it must outlive the timeline
+  /// @param output receives the output; it must outlive the timeline
   CallTimeline(BoardSession& robot, const std::filesystem::path& elf, Window window,
                std::ostream& output);
   CallTimeline(const CallTimeline&) = delete;

@@ -14,7 +14,7 @@
 
 namespace wr::board_robot {
 
-/// @brief Measures the control cycles of an image on the virtual K64.
+/// @brief A meter of the costs of the control cycles of a firmware image on the virtual K64.
 ///
 /// A control cycle lasts from one clock pulse to the next. The clock pulse is the instant at which
 /// the timer raises its interrupt line. The report is handed over when the whole report is in the
@@ -36,9 +36,10 @@ class CycleMeter {
     Cost toReport;  ///< costs from the clock pulse until the report is handed over
     Cost whole;     ///< costs of the cycle, without the time in which the processor sleeps
     std::uint64_t pulseLatency =
-        0;                         ///< cycles from the clock pulse to the first step of its handler
-    std::uint64_t startDelay = 0;  ///< cycles from the clock pulse to the main thread's first step
-    bool reported = false;         ///< a report was handed over
+        0;  ///< cycles from the clock pulse to the first instruction of its handler
+    std::uint64_t startDelay =
+        0;                  ///< cycles from the clock pulse to the main thread's first instruction
+    bool reported = false;  ///< a report was handed over
   };
 
   /// @brief Costs of one exception in all measured control cycles. Exception 0 is the code outside
@@ -48,14 +49,15 @@ class CycleMeter {
     std::uint64_t entries = 0;   ///< number of entries
     Cost whole;                  ///< costs, without the interrupts that preempt the exception
     Cost toReport;               ///< costs between the clock pulses and the reports
-    std::uint64_t requests = 0;  ///< number of times that a device raised the line
+    std::uint64_t requests = 0;  ///< number of times that a device raised the interrupt line
     std::uint64_t worstLatency =
         0;  ///< greatest number of cycles from a request to the first instruction of the handler
-    std::optional<std::uint64_t> at;  ///< cycle of a pending request
+    std::optional<std::uint64_t> at;  ///< cycle at which a pending request was raised
   };
 
-  /// @brief Replaces the observer of the line and the observer of the board's writes.
-  /// @param robot the image in its robot; it must outlive the meter
+  /// @brief Replaces the event callback of the robot, and the callback of the board for writes to
+  /// peripherals.
+  /// @param robot the robot with its firmware image; it must outlive the meter
   /// @param from start of the measurement; the first control cycle begins at the next clock pulse
   /// @param profiled true to count the executions of each instruction
   CycleMeter(BoardSession& robot, std::chrono::nanoseconds from, bool profiled);
@@ -69,7 +71,7 @@ class CycleMeter {
   [[nodiscard]] const std::map<unsigned, Exception>& exceptions() const { return exceptions_; }
 
   /// @brief Returns the number of executions of an instruction.
-  /// @param address its address
+  /// @param address address of the instruction
   /// @param toReport true for the executions between a clock pulse and its report, false for all
   /// others
   [[nodiscard]] std::uint64_t timesOf(std::uint32_t address, bool toReport) const {
@@ -109,7 +111,7 @@ class CycleMeter {
   Instant pulseAt_;
   Instant chargedAt_;  ///< cycle up to which costs are assigned to exceptions
   Cycle cycle_;
-  std::vector<std::uint32_t> stack_;  ///< words of the stack before the image ran
+  std::vector<std::uint32_t> stack_;  ///< words of the stack before the firmware ran
   std::vector<unsigned> active_;
   std::vector<Cycle> cycles_;
   std::map<unsigned, Exception> exceptions_;

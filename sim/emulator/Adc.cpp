@@ -87,14 +87,14 @@ void Adc::update() {
   board_.setLine(line_, (at(kSc1a) & both) == both);
 }
 
-// Returns the number of bus clocks in a clock of the conversion, ADCK. CFG1.ADIV divides the bus
-// clock.
+// Returns the number of bus clock cycles in one cycle of the conversion clock, ADCK. CFG1.ADIV
+// divides the bus clock.
 std::uint32_t Adc::busClocksOfClock() const {
   return 1U << (at(kCfg1) >> 5 & 3U);
 }
 
-// Returns the ADCK clocks of a conversion, without the additional 5 bus clocks (chapter ADC,
-// section Sample time and total conversion time).
+// Returns the number of ADCK cycles of a conversion, without the additional 5 bus clock cycles
+// (chapter ADC, section Sample time and total conversion time).
 std::uint32_t Adc::clocksOfConversion() const {
   constexpr std::array<std::uint32_t, 4> kBase{17, 20, 20, 25};  // MODE: 8, 12, 10, 16 bits
   constexpr std::array<std::uint32_t, 4> kLong{20, 12, 6, 2};    // ADLSTS
@@ -276,7 +276,8 @@ void Adc::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
       }
       break;
     case kCfg1:
-      // ADICLK 1 is half the bus clock on older parts, and an alternate clock on this part.
+      // ADICLK 1 is half the bus clock on older microcontrollers, and an alternate clock on this
+      // microcontroller.
       if ((value & 3U) != 0) {
         unmodelled(name_ + "_CFG1 with ADICLK " + std::to_string(value & 3U) +
                        ", which is not the bus clock",

@@ -66,8 +66,8 @@ void CallRecorder::exceptionLeft() {
   }
 }
 
-// The interrupts of fast timers repeat the same calls. A repeated sequence of calls is recorded
-// only once.
+// Removes the calls of an interrupt if an earlier interrupt had the same calls. Otherwise, fast
+// timers would fill the record with repeated calls.
 void CallRecorder::forgetRepeated(std::size_t begin) {
   const auto first = events_.begin() + static_cast<std::ptrdiff_t>(begin);
   if (!truncated_ && !handled_.emplace(first, events_.end()).second) {

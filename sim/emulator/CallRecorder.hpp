@@ -10,8 +10,8 @@
 
 namespace wr::emulator {
 
-/// @brief Records the entries and exits of the functions of an image. If an interrupt has the same
-/// calls as an earlier interrupt, its calls are not recorded.
+/// @brief A recorder of the entries and exits of the functions of a firmware image. If an interrupt
+/// makes the same calls as an earlier interrupt, the later calls are not recorded.
 ///
 /// The file has one little-endian 64-bit number for each event. The number is the address of the
 /// function. Bit 63 is set when the function is left. The traces of the tests on the host have the
@@ -19,7 +19,7 @@ namespace wr::emulator {
 class CallRecorder {
  public:
   /// @brief Records the calls of all functions in an ELF file.
-  /// @param elf file of the image with its symbols
+  /// @param elf ELF file of the firmware image, with its symbols
   /// @param most maximum number of recorded events
   explicit CallRecorder(const std::filesystem::path& elf, std::size_t most = 30000);
 
@@ -52,7 +52,7 @@ class CallRecorder {
   /// @brief Returns the events, oldest first.
   [[nodiscard]] const std::vector<std::uint64_t>& events() const { return events_; }
 
-  /// @brief Returns whether events were not recorded because the maximum number was reached.
+  /// @brief Returns true if some events were not recorded because the maximum number was reached.
   [[nodiscard]] bool truncated() const { return truncated_; }
 
   /// @brief Writes the events to a file.

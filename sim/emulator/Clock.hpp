@@ -6,7 +6,8 @@
 
 namespace wr::emulator {
 
-/// @brief Time on the board. A resolution of a picosecond distinguishes the edges of each clock.
+/// @brief Time on the board. Its resolution of 1 ps is fine enough to distinguish the edges of each
+/// clock.
 using Time = std::chrono::duration<std::int64_t, std::pico>;
 
 /// @brief A time that is never reached.

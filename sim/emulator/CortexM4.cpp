@@ -19,7 +19,7 @@ constexpr unsigned kSupervisorCall = 11;
 constexpr unsigned kFirstLine = 16;
 
 // An interrupt counts as endless when it is entered this number of times after one rise of its
-// line.
+// interrupt line.
 constexpr unsigned kStorm = 1000;
 
 constexpr std::uint32_t kAlignedBit = 1U << 9;
@@ -82,7 +82,7 @@ void CortexM4::writeSystem(std::uint32_t address, unsigned size, std::uint32_t v
   reevaluate();
 }
 
-// Passes the values of system control to the core, as far as the core needs them.
+// Passes to the core those values of system control that the core needs.
 void CortexM4::systemChanged() {
   core_.fpu = {
       .on = system_.fpuOn(), .activates = system_.fpuStacks(), .defaults = system_.fpDefaults()};
@@ -289,7 +289,7 @@ void CortexM4::takePending() {
   }
 }
 
-// Enters the first pending exception if its priority permits.
+// Enters the pending exception with the highest priority, if this priority permits it.
 bool CortexM4::enterNext() {
   const unsigned next = nvic_.first();
   if (next == 0) {

@@ -28,7 +28,7 @@ class CortexM4 {
   using Read = Memory::Read;
   using Write = Memory::Write;
 
-  /// @brief Description of the action of the program that stopped the processor.
+  /// @brief An action of the program that stopped the processor.
   struct Problem {
     std::string id;        ///< kind of finding
     std::string what;      ///< description
@@ -81,20 +81,22 @@ class CortexM4 {
   void reset();
 
   /// @brief Runs the program.
-  /// @param limit number of cycles since construction at which to return
+  /// @param limit run() returns when this many cycles have passed since construction
   /// @return reason of the return
   Stop run(std::uint64_t limit);
 
-  /// @brief Makes run() return at a cycle before its limit. The functions of windows call it.
+  /// @brief Makes run() return at a given cycle, before the limit of run(). The functions that were
+  /// passed to mapWindow() may call this function.
   void limitTo(std::uint64_t cycle);
 
-  /// @brief Makes run() return before the next instruction. The functions of windows call it.
+  /// @brief Makes run() return before the next instruction. The functions that were passed to
+  /// mapWindow() may call this function.
   void stop() { limitTo(0); }
 
   /// @brief Makes run() return Stop::Exit before the next instruction.
   void exit();
 
-  /// @brief Lets time pass without an instruction, as during sleep.
+  /// @brief Advances the time without executing an instruction, as during sleep.
   void skipTo(std::uint64_t cycle);
 
   /// @brief Returns the number of cycles since construction. A reset does not clear this number.
@@ -124,8 +126,8 @@ class CortexM4 {
   /// @param exception number, 2 NMI, 3 HardFault, ... 16 interrupt line 0
   void raise(unsigned exception);
 
-  /// @brief Rejects the present access to a window. The access causes a bus fault, or a problem if
-  /// faults are problems.
+  /// @brief Rejects the present access to a range of mapWindow(). The access causes a bus fault, or
+  /// a problem if faults are problems.
   /// @param id kind of finding
   /// @param event description
   void refuse(std::uint32_t address, std::string id, std::string event);
@@ -156,12 +158,12 @@ class CortexM4 {
 
   /// @brief Sets the callback for an access that is not modelled. Without a callback the access is
   /// a problem.
-  /// @param call gets a description of the access. It returns true to continue the program. In this
-  /// case a load returns 0, and a store has no effect
+  /// @param call gets a description of the access. If it returns true, the program continues: a
+  /// load returns 0, and a store has no effect
   void onUnmodelled(std::function<bool(const std::string& what)> call);
 
-  /// @brief Sets the callback that runs at the start of each block, before the first instruction
-  /// after a reset or after a branch.
+  /// @brief Sets the callback that runs at the start of each block. A block begins with the first
+  /// instruction after a reset or after a branch.
   void onBlock(std::function<void(std::uint32_t address)> call);
 
   /// @brief Sets the callback that runs before each instruction, for a debugger. The callback may

@@ -13,8 +13,8 @@ namespace wr::emulator {
 
 class CortexM4;
 
-/// @brief The access of a debugger to the processor and its memory. An access takes no time and
-/// never causes a finding.
+/// @brief The access of a debugger to the processor and its memory. An access takes no simulated
+/// time and never causes a finding.
 class DebugPort {
  public:
   /// @brief A register that a debugger sees.
@@ -51,7 +51,7 @@ class DebugPort {
   /// @param number index in registers()
   void write(std::size_t number, std::uint64_t value);
 
-  /// @brief Reads memory and registers of peripherals. Does not read a register if reading has a
+  /// @brief Reads memory and registers of peripherals. Does not read a register if reading it has a
   /// side effect.
   /// @return number of bytes before the first byte that cannot be read
   [[nodiscard]] std::size_t readMemory(std::uint32_t address, std::span<std::uint8_t> bytes) const;

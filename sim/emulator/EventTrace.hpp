@@ -7,11 +7,11 @@
 
 namespace wr::emulator {
 
-/// @brief Returns the name of a kind of event in the files.
+/// @brief Returns the name of a kind of event, as in the trace files.
 [[nodiscard]] const char* nameOf(Event::Kind kind);
 
-/// @brief A trace of the events of a virtual board, with one line for each event and a hash of all
-/// events.
+/// @brief A trace of the events of a virtual board, with one line of text for each event and a hash
+/// of all events.
 class EventTrace {
  public:
   /// @brief Begins a trace.
@@ -27,7 +27,8 @@ class EventTrace {
   /// @return the number
   [[nodiscard]] std::uint64_t events() const { return events_; }
 
-  /// @brief Returns the FNV-1a hash of all events. Different runs have different hashes.
+  /// @brief Returns the FNV-1a hash of all events. Runs with different events have different
+  /// hashes.
   /// @return the hash
   [[nodiscard]] std::uint64_t hash() const { return hash_; }
 

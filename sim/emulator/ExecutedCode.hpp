@@ -11,7 +11,7 @@ namespace wr::emulator {
 class ExecutedCode {
  public:
   /// @brief Counts one execution of an instruction. Instructions in other memory are not counted.
-  /// @param address its first address
+  /// @param address first address of the instruction
   void note(std::uint32_t address) {
     const std::size_t half = halfOf(address);
     if (half < counts_.size()) {
@@ -19,7 +19,7 @@ class ExecutedCode {
     }
   }
 
-  /// @brief Returns whether the instruction at an address was executed.
+  /// @brief Returns true if the instruction at an address was executed.
   [[nodiscard]] bool noted(std::uint32_t address) const { return timesOf(address) != 0; }
 
   /// @brief Returns the number of executions of the instruction at an address.
@@ -52,7 +52,7 @@ class ExecutedCode {
  private:
   static constexpr std::uint32_t kRam = 0x1FFF0000;      // first address of the lower RAM
   static constexpr std::uint32_t kRamSize = 0x10000;     // [byte]
-  static constexpr std::uint32_t kFlashSize = 0x100000;  // [byte]; it begins at 0
+  static constexpr std::uint32_t kFlashSize = 0x100000;  // [byte]; the flash begins at 0
 
  public:
   /// @brief Number of half-words.

@@ -49,9 +49,9 @@ constexpr std::uint32_t kExtendedOrRemote = 3U << 20;
 constexpr unsigned kStandardAt = 18;
 constexpr std::uint32_t kStandard = 0x7FFU << kStandardAt;
 
-// Number of bits of a data frame with a standard identifier, without its data. The terms are start,
-// identifier, RTR, IDE, r0, DLC, CRC with delimiter, acknowledgement with delimiter, end, and
-// intermission.
+// Number of bits of a data frame with a standard identifier, without its data bytes. The terms are
+// start, identifier, RTR, IDE, r0, DLC, CRC with delimiter, acknowledgement with delimiter, end,
+// and intermission.
 constexpr std::uint64_t kFrameBits = 1 + 11 + 1 + 1 + 1 + 4 + 16 + 2 + 7 + 3;
 
 std::uint32_t codeOf(std::uint32_t control) {

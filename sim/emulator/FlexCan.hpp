@@ -25,7 +25,7 @@ class FlexCan final : public Peripheral {
  public:
   explicit FlexCan(Microcontroller& board) : Peripheral(board) { reset(Reset::PowerOn); }
 
-  /// @brief Sets the function that returns whether both pins are connected to the controller.
+  /// @brief Sets the function that returns true if both pins are connected to the controller.
   void connectPins(std::function<bool()> connected) { connected_ = std::move(connected); }
 
   void reset(Reset cause) override;

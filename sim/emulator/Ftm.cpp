@@ -68,7 +68,7 @@ void Ftm::reset(Reset /*cause*/) {
   show();
 }
 
-// Returns the number of bus clocks from one overflow to the next.
+// Returns the number of bus clock cycles from one overflow to the next.
 std::uint64_t Ftm::length() const {
   return std::uint64_t{period()} << (control_ & 7U);
 }
@@ -114,7 +114,7 @@ void Ftm::show() {
   }
 }
 
-// Returns whether the write protection prevents a change of a field.
+// Returns true if the write protection prevents a change of a field.
 bool Ftm::isProtected(std::uint32_t before, std::uint32_t after, const char* what) {
   if (protectionOff_ || before == after) {
     return false;
@@ -149,7 +149,7 @@ void Ftm::takeWritten() {
   show();
 }
 
-// A value of MOD + 1 keeps the pin high. A greater value is a misuse.
+// If the value of a channel is MOD + 1, its pin stays high. A greater value is a misuse.
 void Ftm::checkValues() {
   for (const Channel& channel : channels_) {
     if (counts() && (channel.control & kPwm) != 0 && channel.value > period()) {

@@ -36,7 +36,7 @@ class Ftm final : public Peripheral {
   /// without a pin.
   [[nodiscard]] double duty(unsigned channel) const;
 
-  /// @brief Returns whether the counter runs.
+  /// @brief Returns true if the counter runs.
   [[nodiscard]] bool counts() const { return (control_ >> 3 & 3U) != 0; }
 
   /// @brief Reports the channels whose duty cycle has changed. The board calls this function when

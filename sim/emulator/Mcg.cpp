@@ -73,7 +73,7 @@ Mcg::Mode Mcg::mode() const {
   }
 }
 
-// Returns whether the mode state diagram of K64P144M120SF5RM, chapter MCG, has this change.
+// Returns true if the mode state diagram of K64P144M120SF5RM, chapter MCG, contains this change.
 bool Mcg::leadsTo(Mode from, Mode to) {
   using enum Mode;
   constexpr std::array<std::pair<Mode, Mode>, 12> kNeighbours{{{Fei, Fee},

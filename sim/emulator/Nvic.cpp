@@ -18,7 +18,7 @@ constexpr std::uint32_t kPriority = 0x400;  // IPR
 constexpr std::uint32_t kPriorityEnd = 0x500;
 constexpr std::uint32_t kTrigger = 0xF00;
 
-// Calls a function with the number of each bit that is set, in rising order.
+// Calls a function with the number of each bit that is set, in ascending order.
 template <std::size_t size, typename Call>
 void forEach(const std::bitset<size>& bits, Call call) {
   constexpr unsigned kWord = 64;

@@ -19,7 +19,7 @@ class Nvic {
   Nvic(unsigned lines, unsigned priorityBits);
 
   /// @brief Disables all exceptions, and clears their pending and active states. The levels of the
-  /// lines do not change.
+  /// interrupt lines do not change.
   void reset();
 
   void pend(unsigned exception) { pending_.set(exception); }
@@ -32,15 +32,16 @@ class Nvic {
   /// @brief Makes a pending exception active.
   void activate(unsigned exception);
 
-  /// @brief Ends an active exception. If its line is still high, the line triggers the exception
-  /// again.
+  /// @brief Ends an active exception. If its interrupt line is still high, the line triggers the
+  /// exception again.
   void deactivate(unsigned exception);
 
   /// @brief Sets the level of an interrupt line. A rising edge triggers the exception of the line.
   /// @return true when the exception was triggered.
   bool setLine(unsigned line, bool high);
 
-  /// @brief Returns the number of entries of an interrupt since the last rise of its line.
+  /// @brief Returns the number of entries of an interrupt since the last rise of its interrupt
+  /// line.
   [[nodiscard]] unsigned entriesOfHighLine(unsigned exception) const;
 
   /// @brief Returns the pending and enabled exception with the highest priority; 0 when no
@@ -78,7 +79,7 @@ class Nvic {
   [[nodiscard]] std::uint32_t read(std::uint32_t offset) const;
 
   /// @brief Writes the registers at 0xE000E000.
-  /// @return false when the register cannot be written in this size.
+  /// @return false when the register cannot be written with this size.
   bool write(std::uint32_t offset, unsigned size, std::uint32_t value);
 
  private:

@@ -45,7 +45,7 @@ class Microcontroller {
   ~Microcontroller() = default;
 };
 
-/// @brief A block of registers and the function of these registers.
+/// @brief A block of registers, and the behaviour of these registers.
 class Peripheral {
  public:
   Peripheral(const Peripheral&) = delete;
@@ -56,13 +56,13 @@ class Peripheral {
   virtual void reset(Reset cause) = 0;
 
   /// @brief Reads a register.
-  /// @param offset from the base address of the block
+  /// @param offset offset from the base address of the block
   /// @param size 1, 2 or 4 bytes
   virtual std::uint32_t read(std::uint32_t offset, unsigned size) = 0;
 
-  /// @brief Returns whether reading a register has a side effect. A debugger must not read such a
+  /// @brief Returns true if reading a register has a side effect. A debugger must not read such a
   /// register.
-  /// @param offset from the base address of the block
+  /// @param offset offset from the base address of the block
   [[nodiscard]] virtual bool readHasEffect(std::uint32_t offset) const {
     static_cast<void>(offset);
     return false;

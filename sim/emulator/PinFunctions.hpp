@@ -30,7 +30,7 @@ inline constexpr std::array<PinFunction, 31> kFtmPins{{
 inline constexpr unsigned kReceive = 0;
 inline constexpr unsigned kSend = 1;
 
-/// @brief The pins of UART0 and UART4, from the same tables.
+/// @brief The pins of UART0 and UART4, from the same tables as kFtmPins.
 inline constexpr std::array<PinFunction, 12> kUartPins{{
     {'A', 1, 2, 0, kReceive},
     {'A', 2, 2, 0, kSend},
@@ -46,7 +46,7 @@ inline constexpr std::array<PinFunction, 12> kUartPins{{
     {'E', 24, 3, 4, kSend},
 }};
 
-/// @brief The pins of CAN0, from the same tables.
+/// @brief The pins of CAN0, from the same tables as kFtmPins.
 inline constexpr std::array<PinFunction, 4> kCanPins{{
     {'A', 12, 2, 0, kSend},
     {'A', 13, 2, 0, kReceive},
@@ -54,8 +54,8 @@ inline constexpr std::array<PinFunction, 4> kCanPins{{
     {'B', 19, 2, 0, kReceive},
 }};
 
-/// @brief The single-ended inputs of the converters, from the same tables. Channels 4 to 7 are the
-/// inputs with the suffix b.
+/// @brief The single-ended inputs of the converters, from the same tables as kFtmPins. Channels 4
+/// to 7 are the inputs with the suffix b.
 inline constexpr std::array<PinFunction, 21> kAdcPins{{
     {'C', 2, 0, 0, 4},   {'D', 1, 0, 0, 5},  {'D', 5, 0, 0, 6},   {'D', 6, 0, 0, 7},
     {'B', 0, 0, 0, 8},   {'B', 1, 0, 0, 9},  {'B', 2, 0, 0, 12},  {'B', 3, 0, 0, 13},

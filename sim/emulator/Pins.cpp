@@ -67,8 +67,8 @@ void Port::updateLine() {
   board_.setLine(kFirstLine + number_, flags_ != 0);
 }
 
-// A level that differs from the filtered level must last for the width of the filter and the clocks
-// of the synchronizer.
+// A level that differs from the filtered level must last for the width of the filter plus the clock
+// cycles of the synchronizer.
 void Port::passLater(unsigned pin) {
   const std::uint32_t bit = 1U << pin;
   if ((pins_.filters & bit) == 0 || pins_.level(pin) == ((pins_.passed & bit) != 0)) {

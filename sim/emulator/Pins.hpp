@@ -23,7 +23,7 @@ struct PinState {
   /// peripherals.
   [[nodiscard]] unsigned function(unsigned pin) const { return control[pin] >> 8 & 7U; }
 
-  /// @brief Returns whether the program drives the pin.
+  /// @brief Returns true if the program drives the pin.
   [[nodiscard]] bool isOutput(unsigned pin) const {
     return function(pin) == 1 && (direction >> pin & 1U) != 0;
   }

@@ -149,8 +149,8 @@ void Pit::write(std::uint32_t offset, unsigned size, std::uint32_t value) {
     return;
   }
   if (!controlRead_) {
-    // In the errata of the K64, a write immediately after the opening of the clock gate may be
-    // lost. A read of MCR waits for the clock.
+    // According to the errata of the K64, a write immediately after the opening of the clock gate
+    // may be lost. A read of MCR waits for the clock.
     misuse("the PIT was written after its clock gate was opened, but before MCR was read");
   }
   if (offset == kMcr) {

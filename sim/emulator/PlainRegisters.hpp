@@ -19,8 +19,8 @@ struct PlainRegister {
 /// @brief A block of registers that only store the written values.
 class PlainRegisters final : public Peripheral {
  public:
-  /// @param name of the block
-  /// @param size of each register in bytes
+  /// @param name name of the block
+  /// @param size size of each register [byte]
   PlainRegisters(Microcontroller& board, std::string_view name, unsigned size,
                  std::span<const PlainRegister> registers);
 

@@ -276,7 +276,7 @@ constexpr std::uint32_t kGpioSize = 0x40;
 constexpr std::uint32_t kGpioPorts = 5;
 constexpr std::uint32_t kSimSize = 0x2000;
 
-// Returns whether a block is of a kind. The name of a block is its kind and, for some kinds, one
+// Returns true if a block is of a kind. The name of a block is its kind and, for some kinds, one
 // more character, as in UART4 and PORTA.
 bool isOfKind(std::string_view block, std::string_view kind) {
   return block == kind ||
@@ -329,7 +329,7 @@ std::string registerName(std::uint32_t address) {
   const std::uint32_t offset = address - block->base;
   for (const Row& row : kRows) {
     if (const auto place = placeIn(row, offset); place && isOfKind(block->name, row.kind)) {
-      // The three comparators share one block. The descriptors of DMA are in a separate page.
+      // The three comparators share one block. The descriptors of DMA are in a separate block.
       const bool whole = row.kind == "CMP" || row.kind == "DMA_TCD";
       return (whole ? "" : std::string(block->name) + "_") + nameIn(row, *place);
     }

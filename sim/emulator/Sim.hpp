@@ -27,7 +27,7 @@ class Sim final : public Peripheral {
   std::uint32_t read(std::uint32_t offset, unsigned size) override;
   void write(std::uint32_t offset, unsigned size, std::uint32_t value) override;
 
-  /// @brief Returns whether a clock gate is open.
+  /// @brief Returns true if a clock gate is open.
   /// @param group number of the register SCGC, 1 to 7
   [[nodiscard]] bool gateIsOpen(unsigned group, unsigned bit) const;
 

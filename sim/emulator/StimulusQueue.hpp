@@ -30,8 +30,8 @@ class StimulusQueue {
   /// @brief Returns the time of the next stimulus; kNever when there is no stimulus.
   [[nodiscard]] Time next() const { return next_; }
 
-  /// @brief Applies all stimuli up to a time, in order. At equal times, levels are applied before
-  /// functions are called.
+  /// @brief Applies all stimuli up to a time, in the order of their times. At equal times, levels
+  /// are applied before functions are called.
   void advance(Time now);
 
  private:

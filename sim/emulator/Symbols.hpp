@@ -7,7 +7,7 @@
 
 namespace wr::emulator {
 
-/// @brief The functions of an image, read from the symbol table of its ELF file.
+/// @brief The functions of a firmware image, read from the symbol table of its ELF file.
 class Symbols {
  public:
   struct Function {
@@ -29,8 +29,8 @@ class Symbols {
   /// @brief Returns the address of a symbol of any kind; 0 when there is no such symbol.
   [[nodiscard]] std::uint32_t addressOf(const std::string& name) const;
 
-  /// @brief Returns the file and line of an instruction. Calls arm-none-eabi-addr2line; the result
-  /// is empty when this program is not installed.
+  /// @brief Returns the source file and line of an instruction. Calls the program
+  /// arm-none-eabi-addr2line. The result is empty when this program is not installed.
   [[nodiscard]] std::string placeOf(std::uint32_t address) const;
 
  private:

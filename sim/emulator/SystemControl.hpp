@@ -40,8 +40,8 @@ class SystemControl {
   void reset(std::uint64_t cycle);
 
   /// @brief Reads a word.
-  /// @param address of the word, at least 0xE0000000
-  /// @param value the value read
+  /// @param address address of the word, at least 0xE0000000
+  /// @param value receives the value
   /// @return false when there is no such register.
   [[nodiscard]] bool read(std::uint32_t address, std::uint64_t cycle, unsigned running,
                           std::uint32_t& value);

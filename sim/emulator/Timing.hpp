@@ -11,9 +11,10 @@ enum class Timing : std::uint8_t {
                  ///< prefetch
 };
 
-// Each instruction has one cycle. The following constants are its additional cycles. They are from
-// the Cortex-M4 TRM (ARM DDI 0439), table 3-1 (processor) and table 7-1 (floating-point unit). If
-// the manual contains a range, the constant is the upper end of the range.
+// Each instruction takes at least one cycle. The following constants are the additional cycles of
+// some instructions. They are from the Cortex-M4 TRM (ARM DDI 0439), table 3-1 (processor) and
+// table 7-1 (floating-point unit). If the manual contains a range, the constant is the upper end of
+// the range.
 
 /// @brief P in the manual, 1 to 3. The pipeline is refilled after each branch that is taken.
 inline constexpr std::uint32_t kRefillCycles = 3;

@@ -10,8 +10,8 @@
 
 namespace wr::emulator {
 
-/// @brief A UART and the line at its pins. See K64P144M120SF5RM, chapter Universal Asynchronous
-/// Receiver/Transmitter (UART).
+/// @brief A UART, and the serial line at its pins. See K64P144M120SF5RM, chapter Universal
+/// Asynchronous Receiver/Transmitter (UART).
 ///
 /// The FIFOs follow the descriptions of PFIFO, CFIFO, SFIFO, TWFIFO, TCFIFO, RWFIFO and RCFIFO.
 /// PFIFO is written only while receiver and transmitter are off. S1[RDRF] is set while at least
@@ -34,7 +34,7 @@ class Uart final : public Peripheral {
 
   Uart(Microcontroller& board, const Kind& kind);
 
-  /// @brief Sets the functions that return whether the pins are connected to the UART.
+  /// @brief Sets the functions that return true if the pins are connected to the UART.
   void connectPins(std::function<bool()> receives, std::function<bool()> sends);
 
   void reset(Reset cause) override;

@@ -258,7 +258,7 @@ class VirtualBoard::Parts final : public Microcontroller {
   bool sleeps_ = false;
   std::uint64_t sleptCycles_ = 0;
   std::bitset<128> lines_;
-  std::bitset<128> held_;  ///< lines that are hidden from the processor
+  std::bitset<128> held_;  ///< interrupt lines that are hidden from the processor
   std::optional<Reset> wantedReset_;
   bool debugs_ = false;        ///< the present access is from a debugger and causes no finding
   bool debugRefused_ = false;  ///< the access was refused
@@ -345,7 +345,7 @@ Adc::Input VirtualBoard::Parts::inputOf(unsigned converter, unsigned channel) co
 
 Uart& VirtualBoard::Parts::uart(int number) {
   if (number != 0 && number != 4) {
-    throw std::invalid_argument("the board has no line at UART" + std::to_string(number));
+    throw std::invalid_argument("the board has no serial line at UART" + std::to_string(number));
   }
   return uarts_[number == 0 ? 0 : 1];
 }

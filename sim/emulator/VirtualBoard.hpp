@@ -37,14 +37,15 @@ struct Options {
              ///< a load returns 0, and a store has no effect
 };
 
-/// @brief A K64 microcontroller with its clock and a line to a PC. It runs the unchanged image of a
-/// real board.
+/// @brief A simulated board with a K64 microcontroller, its external clock and a serial line to a
+/// PC. It runs the same firmware image as a real board.
 class VirtualBoard {
  public:
   using nanoseconds = std::chrono::nanoseconds;
 
   /// @brief Switches the board on.
-  /// @param image content of the flash from address 0; the rest of the flash is erased
+  /// @param image firmware image, which is the content of the flash from address 0; the rest of the
+  /// flash is erased
   /// @param options options of the board
   explicit VirtualBoard(std::vector<std::uint8_t> image, Options options = {});
   ~VirtualBoard();
@@ -57,13 +58,13 @@ class VirtualBoard {
 
   /// @brief Runs until an interrupt is entered.
   /// @param irq interrupt line
-  /// @param limit greatest time
+  /// @param limit time at which the run ends at the latest
   /// @return true when the interrupt was entered; false when a finding stopped the run or the limit
   /// was reached.
   bool runToInterrupt(int irq, nanoseconds limit);
 
   /// @brief Runs until the program waits for an interrupt.
-  /// @param limit greatest time
+  /// @param limit time at which the run ends at the latest
   /// @return true when the program waits; false when a finding stopped the run or the limit was
   /// reached.
   bool runToSleep(nanoseconds limit);
@@ -95,12 +96,12 @@ class VirtualBoard {
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 
   /// @brief Sends bytes to another serial port, after the bytes that are still being sent.
-  /// @param number of the UART: 0 (the line to the PC) or 4
+  /// @param uart number of the UART: 0 (the serial line to the PC) or 4
   /// @param bytes the bytes
   void receiveOn(int uart, std::span<const std::uint8_t> bytes);
 
   /// @brief Returns the bytes that the board has sent at a serial port since the last call.
-  /// @param number of the UART: 0 (the line to the PC) or 4
+  /// @param uart number of the UART: 0 (the serial line to the PC) or 4
   [[nodiscard]] std::vector<std::uint8_t> takeSentOn(int uart);
 
   /// @brief Sets the baud rate of the device at a serial port. The initial baud rate is 115200.
@@ -115,7 +116,7 @@ class VirtualBoard {
   /// @brief Returns true when no frame is on the bus at CAN0 and no frame waits for this bus.
   [[nodiscard]] bool canIdle() const;
 
-  /// @brief Returns whether no byte is being transferred to or from the PC.
+  /// @brief Returns true if no byte is being transferred to or from the PC.
   [[nodiscard]] bool lineIdle() const;
 
   /// @brief Returns the level of a pin, e.g. ('B', 22).
@@ -128,7 +129,7 @@ class VirtualBoard {
   /// gets the level immediately. Levels with the same time are applied in the order of the calls.
   void driveAt(nanoseconds time, char port, int number, bool level);
 
-  /// @brief Returns whether the program drives the pin as a digital output.
+  /// @brief Returns true if the program drives the pin as a digital output.
   [[nodiscard]] bool isOutput(char port, int number) const;
 
   /// @brief Returns the duty cycle at the pin of a timer's channel, as a fraction of the period.
@@ -154,12 +155,13 @@ class VirtualBoard {
   /// the order in which they were set.
   void onTime(nanoseconds period, std::function<void()> call);
 
-  /// @brief Raises an exception by hardware before the next instruction, e.g. 3 HardFault.
+  /// @brief Triggers an exception before the next instruction, as the hardware does. For example, 3
+  /// is a HardFault.
   void raise(int exception);
 
   /// @brief Inverts a bit of flash or RAM. Throws std::invalid_argument if the address is neither
   /// in flash nor in RAM.
-  /// @param address of the byte
+  /// @param address address of the byte
   /// @param bit 0 to 7
   void flipBit(std::uint32_t address, unsigned bit);
 
@@ -171,8 +173,8 @@ class VirtualBoard {
   void setCore(unsigned number, std::uint32_t value);
 
   /// @brief Hides an interrupt line from the processor, or connects it again.
-  /// @param irq the line
-  /// @param held true: the processor reads the line as low
+  /// @param irq number of the interrupt line
+  /// @param held true: the processor reads the interrupt line as low
   void holdInterrupt(int irq, bool held);
 
   /// @brief Starts or stops the external clock of 50 MHz.
@@ -197,8 +199,8 @@ class VirtualBoard {
   /// @brief Returns the number of cycles in which the program waited for an interrupt.
   [[nodiscard]] std::uint64_t sleptCycles() const;
 
-  /// @brief Returns the priority of an exception, 0 to 15. The exception has a number of 16 or
-  /// more. Priority 0 is the highest.
+  /// @brief Returns the priority of an interrupt, 0 to 15. Priority 0 is the highest. The number of
+  /// the exception must be 16 or more.
   [[nodiscard]] unsigned priority(unsigned exception) const;
 
   /// @brief Returns the frequency of the core.

@@ -42,7 +42,7 @@ class Wdog final : public Peripheral {
 
   std::array<std::uint16_t, 12> registers_{};
   Lock lock_ = Lock::FreshlyReset;
-  std::uint64_t lockChanged_ = 0;  ///< count of the bus clock at the last change
+  std::uint64_t lockChanged_ = 0;  ///< count of the bus clock at the last change of lock_
   bool configured_ = false;
   std::uint32_t written_ = 0;  ///< registers written since the unlock
   std::optional<std::uint64_t> unlockKeyAt_;

@@ -6,10 +6,10 @@
 
 namespace wr::emulator {
 
-/// @brief Sets the function and the place of a finding. Throws std::runtime_error when the file
-/// cannot be read.
+/// @brief Sets the function and the source line of a finding. Throws std::runtime_error when the
+/// file cannot be read.
 /// @param finding the finding
-/// @param elf file with the symbols of the image
+/// @param elf ELF file with the symbols of the firmware image
 void locate(Finding& finding, const std::filesystem::path& elf);
 
 }  // namespace wr::emulator

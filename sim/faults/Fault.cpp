@@ -54,7 +54,7 @@ constexpr std::array<SensorFault, 10> kSensorFaults{{
 constexpr std::uint32_t kCoreRegisters = 16;
 constexpr int kForEver = 0;
 constexpr std::uint32_t kHeld =
-    0;  // 0: the interrupt line is held; 1: an interrupt is raised without a cause
+    0;  // 0: the interrupt line is blocked; 1: an interrupt is raised without a cause
 constexpr std::uint32_t kFirstException = 16;
 constexpr std::uint32_t kNominalBaud = 115'200;
 
@@ -67,8 +67,8 @@ Injected chooseInterrupt(Random& random, const Places& places) {
   const std::uint32_t line = random.below(static_cast<std::uint32_t>(places.interrupts.size()));
   Injected fault{Kind::Interrupt, static_cast<std::uint32_t>(places.interrupts[line]),
                  random.below(2)};
-  // The interrupt line is held for up to 100 ms, which is the period of the slowest interrupt. On
-  // average, one of ten such faults has no end.
+  // The interrupt line is blocked for up to 100 ms, which is the period of the slowest interrupt.
+  // On average, one of ten blocked lines stays blocked forever.
   fault.value = random.below(10) == 0 ? kForEver : random.between(1, 100);
   return fault;
 }
@@ -80,7 +80,7 @@ Injected chooseSensor(Random& random) {
   return {Kind::Sensor, number, wheel, random.between(chosen.least, chosen.most)};
 }
 
-// Returns whether the error of a sensor accumulates, because it grows or occurs repeatedly.
+// Returns true if the error of a sensor accumulates, because the error grows or occurs repeatedly.
 bool addsUp(Fault fault) {
   return fault == Fault::AngleDrift || fault == Fault::HallLosses;
 }

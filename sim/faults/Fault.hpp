@@ -17,30 +17,30 @@ enum class Kind : std::uint8_t {
   Code,       ///< a bit of the program in RAM
   Stack,      ///< a bit of the stack in use
   Register,   ///< a bit of a core register
-  Flash,      ///< a bit of the image
+  Flash,      ///< a bit of the firmware image in flash
   Interrupt,  ///< an interrupt that is lost, late, or raised without a cause
   Sensor,     ///< a sensor that is stuck, inaccurate or noisy
-  Serial,     ///< noise on the line from the PC
+  Serial,     ///< noise on the serial line from the PC
   Clock,      ///< a wrong baud rate of the PC, or the loss of the external clock or of the PLL lock
   Supply      ///< low voltage, a power cycle, or a reset by the pin
 };
 inline constexpr std::uint32_t kKinds = 10;
 
-/// @brief Returns the name of a kind in the record.
+/// @brief Returns the name of a kind, as in the record of the fault campaign.
 [[nodiscard]] std::string_view nameOf(Kind kind);
 
-/// @brief Returns the kind with a name; nothing if there is no such kind.
+/// @brief Returns the kind with the given name; nothing if there is no such kind.
 [[nodiscard]] std::optional<Kind> kindOf(std::string_view name);
 
-/// @brief Memory and interrupts of the image that faults can affect.
+/// @brief Memory and interrupts of the firmware that faults can affect.
 struct Places {
   std::uint32_t codeBegin;
   std::uint32_t codeEnd;  ///< end of the program in RAM
   std::uint32_t dataBegin;
   std::uint32_t dataEnd;   ///< end of .data and .bss
-  std::uint32_t stackEnd;  ///< begin of the stack, which grows downwards
+  std::uint32_t stackEnd;  ///< start of the stack, which grows downwards
   std::uint32_t flashEnd;
-  std::vector<int> interrupts;  ///< lines that the firmware uses
+  std::vector<int> interrupts;  ///< interrupt lines that the firmware uses
 };
 
 /// @brief A fault.
@@ -48,17 +48,17 @@ struct Fault {
   Kind kind = Kind::Ram;
   std::uint32_t place =
       0;  ///< memory address, register, interrupt line, or number of the fault within its kind
-  std::uint32_t bit = 0;  ///< bit of the place, or number of the wheel
+  std::uint32_t bit = 0;  ///< number of the bit, or number of the wheel
   int value = 0;          ///< value of the fault, if its kind has a value
 };
 
-/// @brief Returns whether a fault of this kind can only be injected while the processor is awake.
+/// @brief Returns true if a fault of this kind can only be injected while the processor is awake.
 [[nodiscard]] inline bool needsAwake(Kind kind) {
   return kind == Kind::Stack || kind == Kind::Register;
 }
 
-/// @brief Returns whether the effect of a fault of this kind can disappear. The memory can then
-/// have the same content as in a run without the fault.
+/// @brief Returns true if the effect of a fault of this kind can disappear. After this, the memory
+/// has the same content as in a run without the fault.
 [[nodiscard]] inline bool passes(Kind kind) {
   return kind == Kind::Ram || kind == Kind::Stack || kind == Kind::Register;
 }
@@ -72,19 +72,19 @@ inline constexpr int kLongestWindow = 7000;
 /// edges 1 s after the wheel got voltage.
 [[nodiscard]] int windowOf(const Fault& fault);
 
-/// @brief Chooses a kind of fault. The most frequent kinds change a bit in RAM, in an object or in
-/// the program.
+/// @brief Chooses a kind of fault. The most frequent kinds change a bit in RAM, which belongs to an
+/// object or to the program.
 [[nodiscard]] Kind chooseKind(Random& random);
 
 /// @brief Chooses a fault of a kind.
 /// @param kind the kind
 /// @param random source of the random choice
 /// @param places the memory and the interrupts that can be affected
-/// @param stack stack pointer at the instant
+/// @param stack stack pointer at the time of the injection
 [[nodiscard]] Fault choose(Kind kind, Random& random, const Places& places, std::uint32_t stack);
 
-/// @brief Injects a fault now. This function does not inject noise on the line. For noise, see
-/// noiseOf().
+/// @brief Injects a fault now. This function does not inject noise on the serial line. For noise,
+/// see noiseOf().
 void inject(const Fault& fault, board_robot::BoardSession& robot);
 
 /// @brief Ends a fault that lasts a limited time.
@@ -92,8 +92,8 @@ void inject(const Fault& fault, board_robot::BoardSession& robot);
 /// @param ms time since the injection
 void endIfDue(const Fault& fault, int ms, board_robot::BoardSession& robot);
 
-/// @brief Returns the number of wrong bits per 1000 bits on the line from the PC; 0 for a fault
-/// without noise.
+/// @brief Returns the number of wrong bits per 1000 bits on the serial line from the PC; 0 for a
+/// fault without noise.
 [[nodiscard]] int noiseOf(const Fault& fault);
 
 }  // namespace wr::faults

@@ -36,8 +36,8 @@ constexpr int kFirstException = 16;
 constexpr unsigned kStackPointer = 13;
 constexpr unsigned kProgramCounter = 15;
 
-// Returns the orders of a drive. No order moves a part to its limit. The voltage stays low, and the
-// steering stays near the middle.
+// Returns the orders of a drive. No order moves the robot to one of its limits. The voltage stays
+// low, and the steering stays near the middle.
 std::vector<scenario::PcOrder> makeOrders(std::uint64_t seed) {
   Random random(seed);
   std::vector<scenario::PcOrder> orders;
@@ -65,8 +65,8 @@ emulator::Options options() {
   return chosen;
 }
 
-// Returns whether a report shows a fault that the report of the reference run does not show. The
-// counters of the line are not compared.
+// Returns true if a report shows a fault that the report of the reference run does not show. The
+// counters of the serial line are not compared.
 bool reportsMore(const scenario::PcReport& report, const scenario::PcReport& reference) {
   constexpr std::uint8_t kSteeringFault = 3;
   return report.state != reference.state || report.inhibit != reference.inhibit ||
@@ -85,7 +85,7 @@ struct Message {
   std::array<char, 160> stop{};
 };
 
-// Checks the reports that were received since the last call.
+// A listener that checks the reports that were received since its last call.
 struct Listener {
   std::size_t read;
 
@@ -112,7 +112,7 @@ class Hash {
 
 }  // namespace
 
-/// A robot with a PC whose orders depend only on the time.
+/// A robot with a PC. The orders of the PC depend only on the time.
 class FaultRun::Robot {
  public:
   Robot(std::vector<std::uint8_t> image, std::uint64_t seed)
@@ -128,7 +128,7 @@ class FaultRun::Robot {
     connect();
   }
 
-  /// Lets 1 ms pass. Returns false if a finding has stopped the board.
+  /// Advances the time by 1 ms. Returns false if a finding has stopped the board.
   bool step() {
     if (!silent && (now_ - kFirstOrder) % kOrderPeriod == 0 && now_ >= kFirstOrder) {
       send(pc_.order(orders_.at(static_cast<std::size_t>((now_ - kFirstOrder) / kOrderPeriod))));

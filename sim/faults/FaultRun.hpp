@@ -15,7 +15,7 @@
 
 namespace wr::faults {
 
-/// @brief A fault that was injected.
+/// @brief An injected fault and its effects.
 struct Result {
   Fault fault;
   int at = 0;            ///< ms since the drive began
@@ -24,22 +24,23 @@ struct Result {
   std::string stop;  ///< finding of the virtual board, if the outcome is Stopped
 };
 
-/// @brief A random drive of an image on the virtual board, and copies of the drive. Each copy has
-/// one fault.
+/// @brief A random drive of a firmware image on the virtual board, and copies of the drive. Each
+/// copy has one fault.
 ///
-/// Each copy is a separate process, so that the part of the drive before the fault runs only once.
+/// Each copy is a separate process. In this way, the part of the drive before the fault runs only
+/// once.
 class FaultRun {
  public:
   static constexpr int kFirst = 1500;  ///< ms of the drive before the first fault
   static constexpr int kLast = 6500;   ///< ms of the drive before the last fault
 
   /// @brief Runs the drive without a fault. Throws std::runtime_error if the robot does not drive.
-  /// @param image content of the flash
-  /// @param elf file of the image with its symbols
+  /// @param image firmware image, which is the content of the flash
+  /// @param elf ELF file of the firmware image, with its symbols
   /// @param seed chooses the drive
   FaultRun(std::vector<std::uint8_t> image, const std::filesystem::path& elf, std::uint64_t seed);
 
-  /// @brief Returns the memory that faults can hit.
+  /// @brief Returns the memory and the interrupts that faults can affect.
   [[nodiscard]] const Places& places() const { return places_; }
 
   /// @brief Injects random faults.
@@ -59,7 +60,7 @@ class FaultRun {
   class Robot;
   using Choice = std::function<Fault(Robot&)>;
 
-  /// Runs a copy of the robot with a fault, which is chosen in the copy.
+  /// Runs a copy of the robot with a fault. The copy chooses the fault.
   [[nodiscard]] Result observe(Robot& robot, const Choice& choice) const;
   [[nodiscard]] Verdict runCopy(Robot& robot, const Fault& fault, int at, bool silentPc) const;
 

@@ -4,7 +4,7 @@
 
 namespace wr::faults {
 
-/// @brief Random numbers of the generator splitmix64. They are equal on all machines.
+/// @brief Random numbers of the generator splitmix64. They are equal on all computers.
 class Random {
  public:
   /// @brief Starts a sequence.

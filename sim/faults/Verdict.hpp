@@ -14,11 +14,11 @@ struct Outputs {
       drive{};  ///< fraction of the supply voltage at each wheel, signed; 0: the driver is off
   float steering = 0;  ///< degrees
 
-  /// @brief Returns whether no wheel has voltage.
+  /// @brief Returns true if no wheel has voltage.
   [[nodiscard]] bool wheelsOff() const { return drive == std::array<float, 4>{}; }
 };
 
-/// @brief The part of a run with a fault after the injection.
+/// @brief The part of a run after the injection of a fault.
 struct Observation {
   static constexpr int kNever = -1;
 
@@ -28,7 +28,7 @@ struct Observation {
   bool answers = true;           ///< at the end, the robot sends reports or answers a Hello
 };
 
-/// @brief Class of a fault.
+/// @brief Class of the effect of a fault.
 enum class Outcome : std::uint8_t {
   Harmless,  ///< the outputs are not wrong, in comparison with the run without the fault
   Detected,  ///< a reset or a report was in time, and no output was wrong afterwards
@@ -36,10 +36,10 @@ enum class Outcome : std::uint8_t {
            ///< reset
   Silent,  ///< the outputs were wrong, and there was neither a reset nor a report
   Hung,    ///< there was no report, no answer and no reset
-  Stopped  ///< the virtual board cannot continue, so the behaviour of a real board is unknown
+  Stopped  ///< the virtual board cannot continue; the behaviour of a real board is unknown
 };
 
-/// @brief Returns the name of a class in the record.
+/// @brief Returns the name of a class, as in the record of the fault campaign.
 [[nodiscard]] std::string_view nameOf(Outcome outcome);
 
 /// @brief Class of a fault and the times of its effects.

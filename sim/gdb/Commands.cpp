@@ -30,9 +30,9 @@ constexpr std::string_view kFeatures = "PacketSize=4000;QStartNoAckMode+;qXfer:f
 constexpr std::string_view kWaysBack = ";ReverseStep+;ReverseContinue+";
 constexpr std::size_t kMostBytes =
     0x1F00;                             // maximum number of bytes in the answer to a memory read
-constexpr microseconds kPatience{200};  // time between two reads of the line
+constexpr microseconds kPatience{200};  // time between two reads of the serial line to GDB
 
-// Divides "a,b" or "a=b".
+// Splits a text like "a,b" or "a=b" into its two parts.
 std::pair<std::string_view, std::string_view> divided(std::string_view text, char at) {
   const std::size_t place = text.find(at);
   return place == std::string_view::npos ? std::pair(text, std::string_view())
@@ -72,8 +72,8 @@ Commands::Commands(programs::SerialLine& line, std::function<bool()> ends, bool 
       goesBack_(goesBack),
       debugger_([this](const std::string& why) { serve(why); }, [this] { return asked(); }) {}
 
-// Returns whether bytes have arrived while the program runs. They are Ctrl-C, or the first bytes of
-// another GDB.
+// Returns true if bytes have arrived while the program runs. These bytes are Ctrl-C, or the first
+// bytes of another GDB.
 bool Commands::asked() {
   return stream_.takeInterrupt() || stream_.waiting() || ends_();
 }
@@ -105,7 +105,7 @@ void Commands::serve(const std::string& why) {
   }
 }
 
-// Executes a command. Returns whether the program continues.
+// Executes a command. Returns true if the program continues.
 bool Commands::obey(std::string_view packet) {
   constexpr std::string_view kMonitor = "qRcmd,";
   if (packet == "k" || packet.starts_with("vKill")) {

@@ -9,14 +9,14 @@
 
 namespace wr::gdb {
 
-/// @brief Thrown when GDB ends the program.
+/// @brief An exception that is thrown when GDB ends the program.
 struct Killed {};
 
-/// @brief The commands of the GDB remote serial protocol, and the commands behind `monitor`.
+/// @brief The commands of the GDB remote serial protocol, and the commands of `monitor`.
 class Commands {
  public:
-  /// @param line the line to GDB; must outlive the object
-  /// @param ends returns whether this program shall end; it is also called while the board is
+  /// @param line the serial line to GDB; must outlive the object
+  /// @param ends returns true if this program shall end; it is also called while the board is
   /// stopped
   /// @param goesBack true when the owner of the board can restart the run; otherwise the program
   /// cannot run backwards
@@ -31,7 +31,7 @@ class Commands {
   void glance();
 
  private:
-  // Report of the next stop.
+  // Report that GDB expects at the next stop.
   enum class Owed { Nothing, Stop, Monitor };
 
   void serve(const std::string& why);

@@ -9,8 +9,8 @@ namespace {
 constexpr const char* kTrap = "05";
 constexpr const char* kInterruptSignal = "02";
 constexpr const char* kBeginning = "05replaylog:begin;";
-// Number of instructions between two reads of the line. The machine executes them in far less than
-// 1 ms.
+// Number of instructions between two reads of the serial line to GDB. The computer executes these
+// instructions in far less than 1 ms.
 constexpr std::uint32_t kLook = 4096;
 
 }  // namespace

@@ -14,24 +14,25 @@
 
 namespace wr::gdb {
 
-/// @brief Thrown when a run restarts. The owner of the board constructs a new board, passes it to
-/// begin(), and runs it as before.
+/// @brief An exception that is thrown when a run restarts. The owner of the board constructs a new
+/// board, passes it to begin(), and runs it as before.
 struct BeginsAgain {};
 
 /// @brief A debugger that stops the program and can return to an earlier time.
 ///
-/// A position is a number of executed instructions. The same input causes the same run. A second
-/// run from the start therefore reaches an earlier position, and no state has to be restored.
+/// A position is a number of executed instructions. The same input causes the same run. To go back
+/// to an earlier position, the debugger starts a second run from the beginning. It need not restore
+/// any state.
 class Debugger {
  public:
   /// @brief Serves the user while the program is stopped.
   ///
-  /// It returns when the program shall continue. The text is the reason for the stop, in the form
-  /// of a GDB stop reply, e.g. `05` or `05watch:20000004;`.
+  /// The function returns when the program shall continue. The text is the reason for the stop, in
+  /// the form of a GDB stop reply, e.g. `05` or `05watch:20000004;`.
   using Serve = std::function<void(const std::string& why)>;
 
   /// @param serve is called at each stop, before an instruction or after the end of the run
-  /// @param asked returns whether the user requests a stop of the program
+  /// @param asked returns true if the user requests a stop of the program
   Debugger(Serve serve, std::function<bool()> asked);
 
   /// @brief Begins a run. The first run stops before its first instruction.
@@ -65,11 +66,11 @@ class Debugger {
   /// @brief Returns the board. The result is valid only during a run.
   [[nodiscard]] const emulator::DebugPort& port() const { return *port_; }
 
-  /// @brief Returns the rules. Call rulesChanged() after a change of the rules.
+  /// @brief Returns the breakpoints and watchpoints. Call rulesChanged() after a change of them.
   [[nodiscard]] StopRules& rules() { return rules_; }
   void rulesChanged();
 
-  /// @brief Returns whether the run has ended.
+  /// @brief Returns true if the run has ended.
   [[nodiscard]] bool ended() const { return ended_; }
 
  private:

@@ -9,11 +9,11 @@
 
 namespace wr::gdb {
 
-/// @brief A line whose input can be repeated. A restarted run reads the same bytes at the same
-/// calls of read(). The output that it repeats is discarded.
+/// @brief A serial line whose input can be repeated. A restarted run reads the same bytes at the
+/// same calls of read(). The output that the restarted run repeats is discarded.
 class RepeatedLine final : public programs::SerialLine {
  public:
-  /// @param line the line
+  /// @param line the serial line
   explicit RepeatedLine(std::unique_ptr<programs::SerialLine> line) : line_(std::move(line)) {}
 
   /// @brief Restarts the run.

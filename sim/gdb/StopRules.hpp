@@ -18,7 +18,7 @@ class StopRules {
   void addBreakpoint(std::uint32_t address) { breakpoints_.insert(address); }
   void removeBreakpoint(std::uint32_t address) { breakpoints_.erase(address); }
 
-  /// @brief Returns whether the program stops before an instruction.
+  /// @brief Returns true if the program stops before an instruction.
   [[nodiscard]] bool stopsAt(std::uint32_t address) const { return breakpoints_.contains(address); }
 
   /// @brief Sets a watchpoint.

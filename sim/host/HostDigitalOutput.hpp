@@ -13,7 +13,7 @@ class HostDigitalOutput final : public DigitalOutput {
 
   void set(bool on) override;
 
-  /// @brief Returns whether the output is on.
+  /// @brief Returns true if the output is on.
   [[nodiscard]] bool isOn() const { return on_; }
 
   /// @brief Sets the callback for each change of the output from off to on.

@@ -17,8 +17,8 @@ class HostEdgeInput final : public EdgeInput {
   /// @param level initial level
   explicit HostEdgeInput(HostScheduler& scheduler, bool level = true);
 
-  /// @brief Sets the vector of the interrupt.
-  /// @param vector command of the interrupt
+  /// @brief Sets the handler of the interrupt.
+  /// @param vector function that the interrupt calls
   void connect(std::function<void()> vector);
 
   /// @brief Puts a level on the pin. After the start of the input, a change raises the interrupt.

@@ -50,7 +50,7 @@ class HostFirmware {
 
   /// @brief Constructs the robot and binds it to its devices.
   /// @param timebase returns the time
-  /// @param pcPort line to the PC
+  /// @param pcPort serial line to the PC
   /// @param start cause of the start; by default, the cause is unknown
   /// @param equipment parts of the firmware
   /// @param retained memory with its content before the last reset

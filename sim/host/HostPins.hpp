@@ -42,9 +42,9 @@ struct HostSteeringPins {
   HostAnalogInput angle;
 };
 
-/// @brief All pins of the firmware on the host. Nothing is connected at first. Currents and
-/// steering angle are in the middle, there are no edges, and no end stop and no emergency stop is
-/// active.
+/// @brief All pins of the firmware on the host. Nothing is connected at first. The inputs of the
+/// currents and of the steering angle are in the middle of their ranges. There are no edges. No end
+/// stop and no emergency stop is active.
 struct HostPins {
   /// @brief Constructs the pins.
   /// @param scheduler serves the interrupts

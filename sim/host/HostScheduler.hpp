@@ -7,7 +7,8 @@ namespace wr::host {
 
 class HostThread;
 
-/// @brief Runs threads on the host in the order in which the interrupt controller would run them.
+/// @brief A scheduler that runs threads on the host in the same sequence as an interrupt
+/// controller.
 ///
 /// A thread with a higher priority than the running thread runs immediately, before pend() returns.
 /// The other threads run when the running thread ends. No thread starts while an interrupt is
@@ -25,11 +26,12 @@ class HostScheduler {
   /// @brief Sets the callback that runs directly before each thread.
   void beforeThread(std::function<void(const HostThread& thread)> call);
 
-  /// @brief Runs every triggered thread whose priority is high enough.
+  /// @brief Runs every triggered thread that has a higher priority than the running thread.
   void dispatch();
 
-  /// @brief Executes an interrupt. Then runs every triggered thread whose priority is high enough.
-  /// @param vector command of the interrupt
+  /// @brief Executes an interrupt. Then runs every triggered thread that has a higher priority than
+  /// the running thread.
+  /// @param vector function that the interrupt calls
   void interrupt(const std::function<void()>& vector);
 
  private:

@@ -14,8 +14,8 @@ namespace wr::host {
 /// @brief A serial port in memory, with the buffer sizes of a real port.
 class HostSerialPort final : public SerialPort {
  public:
-  /// @brief Maximum number of received bytes that are stored. In one cycle, a line of 115200 baud
-  /// transfers only 1152 bytes.
+  /// @brief Maximum number of received bytes that are stored. In one cycle, a serial line of 115200
+  /// baud transfers only 1152 bytes.
   static constexpr std::size_t kReceived = 2048;
   /// @brief Maximum number of written bytes that are stored.
   static constexpr std::size_t kSent = 512;
@@ -24,12 +24,13 @@ class HostSerialPort final : public SerialPort {
   /// @param clock the clock
   void setClock(const Timebase& clock) { clock_ = &clock; }
 
-  /// @brief Receives bytes from the line at the present time. Bytes that do not fit are lost and
-  /// counted.
+  /// @brief Receives bytes from the serial line at the present time. Bytes that do not fit are lost
+  /// and counted.
   /// @param bytes the bytes
   void arrive(std::span<const std::uint8_t> bytes);
 
-  /// @brief Removes all written bytes, and returns them as the output to the line.
+  /// @brief Removes all written bytes, and returns them as the bytes that were sent over the serial
+  /// line.
   /// @return the bytes, oldest first
   [[nodiscard]] std::vector<std::uint8_t> takeSent();
 

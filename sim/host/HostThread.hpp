@@ -14,7 +14,7 @@ class HostThread final : public ControlThread {
   /// @param priority priority of the thread; 1 is the lowest priority
   HostThread(HostScheduler& scheduler, int priority);
 
-  /// @brief Returns whether an activation is pending.
+  /// @brief Returns true if an activation is pending.
   /// @return true from post() to runPended().
   [[nodiscard]] bool pended() const;
 

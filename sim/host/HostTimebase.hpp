@@ -13,7 +13,7 @@ class HostTimebase final : public Timebase {
   [[nodiscard]] Instant now() const override { return now_; }
   [[nodiscard]] std::uint32_t awakeCycles() const override { return 0; }
 
-  /// @brief Lets time pass.
+  /// @brief Advances the time.
   /// @param duration duration
   void advance(Microseconds duration) { now_ = now_ + duration; }
 

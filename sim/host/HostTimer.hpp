@@ -16,8 +16,8 @@ class HostTimer final : public PeriodicTimer {
   /// @param scheduler serves the interrupt
   explicit HostTimer(HostScheduler& scheduler);
 
-  /// @brief Sets the vector of the interrupt.
-  /// @param vector command of the interrupt
+  /// @brief Sets the handler of the interrupt.
+  /// @param vector function that the interrupt calls
   void connect(std::function<void()> vector);
 
   /// @brief Raises the interrupt. A stopped timer raises no interrupt.
@@ -27,7 +27,7 @@ class HostTimer final : public PeriodicTimer {
   /// @return period of the running timer; 0 if the timer is stopped.
   [[nodiscard]] Microseconds period() const;
 
-  /// @brief Returns whether the interrupt was raised and is not yet acknowledged.
+  /// @brief Returns true if the interrupt was raised and is not yet acknowledged.
   /// @return true while the interrupt flag is set.
   [[nodiscard]] bool pending() const;
 

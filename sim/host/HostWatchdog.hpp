@@ -20,7 +20,7 @@ class HostWatchdog final : public Watchdog {
   /// @return refreshes since start.
   [[nodiscard]] std::uint32_t refreshes() const;
 
-  /// @brief Returns whether the watchdog would have reset the system.
+  /// @brief Returns true if the watchdog would have reset the robot.
   /// @return true if a time-out has passed without a refresh. A later refresh does not change this
   /// result.
   [[nodiscard]] bool missed() const;

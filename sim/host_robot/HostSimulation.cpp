@@ -12,14 +12,14 @@ constexpr std::uint32_t kSeed = 1;
 constexpr Microseconds kStep(std::chrono::microseconds(plant::Robot::kStep).count());
 
 // The time from power-on to the start of the timers. In this time, the clock starts, the converters
-// are calibrated, and the objects are constructed. The time was measured with the image on the
-// virtual K64.
+// are calibrated, and the objects are constructed. The time was measured with the firmware image on
+// the virtual K64.
 constexpr Microseconds kStartUp(5364);
 
 // The first time is from a tick to the start of the first wheel thread in the same cycle. The
-// second time is from one wheel thread to the next. Both were measured with the image on the
-// virtual K64. On the host, all other code takes no time. The clock pulse is therefore at the start
-// of the first wheel thread.
+// second time is from one wheel thread to the next. Both times were measured with the firmware
+// image on the virtual K64. On the host, all other code takes no time. The clock pulse is therefore
+// at the start of the first wheel thread.
 constexpr Microseconds kToWheels(9);
 constexpr Microseconds kOfWheel(51);
 
@@ -60,8 +60,8 @@ void HostSimulation::beginPeriods() {
   nextPulse_ = begin + robot.period() + kToWheels;
 }
 
-// The new firmware has the same address as the old firmware, so that all references to the robot
-// stay valid.
+// The new firmware object has the same address as the old object. All references to the robot
+// therefore stay valid.
 void HostSimulation::reset(ResetCause cause) {
   const host::HostFirmware::Retained retained = robot.retained();
   edges_.clear();

@@ -22,7 +22,7 @@ namespace wr::host_robot {
 class HostSimulation {
  public:
   /// @brief Constructs a robot that is at rest. The firmware runs only after start().
-  /// @param pcPort line to the PC
+  /// @param pcPort serial line to the PC
   /// @param equipment parts of the firmware; with only Main Control, there are no events between
   /// the clock pulses
   explicit HostSimulation(SerialPort& pcPort,

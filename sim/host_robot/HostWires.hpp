@@ -7,7 +7,8 @@
 
 namespace wr::host_robot {
 
-/// @brief The robot's physics on the pins of the firmware on the host.
+/// @brief The connections between the pins of the firmware on the host and the physics of the
+/// robot.
 class HostWires {
  public:
   /// @brief Connects the pins to the physics, and sets the pins to the present values of all
@@ -18,8 +19,8 @@ class HostWires {
   HostWires(const HostWires&) = delete;
   HostWires& operator=(const HostWires&) = delete;
 
-  /// @brief Passes the outputs of the firmware to the actuators. The step pulses need no call,
-  /// because each pulse acts immediately.
+  /// @brief Passes the outputs of the firmware to the actuators. The step pulses of the steering
+  /// need no call of this function, because each pulse takes effect immediately.
   void drive();
 
   /// @brief Sets the pins to the values of the sensors. Sensors that are simulated as edges are

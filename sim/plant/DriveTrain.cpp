@@ -82,7 +82,8 @@ void DriveTrain::advanceShaft(double seconds) {
   turns_ += speed_ * seconds / (2.0 * std::numbers::pi);
 }
 
-// Returns the torque of the magnets. As a function of the position, this torque is a triangle wave.
+// Returns the cogging torque of the magnets. As a function of the position, this torque is a
+// triangle wave.
 double DriveTrain::cogging() const {
   const double position = turns_ * kCoggingPeriods;
   const double part = position - static_cast<double>(wholePart(position));

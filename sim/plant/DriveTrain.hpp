@@ -55,7 +55,7 @@ class DriveTrain {
   /// @param swapped true: with a positive voltage, the motor turns backwards
   void swapLeads(bool swapped) { polarity_ = swapped ? -1.0 : 1.0; }
 
-  /// @brief Lets time pass.
+  /// @brief Advances the time.
   /// @param seconds duration; at most 0.2 ms
   /// @param contact contact between the wheel and the ground
   /// @param supply voltage of the supply, V

@@ -19,7 +19,7 @@ class HallSensors {
   /// @param misplaced displacement of each sensor, in edges
   void place(const std::array<double, 2>& misplaced) { misplaced_ = misplaced; }
 
-  /// @brief Turns the shaft by less than an edge.
+  /// @brief Turns the shaft by less than the distance between two edges.
   /// @param sensor 0 for a, 1 for b
   /// @param from turns of the shaft before the movement
   /// @param to turns of the shaft after the movement

@@ -5,7 +5,7 @@
 namespace wr::plant {
 
 /// @brief Random numbers that depend only on a seed, a purpose and an index. Two runs have the same
-/// noise at the same time, also if the first run has used more random numbers before.
+/// noise at the same time, even if the first run has used more random numbers before this time.
 class Noise {
  public:
   /// @brief Constructs the noise.

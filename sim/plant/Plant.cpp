@@ -7,7 +7,7 @@ namespace {
 // The source of the random numbers of the plant.
 constexpr std::uint32_t kOfPlant = 64;
 
-// Returns successive random numbers, each within a given band.
+// A source of random numbers. Each number is within a given range.
 class Bands {
  public:
   explicit Bands(const Noise& noise) : noise_(noise) {}
@@ -49,8 +49,8 @@ void setRolling(Plant& plant, double share) {
 
 // Copper has 20 percent more resistance 50 K above the nominal temperature. Hot magnets lose a
 // tenth of their field. A lead battery of 24 V has 21 V when it is empty, and 29 V while it is
-// charged. The smallest mass is the robot without panels and sprayers. The greatest mass is the
-// robot with a load.
+// charged. The smallest mass is the mass of the robot without panels and sprayers. The greatest
+// mass is the mass of the robot with a load.
 Plant Plant::varied(const Noise& noise) {
   Bands bands(noise);
   Plant plant;

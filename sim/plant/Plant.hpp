@@ -30,7 +30,7 @@ struct MotorParameters {
   double wheelInertia = 0.28;    ///< kg m^2: 7.5 kg, as a disc
 };
 
-/// @brief The sensors of one wheel.
+/// @brief The current sensor of one wheel.
 struct CurrentSensorParameters {
   double gain = 1.0;    ///< factor of the nominal 0.1 V/A
   double offset = 0.0;  ///< A
@@ -50,7 +50,7 @@ struct Plant {
   double angleGain = 1.0;           ///< factor of the nominal 80 degrees over 3.3 V
   double angleOffset = 0.0;         ///< degrees
 
-  /// @brief Returns a robot with random parameters within their bands.
+  /// @brief Returns a robot with random parameters. Each parameter is within its range.
   /// @param noise chooses the values
   /// @return the robot
   [[nodiscard]] static Plant varied(const Noise& noise);

@@ -66,7 +66,7 @@ class RemoteControl {
 
   /// @brief Sets the output of the receiver while the transmitter is off. The initial output is
   /// None.
-  /// @param failSafe its behaviour
+  /// @param failSafe output of the receiver while the transmitter is off
   void setFailSafe(FailSafe failSafe) { failSafe_ = failSafe; }
 
   /// @brief Adds the trembling of the operator's hand to the velocity stick.
@@ -82,7 +82,7 @@ class RemoteControl {
   /// @param on true for on
   void setNoise(bool on) { noisy_ = on; }
 
-  /// @brief Lets 1 ms pass.
+  /// @brief Advances the time by 1 ms.
   /// @return the edges in this time, in the order of time; the result is valid until the next step
   std::span<const RcEdge> step();
 

@@ -240,10 +240,10 @@ void Robot::sample() {
   sampleAngle();
 }
 
-// Returns the voltage of the previous input of a converter. The voltage of an open input moves
-// towards this voltage, because the converter's capacitor keeps its charge. One converter converts
-// the currents of wheels 0 and 1. The other converter converts the currents of wheels 2 and 3, and
-// the angle.
+// Returns the voltage of the input that a converter converts before the input of a wheel. The
+// voltage of an open input moves towards this voltage, because the converter's capacitor keeps its
+// charge. One converter converts the currents of wheels 0 and 1. The other converter converts the
+// currents of wheels 2 and 3, and the angle.
 double Robot::voltsBefore(std::size_t wheel) const {
   return wheel == 2 ? steeringVolts() : currentVolts_.at(wheel == 0 ? 1 : wheel - 1);
 }
@@ -268,9 +268,9 @@ double Robot::steeringVolts() const {
   return angleOpen_ || angleStuck_ ? keptVolts_ : trueAngleVolts();
 }
 
-// While only one axle is on the new slope, the slope of the robot changes by a part of the
-// difference. One wheelbase later, the second axle is also on the new slope, and the full
-// difference acts.
+// While only one axle is on the new slope, the slope of the robot is between the old and the new
+// slope. One wheelbase later, the second axle is also on the new slope, and the robot has the new
+// slope.
 void Robot::advanceSlope() {
   if (slopeReached_ >= 1) {
     return;
@@ -342,7 +342,7 @@ void Robot::advanceAlong(double force, double seconds) {
   speed_ = next * direction > 0 ? next : 0.0;
 }
 
-// Computes the edges of a step. No shaft turns by a whole edge in 1 ms.
+// Computes the edges of a step. In 1 ms, a shaft turns by less than the distance between two edges.
 void Robot::findEdges(std::size_t wheel, double from) {
   HallFaults& faults = hallFaults_.at(wheel);
   faults.losesNext = faults.losesNext || happens(kForLosses, wheel, faults.losses);
@@ -387,7 +387,7 @@ bool Robot::happens(std::uint32_t source, std::size_t wheel, double perSecond) c
                               2.0 * perSecond * kStepSeconds - 1.0;
 }
 
-// The edges of a wheel stay in order.
+// Adds an edge. The edges of a wheel stay in the order of time.
 void Robot::addEdge(HallEdge edge) {
   const auto last = std::ranges::find(edges_.rbegin(), edges_.rend(), edge.wheel, &HallEdge::wheel);
   const std::chrono::nanoseconds first =

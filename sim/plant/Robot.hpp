@@ -43,11 +43,13 @@ enum class Fault : std::uint8_t {
   HallLosses,     ///< edges of a wheel are lost; value: edges per second
   Leads,          ///< the leads of a motor are swapped
   Current,        ///< the cable of a current sensor is broken; its input is pulled to 0 V
-  CurrentOpen,    ///< the cable is broken, and the open input follows its neighbour
+  CurrentOpen,    ///< the cable is broken, and the open input follows the input that was converted
+                  ///< before
   CurrentStuck,   ///< a current sensor keeps its value
   CurrentOffset,  ///< a current sensor has an offset; value: mA
   Angle,          ///< the cable of the angle sensor is broken; its input is pulled to 0 V
-  AngleOpen,      ///< the cable is broken, and the open input follows its neighbour
+  AngleOpen,      ///< the cable is broken, and the open input follows the input that was converted
+                  ///< before
   AngleStuck,     ///< the angle sensor keeps its value
   AngleDrift,     ///< the angle sensor drifts; value: 0.01 degree per second
   Stall,          ///< the steering is stuck
@@ -66,9 +68,9 @@ enum class EmergencyStop : std::uint8_t {
 /// @brief The physics of the robot. The inputs are the signals to its actuators, and the outputs
 /// are the values of its sensors.
 ///
-/// Time is divided into steps of 1 ms. A step uses the present inputs, and returns the edges of its
-/// time. Noise depends only on the seed and the step. It is therefore equal for all targets of the
-/// firmware.
+/// Time is divided into steps of 1 ms. A step uses the present inputs, and returns the edges that
+/// occur during the step. Noise depends only on the seed and the step. It is therefore equal for
+/// all targets of the firmware.
 class Robot {
  public:
   static constexpr double kGravity = 9.81;   ///< m/s^2
@@ -108,9 +110,9 @@ class Robot {
   /// @param on true for on
   void setNoise(bool on);
 
-  /// @brief Sets the slope of the ground ahead. The robot reaches this slope axle by axle, so its
-  /// own slope changes evenly over one wheelbase. If the robot drives slowly or is at rest, its
-  /// slope changes within 2 s.
+  /// @brief Sets the slope of the ground ahead. The robot reaches this slope axle by axle. Its own
+  /// slope therefore changes evenly over one wheelbase. If the robot drives slowly or is at rest,
+  /// its slope changes within 2 s.
   /// @param percent positive uphill, in the direction in which the robot started
   void setSlope(double percent);
 
@@ -138,7 +140,7 @@ class Robot {
   /// @param wheel 0 to 3
   [[nodiscard]] const WheelDrive& drive(std::size_t wheel) const { return drives_.at(wheel); }
 
-  /// @brief Switches the motor of the steering.
+  /// @brief Switches the motor of the steering on or off.
   /// @param enabled true for on
   void setSteeringEnabled(bool enabled) { steering_.enable(enabled && hasPower()); }
 
@@ -167,15 +169,15 @@ class Robot {
     return halls_.at(wheel).level(sensor);
   }
 
-  /// @brief Returns whether the contact of the left end stop is open. It is open if the end is
-  /// reached or the wire is broken.
+  /// @brief Returns true if the contact of the left end stop is open. The contact is open if the
+  /// end is reached or the wire is broken.
   [[nodiscard]] bool leftEnd() const { return leftEndBroken_ || steering_.leftEnd(); }
 
-  /// @brief Returns whether the contact of the right end stop is open. It is open if the end is
-  /// reached or the wire is broken.
+  /// @brief Returns true if the contact of the right end stop is open. The contact is open if the
+  /// end is reached or the wire is broken.
   [[nodiscard]] bool rightEnd() const { return rightEndBroken_ || steering_.rightEnd(); }
 
-  /// @brief Returns whether the emergency stop is pressed. Its auxiliary contact is then open.
+  /// @brief Returns true if the emergency stop is pressed. Its auxiliary contact is then open.
   [[nodiscard]] bool emergencyStopOpen() const { return !hasPower(); }
 
   /// @brief Returns the true velocity of a wheel's motor shaft.
@@ -201,8 +203,8 @@ class Robot {
   /// @return N m at the shaft, positive forwards
   [[nodiscard]] double torque(std::size_t wheel) const { return trains_.at(wheel).torque(); }
 
-  /// @brief Returns whether no driver puts power into its motor. In this case, the robot brakes,
-  /// rolls or is at rest.
+  /// @brief Returns true if no driver puts power into its motor. The robot then brakes, rolls or is
+  /// at rest.
   [[nodiscard]] bool braking() const;
 
   /// @brief Returns the speed over ground at the middle of the robot, in the direction of its axis.

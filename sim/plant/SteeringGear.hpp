@@ -9,9 +9,9 @@ class SteeringGear {
   static constexpr int kLastStep =
       680;  ///< last step before the mechanical limit of the steering, at 34 degrees
   static constexpr double kSwitch =
-      33.5;  ///< angle at which the switch of an end operates, degrees
+      33.5;  ///< angle at which the switch of an end stop opens, degrees
 
-  /// @brief Switches the current of the motor.
+  /// @brief Switches the current of the motor on or off.
   /// @param enabled false: steps are lost
   void enable(bool enabled) { enabled_ = enabled; }
 
@@ -27,10 +27,10 @@ class SteeringGear {
   /// @return degrees, positive to the left
   [[nodiscard]] double degrees() const { return steps_ * kStep; }
 
-  /// @brief Returns whether the left end is reached.
+  /// @brief Returns true if the left end stop is reached.
   [[nodiscard]] bool leftEnd() const { return degrees() >= kSwitch; }
 
-  /// @brief Returns whether the right end is reached.
+  /// @brief Returns true if the right end stop is reached.
   [[nodiscard]] bool rightEnd() const { return degrees() <= -kSwitch; }
 
  private:

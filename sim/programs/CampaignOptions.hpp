@@ -11,7 +11,7 @@ namespace wr::programs {
 /// @brief The options of a program that runs in a campaign.
 struct CampaignOptions {
   std::string image;       ///< content of the flash
-  std::string elf;         ///< ELF file of the image with its symbols
+  std::string elf;         ///< ELF file of the firmware image, with its symbols
   std::uint64_t seed = 1;  ///< chooses the cases
   int count = 1;           ///< number of cases
 

@@ -26,7 +26,7 @@ void printLost(const Pace& pace, std::FILE* output) {
   const auto lost = std::chrono::duration_cast<std::chrono::milliseconds>(pace.lost());
   if (lost.count() > 0) {
     std::fprintf(output,
-                 "The machine was too slow. The robot's time did not advance for %lld ms.\n",
+                 "This computer was too slow. The robot's time did not advance for %lld ms.\n",
                  static_cast<long long>(lost.count()));
   }
 }

@@ -6,10 +6,10 @@
 
 namespace wr::programs {
 
-/// @brief Synchronises the time of a simulated robot with the clock of the machine.
+/// @brief The synchronisation of the time of a simulated robot with the clock of the computer.
 ///
-/// When the machine is late by more than kLate, the robot's time does not catch up with the clock.
-/// Otherwise, the PC would get a burst of cycles.
+/// When the computer is late by more than kLate, the time of the robot does not catch up with the
+/// clock. If it did, the PC would get the reports of many cycles at once.
 class Pace final {
  public:
   using Clock = std::chrono::steady_clock;
@@ -18,13 +18,13 @@ class Pace final {
   static constexpr Clock::duration kLate = std::chrono::milliseconds(20);
 
   /// @brief Starts at time 0 of the robot.
-  /// @param now returns the time of the machine's clock
-  /// @param sleepUntil sleeps until a time of the machine's clock
+  /// @param now returns the time of the computer's clock
+  /// @param sleepUntil sleeps until a time of the computer's clock
   explicit Pace(std::function<Clock::time_point()> now = &Clock::now,
                 std::function<void(Clock::time_point)> sleepUntil = &Pace::sleep);
 
   /// @brief Waits for a time of the robot.
-  /// @param the time, since the start of the robot
+  /// @param time time since the start of the robot
   void waitFor(Clock::duration time);
 
   /// @brief Returns the duration in which the simulated time did not advance.

@@ -10,10 +10,11 @@
 
 namespace wr::programs {
 
-/// @brief A pseudo-terminal on this machine.
+/// @brief A pseudo-terminal on this computer.
 ///
-/// The object also keeps the far end open, so that clients can disconnect and connect. Bytes that
-/// the pseudo-terminal does not accept immediately wait in a bounded buffer.
+/// The object also keeps the other end of the pseudo-terminal open. Clients can therefore
+/// disconnect and connect again. Bytes that the pseudo-terminal does not accept immediately wait in
+/// a bounded buffer.
 class PseudoTerminal final : public SerialLine {
  public:
   /// @brief Maximum number of bytes that wait to be sent.

@@ -25,7 +25,7 @@ std::optional<std::uint16_t> tcpPortOf(std::string_view kind) {
                                                                   : std::nullopt;
 }
 
-/// @brief A line that sends to the standard output of the program. It receives nothing.
+/// @brief A serial line that sends to the standard output of the program. It receives nothing.
 class StandardOutput final : public SerialLine {
  public:
   [[nodiscard]] const std::string& name() const override { return name_; }

@@ -8,7 +8,7 @@
 
 namespace wr::programs {
 
-/// @brief The line to a serial port of the robot, on this machine. No call blocks.
+/// @brief A serial line to a port of the robot, on this computer. No call blocks.
 class SerialLine {
  public:
   SerialLine() = default;
@@ -16,7 +16,7 @@ class SerialLine {
   SerialLine& operator=(const SerialLine&) = delete;
   virtual ~SerialLine() = default;
 
-  /// @brief Returns the name that a client needs to open the line.
+  /// @brief Returns the name that a client needs to open the serial line.
   [[nodiscard]] virtual const std::string& name() const = 0;
 
   /// @brief Reads bytes that a client has sent.
@@ -26,16 +26,16 @@ class SerialLine {
 
   /// @brief Sends bytes to the client.
   /// @param bytes the bytes
-  /// @return false if bytes are lost, because no client reads the line
+  /// @return false if bytes are lost because no client reads the serial line
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;
 };
 
-/// @brief Opens a line. Throws std::system_error when this fails.
+/// @brief Opens a serial line. Throws std::system_error when this fails.
 /// @param kind "pty", "stdout" or "tcp:PORT"; see isLineKind()
-/// @return the line
+/// @return the serial line
 [[nodiscard]] std::unique_ptr<SerialLine> openLine(const std::string& kind);
 
-/// @brief Checks whether openLine() supports a kind of line.
+/// @brief Checks whether openLine() supports a kind of serial line.
 [[nodiscard]] bool isLineKind(const std::string& kind);
 
 }  // namespace wr::programs

@@ -35,9 +35,9 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::nanoseconds;
 
-// Time between two reads of the line of UART0.
+// Time between two reads of the serial line of UART0.
 constexpr milliseconds kSlice{2};
-// Maximum number of bytes per read of the line. More bytes wait until the next read.
+// Maximum number of bytes per read of the serial line. More bytes wait until the next read.
 constexpr std::size_t kBytes = 64;
 constexpr milliseconds kPeriod{100};
 constexpr double kNanoseconds = 1e9;
@@ -250,7 +250,7 @@ emulator::Options boardOptions(const Settings& settings) {
           .unmodelledIsFinding = settings.unmodelled == "stop"};
 }
 
-/// @brief The running board, which is alone or in the robot.
+/// @brief The running board, without a robot or in the simulated robot.
 class Machine {
  public:
   explicit Machine(const Settings& settings) {
@@ -282,8 +282,8 @@ class Machine {
   std::optional<emulator::VirtualBoard> alone_;
 };
 
-// Returns whether the run is complete. The run is complete when its time has passed, or when its
-// number of cycles has ended before the next slice.
+// Returns true if the run is complete. The run is complete when its time has passed, or when its
+// last cycle ends before the next slice.
 bool hasRun(Machine& machine, const Settings& settings) {
   const nanoseconds now = machine.board().now();
   if (settings.seconds != 0 &&
@@ -317,12 +317,12 @@ std::FILE* messagesOf(const Settings& settings) {
   return settings.uart == "stdout" ? stderr : stdout;
 }
 
-/// @brief The line of UART0 and the pace of a run. With a debugger, a restarted run keeps the line
-/// and the pace.
+/// @brief The serial line of UART0, and the pace of a run. When a debugger restarts the run, the
+/// new run uses the same line and the same pace.
 class Outside {
  public:
   explicit Outside(const Settings& settings) {
-    // A run that is as fast as possible has no line for a client.
+    // A run that is as fast as possible has no serial line for a client.
     if (settings.scenario.empty() && !(settings.fast && settings.uart == "pty")) {
       opened_ = openLine(settings.uart);
     }
@@ -339,7 +339,7 @@ class Outside {
     }
   }
 
-  /// @brief Creates the link and prints the name of the line. Does this only once.
+  /// @brief Creates the symbolic link and prints the name of the serial line. Does this only once.
   void announce(const Settings& settings, bool robot) {
     if (line() == nullptr || link_) {
       return;
@@ -369,7 +369,8 @@ Exit runBoard(Machine& machine, const Settings& settings, Outside& outside) {
   }
   outside.announce(
       settings,
-      machine.robot() != nullptr);  // the link is created last; at this time everything else exists
+      machine.robot() !=
+          nullptr);  // the symbolic link is created last; everything else exists before it
   Pace& pace = outside.pace;
   bool runs = true;
   while (runs && !endRequested() && !hasRun(machine, settings)) {
@@ -398,8 +399,8 @@ Exit runBoard(Machine& machine, const Settings& settings, Outside& outside) {
   return Exit::Done;
 }
 
-// Plays the scenario and measures its last cycles. Before the measured cycles, the scenario must
-// have at least one more cycle.
+// Plays the scenario and measures its last cycles. There must be at least one cycle before the
+// measured cycles.
 Exit runBench(board_robot::BoardSession& robot, const Settings& settings) {
   const auto end = scenario::Scenario::load(settings.scenario).end();
   const auto measured = kPeriod * (board_robot::CycleMeter::kCycles + 1);
@@ -446,7 +447,7 @@ Exit runAsAsked(Machine& machine, const Settings& settings, Outside& outside) {
   return runBoard(machine, settings, outside);
 }
 
-// Runs under a debugger. Each step back is another run from the start.
+// Runs under a debugger. For each step back, the program starts another run from the start.
 Exit runDebugged(const Settings& settings) {
   catchEndRequests();
   const std::unique_ptr<SerialLine> door = openLine("tcp:" + std::to_string(settings.gdb));

@@ -29,7 +29,8 @@ void print(const faults::Result& result) {
   std::fflush(stdout);  // a later copy of this process must not print this text again
 }
 
-// A case of a record. It has the time of the drive in ms, and the fault.
+// A case of the record. It consists of a fault, and of the time in the drive at which the fault is
+// injected [ms].
 struct Case {
   int at;
   faults::Fault fault;
@@ -56,9 +57,9 @@ Exit run(const CampaignOptions& settings, std::optional<faults::Kind> only,
 int main(int count, char** arguments) try {
   wr::programs::CampaignOptions settings;
   CLI::App app(
-      "Runs a random drive of a raw image of a K64 on the virtual board, and copies of it with "
-      "one\n"
-      "injected fault each. Prints a line of JSON for each fault.",
+      "Runs a random drive of the robot with a raw firmware image on the virtual K64. Then runs "
+      "copies\n"
+      "of the drive, each with one injected fault. Prints a line of JSON for each fault.",
       "weeding_robot_faults");
   settings.addTo(app);
   std::string only;
@@ -70,8 +71,9 @@ int main(int count, char** arguments) try {
   std::vector<std::array<std::int64_t, 4>> cases;
   app.add_option(
          "--case", cases,
-         "repeat a case of the drive, of the kind --only; NUMBERS are at, place, bit and value\n"
-         "of its line; may be repeated")
+         "repeat one fault; --only names its kind; NUMBERS are the values of at, place, bit "
+         "and value in\n"
+         "its line of JSON; may be repeated")
       ->type_name("NUMBERS")
       ->needs(kinds);
   return wr::programs::runProgram(app, count, arguments, [&] {

@@ -18,7 +18,7 @@ namespace wr::programs {
 
 namespace {
 
-// Time that the robot runs between two reads of the clock of the machine.
+// Time that the robot runs between two reads of the computer's clock.
 constexpr Microseconds kSlice = milliseconds(1);
 // Maximum number of bytes per read of the pseudo-terminal. More bytes wait until the next read.
 constexpr std::size_t kBytes = 64;
@@ -86,7 +86,7 @@ void runInRealTime(const Settings& settings) {
   scenario::ControlChannel control(settings.control, robot);
   robot.start();
   const SymbolicLink link(settings.link,
-                          line.name());  // created last; at this time everything else exists
+                          line.name());  // created last; everything else exists before it
   std::printf("PC link: %s\n", line.name().c_str());
   std::fflush(stdout);
   Pace pace;
@@ -118,7 +118,7 @@ Exit run(const Settings& settings) {
 int main(int count, char** arguments) try {
   wr::programs::Settings settings;
   CLI::App app(
-      "Runs the firmware in the simulated robot on this machine, in real time. The PC link is a\n"
+      "Runs the firmware in the simulated robot on this computer, in real time. The PC link is a\n"
       "pseudo-terminal.",
       "weeding_robot_host");
   wr::programs::addOptions(app, settings);

@@ -29,8 +29,8 @@ constexpr std::uint32_t kMainThread = 16 + 64;  // the interrupt of the main thr
 constexpr int kCycles = 60;                     // cycles of a drive: 6 s
 constexpr int kConnected = 3;                   // cycles after which the PC is connected
 constexpr int kNeutral = 12;                    // cycles with neutral orders, which arm the robot
-constexpr int kLineBytes = 1152;                // bytes that the line of the PC transfers in 100 ms
-constexpr int kMostPayload = 200;               // bytes of a frame
+constexpr int kLineBytes = 1152;   // bytes that the serial line of the PC transfers in 100 ms
+constexpr int kMostPayload = 200;  // bytes of a frame
 constexpr int kUpsets = 6;
 
 // The inputs whose edges cause interrupts. They are the Hall sensors and the signals of the remote
@@ -57,7 +57,7 @@ constexpr int kShortestLevel = 20;  // [us]
 constexpr int kLongestLevel =
     240;  // [us]; noise with these levels reaches the limit of FR-201 in each tick
 
-// A robot that gets random orders, bytes and surroundings.
+// A robot with random orders, random bytes from the PC, and random surroundings.
 class LoadedRobot {
  public:
   LoadedRobot(const CampaignOptions& settings, std::uint64_t seed)
@@ -91,11 +91,11 @@ class LoadedRobot {
   // Returns the longest time of the drive from a clock pulse to the end of the main thread.
   [[nodiscard]] nanoseconds longest() const { return longest_; }
 
-  // Returns whether the inputs have noise in the drive.
+  // Returns true if the inputs have noise in the drive.
   [[nodiscard]] bool noisy() const { return noisy_; }
 
  private:
-  // The bytes with which the PC loads its line.
+  // The kinds of bytes with which the PC loads its serial line.
   enum Style : std::uint32_t {
     Quiet,
     Hellos,
@@ -147,7 +147,7 @@ class LoadedRobot {
     session_.send(pc_.order(order_));
   }
 
-  // Fills the line until the next cycle.
+  // Sends bytes that fill the serial line until the next cycle.
   void load() {
     if (style_ == Quiet) {
       return;
@@ -176,8 +176,8 @@ class LoadedRobot {
     }
   }
 
-  // Generates edges at all inputs around the next clock pulse. There are more edges than may cause
-  // interrupts.
+  // Generates edges at all inputs around the next clock pulse. The number of edges is greater than
+  // the limit for interrupts.
   void disturb() {
     const nanoseconds pulse =
         session_.pulses().empty() ? session_.now() : session_.pulses().back() + kCyclePeriod;
@@ -276,11 +276,10 @@ Exit run(const CampaignOptions& settings) {
 int main(int count, char** arguments) try {
   wr::programs::CampaignOptions settings;
   CLI::App app(
-      "Runs random drives of a raw image of a K64 on the virtual board, with a PC that loads its\n"
-      "line. For each drive, prints a line of JSON with the longest time from a clock pulse to the "
-      "end "
-      "of\n"
-      "the main thread.",
+      "Runs random drives of the robot with a raw firmware image on the virtual K64. The PC keeps "
+      "its\n"
+      "serial line busy. For each drive, prints a line of JSON with the longest time from a clock\n"
+      "pulse to the end of the main thread.",
       "weeding_robot_loads");
   settings.addTo(app);
   return wr::programs::runProgram(app, count, arguments,

@@ -15,8 +15,8 @@ namespace wr::scenario {
 class ControlChannel {
  public:
   /// @brief Opens the socket. Throws std::system_error when this fails.
-  /// @param path path of the socket. An old socket with this path is replaced. With an empty path,
-  /// there is no socket
+  /// @param path path of the socket. An old socket with this path is replaced. If the path is
+  /// empty, no socket is opened
   /// @param robot robot on which the actions are executed
   ControlChannel(std::filesystem::path path, RobotSession& robot);
   ControlChannel(const ControlChannel&) = delete;

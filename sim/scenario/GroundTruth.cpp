@@ -70,7 +70,7 @@ double heading(const Robot& robot, double /*mark*/) {
   return robot.heading() * kDegree * 100;
 }
 
-// A robot that drives straight ahead has a radius of 1 km.
+// If the robot drives straight ahead, the returned radius is 1 km.
 double radius(const Robot& robot, double /*mark*/) {
   const double speed = robot.groundSpeed();
   const double yaw = robot.yawRate();

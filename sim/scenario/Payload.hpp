@@ -42,7 +42,7 @@ struct FrameRow {
   std::size_t size = 0;
 };
 
-/// The greatest set-point of an order, as a number on the line.
+/// The greatest set-point of an order, as a number in the frame.
 struct FrameLimit {
   std::string_view name;
   std::int32_t limit = 0;
@@ -51,7 +51,7 @@ struct FrameLimit {
 /// @brief Reads a number in little-endian order. Missing bytes are 0, because the sender may have
 /// fewer fields.
 /// @param body a frame without its CRC
-/// @param offset place of the number in the payload
+/// @param offset position of the number in the payload
 /// @param value receives the number
 template <std::integral Number>
 void readAt(const Bytes& body, std::size_t offset, Number& value) {

@@ -129,7 +129,7 @@ std::vector<Bytes> bodies(std::span<const std::uint8_t> line) {
     const auto frame = line.subspan(begin, at - begin);
     begin = at + 1;
     if (frame.empty()) {
-      continue;  // this zero ends the bytes that were on the line before the first frame
+      continue;  // this zero byte ends the bytes that were sent before the first frame
     }
     FrameBody body = bodyOf(frame);
     if (!body.damage.empty()) {

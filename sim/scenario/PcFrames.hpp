@@ -51,10 +51,10 @@ struct FrameBody {
   std::string_view damage;  ///< empty if the frame has no error
 };
 
-/// Returns the body of the bytes between two zeros.
+/// Returns the body of a frame from the bytes between two zero bytes.
 [[nodiscard]] FrameBody bodyOf(std::span<const std::uint8_t> frame);
 
-/// Returns the bodies of all frames in some bytes, without their CRC. Throws an exception if a
+/// Returns the bodies of all frames in received bytes, without their CRC. Throws an exception if a
 /// frame has an error.
 [[nodiscard]] std::vector<Bytes> bodies(std::span<const std::uint8_t> line);
 

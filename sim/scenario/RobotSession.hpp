@@ -16,7 +16,7 @@ namespace wr::scenario {
 /// @brief A fault of the firmware that a simulated board has detected.
 struct SessionFinding {
   std::string id;    ///< kind of the finding
-  std::string text;  ///< the whole finding in one line
+  std::string text;  ///< the whole finding as one line of text
 };
 
 /// @brief A reset of the microcontroller from outside.
@@ -25,7 +25,7 @@ enum class ResetKind : std::uint8_t {
   Power  ///< the supply was off; memory loses its content
 };
 
-/// @brief A robot in stepped time. It is used from the PC's end of the line.
+/// @brief A robot in stepped time. The caller is at the PC's end of the serial line.
 class RobotSession {
  public:
   /// @brief Time since the robot was switched on.
@@ -50,7 +50,7 @@ class RobotSession {
   /// @return the bytes, oldest first
   [[nodiscard]] virtual std::vector<std::uint8_t> takeSent() = 0;
 
-  /// @brief Lets time pass up to an instant.
+  /// @brief Advances the time to an instant.
   /// @param instant the instant
   /// @return false if a finding has stopped the robot
   virtual bool runUntil(Time instant) = 0;

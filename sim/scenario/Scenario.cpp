@@ -46,7 +46,7 @@ void readWheels(Words& words, std::uint8_t quantity, PcOrder& order) {
 Scenario::Action readOrder(Words& words) {
   PcOrder order;
   while (!words.done()) {
-    const std::string word = words.take("a part of the order");
+    const std::string word = words.take("a field of the order");
     if (word == "stop") {
       order.stop = true;
     } else if (word == "acknowledge") {
@@ -56,7 +56,7 @@ Scenario::Action readOrder(Words& words) {
     } else if (const auto quantity = quantityOf(word)) {
       readWheels(words, *quantity, order);
     } else {
-      throw Scenario::Error("an order has no part '" + word + "'");
+      throw Scenario::Error("an order has no field '" + word + "'");
     }
   }
   return Scenario::Order{order};
@@ -100,7 +100,7 @@ std::optional<Scenario::Limit> readLimit(Words& words) {
   if (!words.takeIf("within")) {
     return std::nullopt;
   }
-  const double amount = words.number("a time or a way");
+  const double amount = words.number("a time or a distance");
   if (amount <= 0) {
     throw Scenario::Error("an expectation needs a time or a distance greater than 0");
   }
@@ -169,10 +169,12 @@ Scenario::Action readAction(const std::string& word, Words& words) {
   throw Scenario::Error("there is no action '" + word + "'");
 }
 
-// This limit is greater than the number of times of a line that acts every 100 ms for an hour.
+// Greatest number of repetitions of one scenario line. This is enough for an action every 100 ms
+// for an hour.
 constexpr int kMostTimes = 100'000;
 
-// The times at which a line acts. A line has one time or repeated times.
+// The times at which the action of a scenario line is executed. A line has one time or repeated
+// times.
 struct Times {
   Time first;
   Time last;
@@ -197,7 +199,8 @@ Times readTimes(Words& words) {
     throw Scenario::Error("there are no times between these limits");
   }
   if ((times.last - times.first) / times.step >= kMostTimes) {
-    throw Scenario::Error("the line acts more than " + std::to_string(kMostTimes) + " times");
+    throw Scenario::Error("this line is executed more than " + std::to_string(kMostTimes) +
+                          " times");
   }
   return times;
 }
@@ -248,7 +251,7 @@ void Scenario::readHead(Words& words) {
     throw Error("a line with " + word + " must be before all lines that have a time");
   }
   if (word == "seed") {
-    seed_ = words.natural("seed");
+    seed_ = words.natural("a seed");
   } else {
     plant_.push_back(*readWorldAction(word, words));
   }

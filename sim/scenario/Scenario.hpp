@@ -38,8 +38,9 @@ namespace wr::scenario {
 /// 'acknowledge'; replay (sends the bytes of the last order again); bytes with pairs of hexadecimal
 /// digits. Orders are numbered from 1.
 ///
-/// The actions of the world are listed at readWorldAction(). After the action mark, the fields
-/// 'way' and 'max_velocity' are measured from this time.
+/// The actions on the robot and its surroundings (actions of the world) are listed at
+/// readWorldAction(). After the action mark, the fields 'way' and 'max_velocity' are measured from
+/// this time.
 ///
 /// 'seed N' selects the noise. With 'plant varied', the seed also selects the parameters of the
 /// robot. 'plant PARAMETER VALUE' sets one parameter. These lines have no time, and must be before
@@ -98,7 +99,7 @@ class Scenario {
   using Error = ScenarioError;
 
   /// @brief Reads a scenario. Throws Error.
-  /// @param text the lines
+  /// @param text the lines of the scenario
   /// @param name name of the text in error messages
   Scenario(std::istream& text, std::string name);
 

@@ -12,9 +12,9 @@ namespace wr::scenario {
 
 namespace {
 
-// Time between two reads of the PC's line.
+// Time between two reads of the PC's serial line.
 constexpr RobotSession::Time kGlance{5'000};
-// Time between two reads while an expectation may become true.
+// Time between two reads while at least one expectation is pending.
 constexpr RobotSession::Time kClose{1'000};
 
 void writeHeader(std::ostream& reports) {
@@ -30,7 +30,7 @@ void writeHeader(std::ostream& reports) {
   reports << '\n';
 }
 
-// Returns a true value with one decimal.
+// Returns the text of a true value with one decimal.
 std::string tenths(double value) {
   std::array<char, 32> text{};
   const auto [end, error] =
@@ -94,8 +94,8 @@ void ScenarioPlayer::end() {
   }
 }
 
-// Runs until the next read of the line or until an earlier time. Then reads the received bytes.
-// Returns false if a finding has stopped the robot.
+// Runs until the next read of the serial line, or until the given time if it is earlier. Then reads
+// the received bytes. Returns false if a finding has stopped the robot.
 bool ScenarioPlayer::glance(Time instant) {
   const Time length = pending_.empty() ? kGlance : kClose;
   const bool runs = robot_.runUntil(std::min(instant, robot_.now() + length));
@@ -125,7 +125,7 @@ void ScenarioPlayer::listen() {
     }
     const Bytes frame = std::exchange(line_, {});
     if (frame.empty()) {
-      continue;  // this zero ends the bytes that were on the line before the first frame
+      continue;  // this zero byte ends the bytes that were sent before the first frame
     }
     if (const FrameBody body = bodyOf(frame); body.damage.empty()) {
       take(body.bytes);
@@ -238,7 +238,7 @@ std::string ScenarioPlayer::mismatch(const Scenario::Expect& expect) const {
   const auto value = valueOf(expect);
   if (!value) {
     return name + " is unknown: no " + ((*field)->type == PcWelcome::kType ? "Welcome" : "Report") +
-           " has come";
+           " was received";
   }
   if (*value >= static_cast<double>(expect.low) && *value <= static_cast<double>(expect.high)) {
     return {};
@@ -285,7 +285,7 @@ void ScenarioPlayer::checkPending() {
 
 void ScenarioPlayer::act(const Scenario::ExpectSilence& action) {
   if (report_ && robot_.now() - reportAt_ < action.duration) {
-    fail("a report came at " + inMilliseconds(reportAt_));
+    fail("a report was received at " + inMilliseconds(reportAt_));
   }
 }
 

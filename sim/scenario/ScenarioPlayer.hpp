@@ -14,8 +14,8 @@
 
 namespace wr::scenario {
 
-/// @brief Plays the PC of a scenario, which is connected to the line of a robot, and the world
-/// around the robot.
+/// @brief A player of scenarios. It plays the PC, which is connected to the serial line of a robot,
+/// and the surroundings of the robot.
 class ScenarioPlayer {
  public:
   /// @brief Result of a scenario.
@@ -25,20 +25,20 @@ class ScenarioPlayer {
     std::uint64_t reports = 0;              ///< number of received reports
   };
 
-  /// @brief Connects a PC to the line of a robot that was just switched on.
+  /// @brief Connects a PC to the serial line of a robot that was just switched on.
   /// @param scenario the actions of the PC
   /// @param robot the robot
-  /// @param reports receives each report as a line of comma-separated values. The values are all
-  /// fields of the report, the time [ms] at which the PC received the report, and the true values
-  /// at this time. If it is null, nothing is written
+  /// @param reports receives each report as a text line of comma-separated values. The values are
+  /// all fields of the report, the time [ms] at which the PC received the report, and the true
+  /// values at this time. If the pointer is null, nothing is written
   ScenarioPlayer(const Scenario& scenario, RobotSession& robot, std::ostream* reports = nullptr);
 
   /// @brief Plays the scenario to its end.
   /// @return the result
   [[nodiscard]] Outcome play();
 
-  /// @brief Runs to the next instant at which the PC reads its line or has an action. Executes this
-  /// action.
+  /// @brief Runs to the next instant at which the PC reads its serial line or has an action.
+  /// Executes this action.
   /// @return false when the scenario has ended
   bool step();
 
@@ -101,7 +101,7 @@ class ScenarioPlayer {
   Bytes order_;      // the last order, as sent
   std::vector<Pending> pending_;
   bool confirms_ = false;  // true: the PC answers the next Welcome with Confirm
-  int at_ = 0;             // line of the scenario
+  int at_ = 0;             // line in the text of the scenario
   std::size_t next_ = 0;   // next step of the scenario
   bool ended_ = false;
   Outcome outcome_;

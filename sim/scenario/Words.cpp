@@ -98,7 +98,7 @@ std::uint32_t Words::natural(const std::string& name) {
   const std::string word = take("a number");
   const auto number = parse<std::uint32_t>(word);
   if (!number) {
-    throw ScenarioError("'" + word + "' is no " + name);
+    throw ScenarioError("'" + word + "' is not " + name);
   }
   return *number;
 }

@@ -21,8 +21,8 @@ class ScenarioError : public std::runtime_error {
 /// word causes a ScenarioError.
 class Words {
  public:
-  /// @brief Splits a line into its words. The character '#' begins a comment.
-  /// @param line the line
+  /// @brief Splits a line of a scenario into its words. The character '#' begins a comment.
+  /// @param line the line of the scenario
   explicit Words(const std::string& line);
 
   /// @brief Checks whether all words were read.

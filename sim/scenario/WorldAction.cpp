@@ -101,8 +101,8 @@ Value take(Words& words, const std::string& what, const std::array<Named<Value>,
   const std::string word = words.take(what);
   const auto found = std::ranges::find(names, word, &Named<Value>::word);
   if (found == names.end()) {
-    throw ScenarioError("'" + word + "' is not " + what + ": " +
-                        listOf(std::span<const Named<Value>>(names)));
+    throw ScenarioError("'" + word + "' is not " + what +
+                        "; choose from: " + listOf(std::span<const Named<Value>>(names)));
   }
   return found->value;
 }
@@ -169,7 +169,7 @@ WorldAction readGround(const std::string& word, Words& words) {
   return world::SetGrip{words.number("a grip in percent") / kPercent};
 }
 
-// Executes each action.
+// Executes each kind of action on a robot.
 struct Actor {
   RobotSession& robot;
 

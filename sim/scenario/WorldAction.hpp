@@ -13,8 +13,8 @@
 
 namespace wr::scenario {
 
-/// @brief An event around the robot. All actions of a scenario are such events, except the actions
-/// of the PC.
+/// @brief Actions on the robot and its surroundings. All actions of a scenario are actions of this
+/// kind, except the actions of the PC.
 namespace world {
 
 /// @brief Moves the sticks. Without a value, switches the transmitter off.
@@ -89,7 +89,7 @@ using WorldAction =
 [[nodiscard]] std::optional<WorldAction> readWorldAction(const std::string& word, Words& words);
 
 /// @brief Reads an action of the world from a separate line. Throws ScenarioError.
-/// @param line the line
+/// @param line the line of text
 /// @return the action
 [[nodiscard]] WorldAction worldActionOf(const std::string& line);
 

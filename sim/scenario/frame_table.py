@@ -50,7 +50,7 @@ def stems(layout: Layout) -> dict[str, list[Field]]:
 
 
 def struct(layout: Layout) -> Iterator[str]:
-    """Yields the lines of a structure that reads and writes the payload of a frame."""
+    """Yields the source lines of a C++ structure that reads and writes the payload of a frame."""
     yield f"struct {layout.name}Payload {{"
     yield f"  static constexpr std::uint8_t kType = {layout.kind:#04x};"
     for stem, fields in stems(layout).items():
@@ -91,7 +91,7 @@ def readable() -> Iterator[str]:
 
 
 def words() -> Iterator[str]:
-    """Yields the words that scenarios use for the numbers of these fields."""
+    """Yields the words that scenarios use for the numbers of the readable fields."""
     for layout in FRAMES.frames.values():
         for one in layout.fields if layout.sender == "MCU" else ():
             for entry in one.values.entries if one.values else ():

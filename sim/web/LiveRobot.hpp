@@ -17,8 +17,8 @@
 
 namespace wr::web {
 
-/// @brief An image on the virtual board in the simulated robot. The object plays a scenario. In
-/// addition, the user can execute actions.
+/// @brief A firmware image on the virtual board in the simulated robot. The object plays a
+/// scenario. The user can execute further actions.
 class LiveRobot {
  public:
   /// @brief Inputs of a run.
@@ -92,7 +92,7 @@ class LiveRobot {
   /// cycle, equal calls of one interrupt are counted only once.
   [[nodiscard]] const std::vector<std::uint32_t>& entries() const { return entries_; }
 
-  /// @brief Returns the bytes on the line since the last call.
+  /// @brief Returns the bytes that were on the serial line since the last call.
   [[nodiscard]] std::vector<RecordedLine::Piece> takePieces() { return line_.takePieces(); }
 
   /// @brief Returns all events of the board; empty without Setup::verifies.

@@ -8,7 +8,7 @@
 
 namespace wr::web {
 
-/// @brief A session of a robot that records the bytes on the line.
+/// @brief A robot session that records the bytes on the serial line.
 class RecordedLine final : public scenario::RobotSession {
  public:
   /// @brief Bytes that one side has sent.

@@ -26,8 +26,8 @@
 namespace wr {
 namespace {
 
-/// @brief Returns the layout of all fields. Each field has a line with its frame, name, type and
-/// offset.
+/// @brief Returns the layout of all fields. The result has one text line for each field, with the
+/// frame, name, type and offset of the field.
 std::string schema() {
   std::string lines;
   for (const scenario::FrameRow& row : scenario::kFrameRows) {
@@ -63,7 +63,8 @@ class TypesWriter final : public Writer {
   std::vector<std::string> types;
 };
 
-/// @brief Returns the types of a frame in the table. A turn direction is written as one byte.
+/// @brief Returns the types of the fields of a frame, from the frame table. A turn direction has
+/// the type of a byte.
 std::vector<std::string> typesOf(std::string_view frame) {
   std::vector<std::string> types;
   for (const scenario::FrameRow& row : scenario::kFrameRows) {
@@ -74,14 +75,14 @@ std::vector<std::string> typesOf(std::string_view frame) {
   return types;
 }
 
-/// @brief Returns the greatest set-point of an order in the table.
+/// @brief Returns the limit of a set-point, from the frame table.
 std::int32_t limitOf(std::string_view name) {
   const auto* const limit =
       std::ranges::find(scenario::kFrameLimits, name, &scenario::FrameLimit::name);
   return limit != scenario::kFrameLimits.end() ? limit->limit : 0;
 }
 
-/// @brief A number of the firmware, and its value in the table.
+/// @brief A constant: its value in the firmware, and its value in the frame table.
 struct Number {
   const char* name;
   unsigned firmware;
@@ -98,14 +99,14 @@ TEST(Layout, CheckValueOfTheHash) {
   EXPECT_EQ(crc32("123456789"), 0xCBF43926U);
 }
 
-/// @brief The hash of the Welcome is the CRC-32 of the names, types and offsets of all fields.
+/// @brief The hash in the Welcome is the CRC-32 of the names, types and offsets of all fields.
 /// @verifies FR-246
 TEST(Layout, FR246_TheHashIsThatOfTheTable) {
   EXPECT_EQ(firmwareIdentity.schemaHash, crc32(schema()));
   EXPECT_EQ(scenario::kTableHash, crc32(schema()));
 }
 
-/// @brief In the table, the fields of each frame follow each other without a gap.
+/// @brief In the frame table, the fields of each frame follow each other without a gap.
 /// @verifies FR-170
 TEST(Layout, FR170_FieldsFollowEachOther) {
   std::map<std::string_view, std::size_t> lengths;
@@ -116,7 +117,8 @@ TEST(Layout, FR170_FieldsFollowEachOther) {
   EXPECT_EQ(lengths["Order"], SerialReader::kOrderLength);
 }
 
-/// @brief Each frame type, state, mode, cause and fault has the number of the table.
+/// @brief In the firmware, each frame type, state, mode, cause and fault has the number that the
+/// frame table contains.
 /// @verifies FR-170
 TEST(Layout, FR170_EachNameHasTheNumberOfTheTable) {
   EXPECT_GE(kNumbers.size(), 50U);
@@ -125,7 +127,7 @@ TEST(Layout, FR170_EachNameHasTheNumberOfTheTable) {
   }
 }
 
-/// @brief The table and the firmware have the same limits of orders.
+/// @brief The limits of orders in the firmware are equal to the limits in the frame table.
 /// @verifies FR-170
 TEST(Layout, FR170_LimitsOfOrdersAreThoseOfTheTable) {
   EXPECT_EQ(SystemConstants::instance().steeringLimit().count(), limitOf("steering_set_point"));
@@ -134,8 +136,8 @@ TEST(Layout, FR170_LimitsOfOrdersAreThoseOfTheTable) {
   EXPECT_EQ(SystemConstants::instance().currentLimit().count(), limitOf("Current"));
 }
 
-/// @brief The fields of an order and of a report are written with the types and in the order of the
-/// table.
+/// @brief The fields of an order and of a report are written with the types and in the sequence of
+/// the frame table.
 /// @verifies FR-170
 TEST(Layout, FR170_OrderAndReportAreWrittenAsInTheTable) {
   TypesWriter order;

@@ -137,7 +137,7 @@ TEST_F(BuilderTest, FR74_CyclesRefreshTheWatchdogOfThePlatform) {
   EXPECT_EQ(watchdog.refreshes(), 1U);
 }
 
-/// @brief The Welcome of the built robot reports the start that the platform recorded.
+/// @brief The Welcome of the built robot contains the data of the start that the platform recorded.
 /// @verifies FR-76
 TEST_F(BuilderTest, FR76_WelcomeTellsTheStartOfThePlatform) {
   startRobot();

@@ -59,7 +59,7 @@ TEST_F(SecondTimerTest, FR100_EachBeatExecutesAllCommands) {
   EXPECT_EQ(events, twice);
 }
 
-/// @brief A tick without commands is acknowledged.
+/// @brief A tick is acknowledged even if no command was added.
 /// @verifies FR-100
 TEST_F(SecondTimerTest, FR100_BeatWithoutCommands) {
   secondTimer.expired();

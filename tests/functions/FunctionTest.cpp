@@ -22,7 +22,7 @@ namespace {
 constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
 constexpr std::int32_t kLeast = std::numeric_limits<std::int32_t>::min();
 
-/// Arguments, each of which may be missing.
+/// Arguments for a function under test. Each argument may be missing.
 struct Given : Arguments {
   virtual ~Given() = default;
 
@@ -151,8 +151,8 @@ TYPED_TEST(LeverFunction, FR54_EndsOfTheLever) {
   }
 }
 
-/// @brief No function returns a value when an argument that it needs is missing. Bounds may be
-/// missing.
+/// @brief No function returns a value when an argument that it needs is missing. The bounds are not
+/// needed.
 /// @verifies FR-52
 /// @verifies FR-120
 /// @verifies FR-125
@@ -248,7 +248,8 @@ TEST(Scaling, FR120_LargeDivisor) {
   EXPECT_EQ(quotient(-5 * kDivisor, kDivisor), -5);
 }
 
-/// @brief Without a middle range, the smallest deflection of a lever has a value.
+/// @brief If the range in which the value is 0 has the width 0, even the smallest deflection of a
+/// lever gives another value.
 /// @verifies FR-52
 TEST(Scaling, FR52_LeastDeflection) {
   for (const std::int32_t side : {-1, 0, 1}) {

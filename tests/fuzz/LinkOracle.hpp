@@ -37,7 +37,7 @@ class LinkOracle {
 
   /// @brief Receives a byte.
   /// @param byte the byte
-  /// @param at time at which its stop bit ended [us]
+  /// @param at time at which the stop bit of the byte ended [us]
   void receive(std::uint8_t byte, Time at);
 
   /// @brief Ends the processing of the received bytes in a cycle.
@@ -45,7 +45,7 @@ class LinkOracle {
   /// @return true when a Welcome is due
   bool endService(Time pulse);
 
-  /// @brief Records that the time for the answer to the Hellos of this cycle has ended.
+  /// @brief Records that the firmware no longer answers the Hellos of this cycle.
   void serviceEnded() { welcomeDue_ = false; }
 
   /// @brief Records that the Welcome of this cycle was sent.

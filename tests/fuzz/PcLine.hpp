@@ -23,7 +23,7 @@ class PcLine {
  public:
   /// @brief Returns the next bytes of the PC.
   /// @param input selects the bytes
-  /// @return bytes on the line
+  /// @return bytes on the serial line
   test::Bytes next(FuzzedDataProvider& input) {
     switch (input.ConsumeIntegralInRange(0, 6)) {
       case 0:
@@ -55,7 +55,7 @@ class PcLine {
   /// @brief Returns a valid frame with the next sequence number.
   /// @param type type of the frame
   /// @param payload payload of the frame
-  /// @return bytes on the line
+  /// @return bytes on the serial line
   test::Bytes good(std::uint8_t type, const test::Bytes& payload = {}) {
     return test::lineBytes(type, sequence_++, payload);
   }
@@ -63,7 +63,7 @@ class PcLine {
   /// @brief Returns an order of one velocity for all wheels.
   /// @param velocity velocity [0.1 rpm]
   /// @param commands bit 0: stop, bit 1: acknowledge
-  /// @return bytes on the line
+  /// @return bytes on the serial line
   test::Bytes drive(std::int16_t velocity, std::uint8_t commands = 0) {
     return good(kOrder, payload(0, {velocity, velocity, velocity, velocity}, {}, commands));
   }
@@ -72,7 +72,7 @@ class PcLine {
 
  private:
   test::Bytes order(FuzzedDataProvider& input) {
-    // Zeros are frequent, because the robot never drives without neutral orders.
+    // About half of the orders are neutral, because the robot drives only after neutral orders.
     const bool neutral = input.ConsumeBool();
     const auto value = [&input, neutral]() -> std::int16_t {
       return neutral ? std::int16_t{0} : input.ConsumeIntegralInRange<std::int16_t>(-3010, 3010);

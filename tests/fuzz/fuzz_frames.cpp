@@ -1,7 +1,7 @@
-// Fuzzes the line of the PC and the signed line of a Bluetooth device, with short inputs at a high
-// rate. Each byte of an input is an operation. An operation is a good frame, a frame with one
-// error, raw bytes, a time, or a control cycle. The oracles were written only from
-// docs/protocol.rst and docs/bluetooth.rst.
+// Fuzzes the serial line of the PC and the signed serial line of a Bluetooth device, with short
+// inputs at a high rate. Each byte of an input is an operation. An operation is a good frame, a
+// frame with one error, raw bytes, a step of time, or a control cycle. The oracles were written
+// only from docs/protocol.rst and docs/bluetooth.rst.
 
 #include <algorithm>
 #include <array>
@@ -32,7 +32,7 @@ using test::Bytes;
 using Time = LinkOracle::Time;
 
 constexpr Time kCycle = 100'000;                       // [us]
-constexpr std::array<std::int64_t, 8> kTimes{1'000,    // [us] around the limits of the protocol
+constexpr std::array<std::int64_t, 8> kTimes{1'000,    // [us] near the time limits of the protocol
                                              50'000,   //
                                              100'000,  //
                                              199'999,  //
@@ -42,7 +42,7 @@ constexpr std::array<std::int64_t, 8> kTimes{1'000,    // [us] around the limits
 constexpr std::array<std::uint8_t, 8> kAhead{1, 1, 1, 0, 2, 127, 128, 255};  // sequence numbers
 constexpr std::array<std::size_t, 4> kLengths{21, 21, 20, 24};               // lengths of an order
 constexpr std::size_t kMostPending = 900;  // bytes; one cycle reads all of them
-constexpr std::size_t kMostEnds = 30;      // zero bytes among these bytes
+constexpr std::size_t kMostEnds = 30;      // zero bytes among the pending bytes
 constexpr std::uint64_t kStart = 0x0123456789abcdef;
 constexpr SipHash::Key kKey = {7, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 constexpr std::size_t kTrailer = 24;
@@ -104,7 +104,7 @@ void appendDigits(Bytes& bytes, std::uint64_t number, unsigned digits) {
   }
 }
 
-// Returns counter and tag, as docs/bluetooth.rst states them.
+// Returns the counter and the tag of a frame, as docs/bluetooth.rst defines them.
 Bytes trailerOf(char direction, std::uint32_t counter, std::span<const std::uint8_t> coded) {
   Bytes covered;
   covered.reserve(coded.size() + 13);
@@ -125,8 +125,8 @@ Bytes trailerOf(char direction, std::uint32_t counter, std::span<const std::uint
   return trailer;
 }
 
-// The rules of the signed line. They determine the frames that reach the connection, and the number
-// of challenges.
+// The rules of the signed serial line. They determine the frames that reach the connection, and the
+// number of challenges.
 class SignedOracle {
  public:
   SignedOracle() { line_.reserve(kLongestSigned + 1); }
@@ -203,10 +203,10 @@ class Link {
     cycle(true);
     send(kConfirm, {session_});
     cycle(true);
-    expect(connection_.connected(), "good traffic connects");
+    expect(connection_.connected(), "valid frames connect the PC");
     send(kOrder, Bytes(21, 0));
     cycle(false);
-    expect(reader_.available(), "a good order can be read");
+    expect(reader_.available(), "a valid order can be read");
     expect(!reader_.stopOrdered(), "a neutral order releases the stop");
   }
 
@@ -310,7 +310,7 @@ class Link {
     const bool due = oracle_.endService(now_);
     connection_.beginCycle(Instant() + Microseconds(now_));
     connection_.service();
-    expect(port_.drained(), "one cycle reads the bytes of the line");
+    expect(port_.drained(), "one cycle reads all bytes of the serial line");
     port_.clear();
     ends_ = 0;
     const std::optional<std::uint8_t> session = takeSent();
@@ -366,8 +366,8 @@ class Link {
     return session;
   }
 
-  // Returns whether a coded frame is a Welcome. Version and type are not 0, so the type is the
-  // third byte of the coded frame.
+  // Returns true if a coded frame is a Welcome. The type is the third byte of the coded frame,
+  // because version and type are never 0.
   [[nodiscard]] static bool isWelcome(std::span<const std::uint8_t> line) {
     return line[2] == kWelcome;
   }
@@ -399,16 +399,16 @@ class Link {
 }  // namespace
 }  // namespace wr::fuzz
 
-// The firmware allocates no memory, so that the fuzzer does not need the call stack of each
-// allocation.
+// The fuzzer need not record the call stack of each allocation, because the firmware allocates no
+// memory.
 extern "C" const char* __asan_default_options() {
   return "malloc_context_size=0:quarantine_size_mb=1:detect_stack_use_after_return=0";
 }
 
 namespace wr {
 
-// Each target defines this function. In this target, it ends the program, so that the fuzzer keeps
-// the input.
+// Each target defines this function. Here, the function ends the program. The fuzzer then keeps the
+// input.
 void assertionFailed(AssertId /*id*/) {
   std::fputs("the fuzzer found an assertion that fails\n", stderr);
   std::abort();

@@ -1,5 +1,6 @@
-// Fuzzes the connection to the PC with its codec. The input selects the steps of time. An oracle
-// receives the same bytes. The oracle was written only from docs/protocol.rst.
+// Fuzzes the connection to the PC with its codec. The input selects the bytes of the PC, and the
+// time between two steps. An oracle receives the same bytes. The oracle was written only from
+// docs/protocol.rst.
 
 #include <fuzzer/FuzzedDataProvider.h>
 
@@ -110,7 +111,7 @@ class Link {
   void report() {
     ReportData data;
     const bool sent = connection_.sendReport(ReportMessage(data));
-    expect(!sent || oracle_.connected(), "only a connected PC gets reports");
+    expect(!sent || oracle_.connected(), "the firmware sends reports only to a connected PC");
     reportsLost_ += !sent && oracle_.connected() ? 1U : 0U;
     expect(takeSent(kReport).has_value() == sent, "a report is sent as a whole or not at all");
   }
@@ -178,10 +179,10 @@ void fuzz(FuzzedDataProvider& input) {
   link.cycle(false);
   link.arrive(link.pc.good(kConfirm, {link.pc.session}));
   link.cycle(true);
-  expect(link.connected(), "good traffic connects");
+  expect(link.connected(), "valid frames connect the PC");
   link.arrive(link.pc.drive(100));
   link.cycle(false);
-  expect(link.orderAvailable(), "a good order can be read");
+  expect(link.orderAvailable(), "a valid order can be read");
 }
 
 }  // namespace

@@ -27,14 +27,15 @@ using std::chrono::milliseconds;
 constexpr int kMostCycles = 120;     // maximum number of cycles of a run
 constexpr int kRecoveryCycles = 10;  // one second
 constexpr int kMostBetween = 4;      // maximum number of events in a cycle
-constexpr int kMostStopped = 12;     // number of cycles in which a stop lowers every voltage to 0
+constexpr int kMostStopped = 12;     // cycles after which a stop has lowered every voltage to 0
 constexpr std::size_t kMostUnread = 1500;  // capacity of the port's storage [byte]
 
 class FuzzedRobot {
  public:
   FuzzedRobot() { session_.start(); }
 
-  // Executes an event of the surroundings. The input selects the event.
+  // Executes one event that happens to the robot, for example a fault of a sensor. The input
+  // selects the event.
   void event(FuzzedDataProvider& input) {
     switch (input.ConsumeIntegralInRange(0, 9)) {
       case 0:
@@ -188,23 +189,24 @@ class FuzzedRobot {
     expect(report_->source <= 1 || report_->source == 255, "the source exists");
     expect(report_->inhibit <= 4 && report_->stopCause <= 11, "inhibit and cause exist");
     expect(std::abs(report_->steeringSetPoint) <= 3200, "the steering set-point is in range");
-    expect(report_->turn >= -1 && report_->turn <= 1, "the turn is a sign");
+    expect(report_->turn >= -1 && report_->turn <= 1, "the turn direction is -1, 0 or 1");
   }
 
   [[nodiscard]] ControlData& data() { return session_.world.robot.controller().getData(); }
   [[nodiscard]] const Protection& protection() { return data().measurements().protection; }
   [[nodiscard]] bool latched() { return protection().inhibit == Inhibit::ProtectiveStop; }
 
-  // Checks a stop of the PC that the protocol accepts. The stop must act in the same cycle, and
-  // must stay.
+  // Checks a stop order of the PC that the protocol accepts. The stop must take effect in the same
+  // cycle, and must remain in force.
   void checkStop() {
-    expect(!oracle_.stop() || data().stopped(), "a stop of the PC stops the robot in its cycle");
+    expect(!oracle_.stop() || data().stopped(),
+           "a stop order of the PC stops the robot in the same cycle");
     if (data().setPoints() && data().setPoints()->neutral()) {
       stopBefore_ = false;
     }
-    expect(!stopBefore_ || data().stopped(), "a stop of the PC lasts over a reset");
+    expect(!stopBefore_ || data().stopped(), "a stop order of the PC stays in force after a reset");
     if (resetNow_ && protectedBefore_) {
-      expect(latched() || data().stopped(), "a protective stop lasts over a reset");
+      expect(latched() || data().stopped(), "a protective stop stays in force after a reset");
     }
     resetNow_ = false;
   }
@@ -217,12 +219,13 @@ class FuzzedRobot {
       const host::HostWheelPins& pins = session_.world.robot.pins().wheels.at(wheel);
       const int duty = pins.enable.isOn() ? pins.pwm.dutyCycle().count() : 0;
       expect(duty >= 0 && duty <= 10'000, "the duty cycle is in range");
-      expect(free || duty <= voltages_.at(wheel), "no voltage rises unarmed or stopped");
+      expect(free || duty <= voltages_.at(wheel),
+             "no voltage rises while the robot is stopped or not armed");
       voltages_.at(wheel) = duty;
       voltage = voltage || duty > 0;
     }
     stopped_ = data().stopped() || latched() ? stopped_ + 1 : 0;
-    expect(!voltage || stopped_ < kMostStopped, "a stop ends every voltage");
+    expect(!voltage || stopped_ < kMostStopped, "a stop lowers every voltage to 0");
     armedBefore_ = protection().armed;
   }
 
@@ -236,7 +239,7 @@ class FuzzedRobot {
   bool stopBefore_ = false;
   bool protectedBefore_ = false;
   bool resetNow_ = false;
-  int stopped_ = 0;  // cycles
+  int stopped_ = 0;  // number of cycles since the robot was stopped
 };
 
 void connect(FuzzedRobot& robot) {
@@ -247,12 +250,12 @@ void connect(FuzzedRobot& robot) {
                                 : robot.pc.good(kHello));
     robot.cycle();
   }
-  expect(robot.reported(), "one second of good traffic connects");
+  expect(robot.reported(), "one second of valid frames connects the PC");
 }
 
 void fuzz(FuzzedDataProvider& input) {
   FuzzedRobot robot;
-  // For most inputs, the robot is able to drive at the start.
+  // For most inputs, the run begins with a robot that is connected and able to drive.
   if (input.ConsumeIntegralInRange(0, 3) > 0) {
     connect(robot);
     for (int i = 0; i < 16; ++i) {

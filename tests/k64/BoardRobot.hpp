@@ -25,9 +25,9 @@ struct SafePin {
   bool level;
 };
 
-/// The outputs of the robot, according to the page about the pins. The firmware's table is not
-/// used. They are the voltages, orientations and enables of the wheels, the steering, the green
-/// light (off) and the red light (on).
+/// The output pins of the robot, copied from the document about the pins. The table of the firmware
+/// is not used here, because the tests check it. The pins are the voltages, directions and enable
+/// signals of the wheels, the steering, the green light (off) and the red light (on).
 inline constexpr std::array<SafePin, 17> kSafePins{{
     {'C', 1, false},
     {'C', 2, false},
@@ -48,8 +48,8 @@ inline constexpr std::array<SafePin, 17> kSafePins{{
     {'B', 22, false},
 }};
 
-/// The firmware on the virtual K64. A test also has access to the board. Tests cause faults and
-/// resets. The board continues after a fault or a reset.
+/// The firmware on the virtual K64, with access to the board. Because tests cause faults and
+/// resets, the board continues after a fault or a reset.
 class BoardRobot : public SteppedRobot {
  public:
   explicit BoardRobot(emulator::Options options = {})
@@ -64,7 +64,7 @@ class BoardRobot : public SteppedRobot {
     }
   }
 
-  /// Runs the start of the firmware, until it reads its line.
+  /// Runs the start of the firmware, until the firmware reads its serial line.
   void startUp() { run(milliseconds(20)); }
 
   /// Requests a connection, and reads the answer.

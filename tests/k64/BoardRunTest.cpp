@@ -36,7 +36,7 @@ TEST(BoardRun, SameRunGivesSameTrace) {
   EXPECT_NE(first, other);
 }
 
-/// @brief Every test fails without an image.
+/// @brief Without a firmware image, every test fails.
 TEST(BoardRun, MissingImageIsAnError) {
   EXPECT_THROW(static_cast<void>(emulator::readImage("/nowhere/weeding_robot.bin")),
                std::runtime_error);

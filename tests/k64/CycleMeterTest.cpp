@@ -41,7 +41,7 @@ struct Drive {
 
   BoardRobot robot;
   std::optional<board_robot::CycleMeter> meter;
-  std::vector<scenario::PcReport> reports;  ///< the first measurement belongs to the third cycle
+  std::vector<scenario::PcReport> reports;  ///< the meter measures from the third cycle on
 };
 
 /// @brief The cycle counts of the firmware agree with the measurements of the board. The firmware
@@ -72,7 +72,8 @@ TEST(CyclesOfTheImage, FR160_TheReportTellsWhatTheBoardMeasures) {
   EXPECT_LE(ticks, drive.reports.size() / 20);
 }
 
-/// @brief Each repetition of a run needs the same instructions and cycles.
+/// @brief Each repetition of a run executes the same instructions in the same number of processor
+/// cycles.
 TEST(CyclesOfTheImage, SameRunCostsTheSame) {
   std::string first;
   for (int run = 0; run < 2; ++run) {
@@ -85,7 +86,7 @@ TEST(CyclesOfTheImage, SameRunCostsTheSame) {
   }
 }
 
-/// @brief The sum of the costs is the same for all exceptions, for all cycles and for all
+/// @brief Three sums of costs are equal: over all exceptions, over all control cycles, and over all
 /// instructions. An instruction that an IT block skips takes time, but is not executed.
 TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
   const Drive drive(30, true);
@@ -114,7 +115,8 @@ TEST(CyclesOfTheImage, EachInstructionIsCountedOnce) {
   EXPECT_LT(charged.instructions - profiled, charged.instructions / 20);
 }
 
-/// @brief The report is handed over after the main thread has begun, and before the cycle ends.
+/// @brief In each cycle, the report is passed to the serial port after the main thread has begun,
+/// and before the cycle ends.
 TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
   const Drive drive(30);
   ASSERT_GE(drive.meter->cycles().size(), 30U);
@@ -130,7 +132,8 @@ TEST(CyclesOfTheImage, ACycleBeginsReportsAndSleeps) {
 }
 
 /// @brief A PC that sends without a pause makes the cycles longer. Each cycle still sends a report.
-/// The result of the test contains the longest cycle. The proven bound must exceed this cycle.
+/// The test records the duration of the longest cycle. The proven bound must be greater than this
+/// duration.
 /// @verifies FR-244
 TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
   constexpr std::uint8_t kUnknownType = 99;
@@ -159,8 +162,8 @@ TEST(CyclesOfTheImage, FR244_ALineThatIsNeverIdleLeavesTimeForTheCycle) {
   EXPECT_LT(longest, 1'200'000U);
 }
 
-/// @brief Each interrupt has a priority and a latency. A thread has no latency, because no device
-/// raises it.
+/// @brief The meter returns a priority and a latency for each interrupt. It returns no latency for
+/// a thread, because no device requests a thread.
 TEST(CyclesOfTheImage, InterruptsHaveLatencies) {
   const Drive drive(60);
   const auto& exceptions = drive.meter->exceptions();

@@ -32,7 +32,8 @@ void apply(DriverBoard& drivers, std::size_t input, double volts) {
   drivers.board.setAnalog(kInputs.at(input).converter, kInputs.at(input).channel, volts);
 }
 
-/// @brief Each input returns its voltage in units of 3.3 V / 4096, also at the ends of the range.
+/// @brief Each input returns its voltage in units of 3.3 V / 4096. This is also true at the ends of
+/// the range.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
   DriverBoard drivers;
@@ -51,7 +52,7 @@ TEST(K64AdcOnBoard, FR142_EachInputGivesItsVoltage) {
   }
 }
 
-/// @brief Each of the five inputs has one value per millisecond, although the inputs share two
+/// @brief Each of the five inputs has one new value per millisecond, although the inputs share two
 /// converters and each input is requested twice.
 /// @verifies FR-142
 TEST(K64AdcOnBoard, FR142_EachInputGivesAValueInEachMillisecond) {

@@ -45,8 +45,8 @@ std::string unsafeAtReset(BoardRobot& robot) {
   return "there was no reset";
 }
 
-/// @brief When the firmware writes the first register of the clock, all outputs have their safe
-/// level.
+/// @brief When the firmware writes the first register of the clock generator, all outputs have
+/// their safe level.
 /// @verifies FR-71
 TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeTheClockIsSetUp) {
   BoardRobot robot;
@@ -87,8 +87,9 @@ TEST(K64BoardOnBoard, FR71_OutputsAreSafeBeforeMemoryIsInitialised) {
   EXPECT_NE(*atClock, before) << "the comparison would not see the initialisation";
 }
 
-/// @brief During a start, no output leaves its safe level, except for the lights when the cycles
-/// run. The first cycle enables the drivers of the wheels without voltage, which brakes the wheels.
+/// @brief During a start, the outputs keep their safe levels. There are two exceptions: the lights
+/// change when the cycles begin, and the first cycle enables the drivers of the wheels. The wheels
+/// then brake, because they have no voltage.
 /// @verifies FR-71
 /// @verifies FR-141
 TEST(K64BoardOnBoard, FR71_NoOutputLeavesItsSafeLevel) {
@@ -318,8 +319,8 @@ std::string nameOf(const testing::TestParamInfo<Ending>& ending) {
 
 class K64BoardEnds : public testing::TestWithParam<Ending> {};
 
-/// @brief At each fault, the outputs become safe, and then a reset follows. The next Welcome
-/// reports the kind and the address of the fault. The fault is reported for one start only.
+/// @brief At each kind of fault, the outputs become safe, and then a reset follows. The next
+/// Welcome reports the kind and the address of the fault. The fault is reported for one start only.
 /// @verifies FR-75
 /// @verifies FR-76
 /// @verifies FR-77
@@ -345,7 +346,8 @@ TEST_P(K64BoardEnds, FR75_SafelyWithRecordAndReset) {
     EXPECT_EQ(welcome.faultAddress, *ending.address);
   } else {
     EXPECT_GE(welcome.faultAddress, 0x410U);
-    EXPECT_EQ(welcome.faultAddress & 0xFFFF0000U, 0x1FFF0000U);  // the program runs there
+    EXPECT_EQ(welcome.faultAddress & 0xFFFF0000U,
+              0x1FFF0000U);  // the program runs at these addresses
   }
   EXPECT_EQ(robot.askForWelcome().fault, ending.kind) << "each Welcome of a start is the same";
 
@@ -380,7 +382,8 @@ INSTANTIATE_TEST_SUITE_P(
                            kAssertion, 3, kHandlerAddress + 10}),
     nameOf);
 
-/// @brief At each fault while the wheels have a voltage, the outputs become safe before the reset.
+/// @brief If a fault occurs while the wheels have a voltage, the outputs become safe before the
+/// reset.
 /// @verifies FR-75
 TEST_P(K64BoardEnds, FR75_WhileTheRobotDrives) {
   BoardRobot robot(GetParam().image());

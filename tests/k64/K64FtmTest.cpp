@@ -16,15 +16,16 @@ constexpr int kChannels = 4;
 constexpr nanoseconds kPeriod{50'000};
 constexpr std::uint32_t kTimerBegin = 0x40038000;
 constexpr std::uint32_t kTimerEnd = 0x4003809C;
-constexpr double kCount = 1.0 / 3000;  // one bus clock as a fraction of the period
+constexpr double kCount = 1.0 / 3000;  // one cycle of the bus clock, as a fraction of the period
 
 struct Share {
   std::int16_t dutyCycle;  // [0.01 %]
   double share;
 };
 
-/// @brief The output is high for the fraction of the period that was set, to the nearest bus clock.
-/// All channels can be fully off and fully on. A value above the limit counts as the limit.
+/// @brief The output is high for the fraction of the period that was set, rounded to cycles of the
+/// bus clock. All channels can be fully off and fully on. A value above the limit counts as the
+/// limit.
 /// @verifies FR-140
 TEST(K64FtmOnBoard, FR140_OutputIsHighForTheShareThatWasSet) {
   constexpr std::array kShares{

@@ -46,8 +46,8 @@ INSTANTIATE_TEST_SUITE_P(Timings, K64PitOnBoardWithTiming,
                                                                               : "NoWaitStates";
                          });
 
-/// @brief There is a tick every 1 ms while wheels turn, the steering moves and the line is busy.
-/// Each tick begins within 50 us of its nominal time. No tick is lost or repeated.
+/// @brief There is a tick every 1 ms while wheels turn, the steering moves and the serial line is
+/// busy. Each tick begins within 50 us of its nominal time. No tick is lost or repeated.
 /// @verifies FR-100
 TEST(K64PitOnBoard, FR100_TicksComeEveryMillisecond) {
   constexpr std::uint32_t kTickException = exceptionOf(49);

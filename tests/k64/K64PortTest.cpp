@@ -22,8 +22,8 @@ struct Wire {
   int number;
 };
 
-// The inputs of the Hall sensors of the wheels, then of the remote control. Each edge causes an
-// interrupt.
+// The inputs of the Hall sensors of the wheels, and then the inputs of the remote control. Each
+// edge causes an interrupt.
 constexpr std::array<Wire, 11> kEdgeInputs{{{'D', 0},
                                             {'D', 1},
                                             {'D', 2},
@@ -66,8 +66,8 @@ class K64PortOnBoard : public testing::Test {
   std::vector<std::uint16_t> before;
 };
 
-/// @brief Each rising and each falling edge of an input causes an interrupt. It causes no edge at
-/// another input.
+/// @brief Each rising and each falling edge of an input causes an interrupt. The edge is not
+/// counted at another input.
 /// @verifies FR-144
 TEST_F(K64PortOnBoard, FR144_BothEdgesOfEachInputInterrupt) {
   std::vector<int> expected(kEdgeInputs.size(), 0);

@@ -25,7 +25,7 @@ class K64UartOnBoard : public testing::Test {
   BoardRobot robot;
 };
 
-/// @brief All bytes that the line can transfer between two clock pulses are received.
+/// @brief All bytes that the serial line can transfer between two clock pulses are received.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   constexpr int kFrames = 150;  // frames of 7 bytes; they take 91 ms, after the 9 ms of the report
@@ -40,7 +40,8 @@ TEST_F(K64UartOnBoard, FR171_FullLineLosesNoByte) {
   EXPECT_EQ(robot.report().lostBytes, 0);
 }
 
-/// @brief No byte is lost while the line to the robot is busy for ten seconds without a pause.
+/// @brief No byte is lost while the serial line to the robot is busy for ten seconds without a
+/// pause.
 /// @verifies FR-171
 TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
   robot.connect();
@@ -58,7 +59,7 @@ TEST_F(K64UartOnBoard, FR171_LineThatIsNeverIdleLosesNoByte) {
 
 /// @brief At full control load, no byte is lost. All wheels have their greatest velocity, and the
 /// steering turns from side to side. The remote control sends pulses, each cycle sends a report,
-/// and the line to the robot is never idle.
+/// and the serial line to the robot is never idle.
 /// @verifies FR-37
 /// @verifies FR-49
 /// @verifies FR-171
@@ -213,7 +214,8 @@ TEST(K64UartOnBoardThatIsBusy, FR171_ZeroBytesInARowTakeOnePlace) {
 }
 
 /// @brief The second port has another clock, but receives and sends at the same speed. It loses no
-/// byte when its line is never idle in either direction, even while the first port is in use.
+/// byte when its serial line is never idle in either direction, even while the first port is in
+/// use.
 /// @verifies FR-171
 TEST(K64UartOnSecondPort, LineThatIsNeverIdleLosesNoByte) {
   constexpr int kSecondPort = 4;

@@ -12,7 +12,7 @@ namespace {
 
 // The program's counts for one pipe. See Handover in program/drivers.cpp.
 struct Counts {
-  std::uint16_t interruptions;  // times that one side interrupted the other side during its access
+  std::uint16_t interruptions;  // times that one side interrupted the access of the other side
   std::uint16_t torn;
   std::uint16_t older;
   std::uint16_t newest;

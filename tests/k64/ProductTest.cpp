@@ -24,13 +24,14 @@ constexpr std::size_t kKeyAddress = 0x410;  // after the flash configuration fie
 constexpr std::uint8_t kChallenge = 0x83;
 constexpr int kWheelTimer = 0;
 
-// The image of a product on a separate board. A finding ends the test. The calls of the product are
-// not recorded, because the recordings belong to the image under test.
+// The firmware image of one variant of the robot, on its own board. A finding ends the test. The
+// calls of this image are not recorded, because call recordings are only made of the main image
+// under test.
 class ProductRobot : public SteppedRobot {
  public:
   explicit ProductRobot(const std::string& product) : ProductRobot(switchedOn(product)) {}
 
-  // Runs cycles without orders, until the robot reads in a mode.
+  // Runs cycles without orders, until the robot reads in the given mode.
   void waitForMode(int mode) {
     for (int cycles = 0; cycles < 2 * (kWaitingCycles + 2) && report().mode != mode; ++cycles) {
       silentCycle();
@@ -41,7 +42,7 @@ class ProductRobot : public SteppedRobot {
   // Returns the fraction of the period in which a wheel has the voltage of the supply.
   [[nodiscard]] double duty(int wheel) const { return line_.board.pwmDuty(kWheelTimer, wheel); }
 
-  // Returns whether the red light of the board is on. When it is on, its pin is low.
+  // Returns true if the red light of the board is on. The pin of the light is then low.
   [[nodiscard]] bool redLight() const { return !line_.board.pin('B', 22); }
 
  private:
@@ -64,8 +65,8 @@ class ProductRobot : public SteppedRobot {
   [[nodiscard]] emulator::VirtualBoard& board() { return line_.board; }
 };
 
-// The product with Bluetooth, and a device with the same key. The device gets the number of this
-// start from a challenge of the robot.
+// The robot variant with Bluetooth, and a device with the same key. The device gets the number of
+// this start from a challenge of the robot.
 class RobotWithDevice final : public ProductRobot {
  public:
   RobotWithDevice() : ProductRobot("weeding_robot_pc_bluetooth") {}
@@ -82,10 +83,10 @@ class RobotWithDevice final : public ProductRobot {
     silentCycle();
   }
 
-  // Sends a signed order over the line of the Bluetooth module.
+  // Sends a signed order over the serial line of the Bluetooth module.
   void deviceOrder(const scenario::PcOrder& order) { send(frames_.order(order)); }
 
-  // Returns the bytes of a signed order. Does not send them.
+  // Returns the bytes of a signed order, without sending them.
   scenario::Bytes signedOrder(const scenario::PcOrder& order) {
     return device_.sign(frames_.order(order));
   }
@@ -96,8 +97,8 @@ class RobotWithDevice final : public ProductRobot {
     return SigningDevice(key, start_).signWith(kNewer, frames_.order(order));
   }
 
-  // Sends bytes over the line of the Bluetooth module, and runs the cycle that may read them.
-  // Returns whether the robot read an order.
+  // Sends bytes over the serial line of the Bluetooth module, and runs the cycle that may read
+  // them. Returns true if the robot read an order.
   bool reads(const scenario::Bytes& bytes) {
     board().receiveOn(kBluetoothPort, bytes);
     silentCycle();
@@ -137,8 +138,8 @@ class RobotWithDevice final : public ProductRobot {
 
 class Product : public testing::TestWithParam<const char*> {};
 
-/// @brief Each product starts, sends a Welcome, sends a report in every cycle, and follows the
-/// orders of the PC. The board has no finding.
+/// @brief Each variant of the robot starts, sends a Welcome, sends a report in every cycle, and
+/// follows the orders of the PC. The virtual board reports no finding.
 /// @verifies NFR-2
 TEST_P(Product, RunsWithoutFinding) {
   ProductRobot robot(GetParam());
@@ -156,10 +157,10 @@ TEST_P(Product, RunsWithoutFinding) {
   }
 }
 
-/// @brief The outputs of each product follow the orders of the PC. For an order of 0.96 V of 24 V,
-/// the outputs are high for 4 % of each period, already in the cycle of the order. For 6 V, they
-/// are high for a quarter of each period after at most six cycles, because safety functions limit
-/// the rise. A stop ends the pulses.
+/// @brief The outputs of each robot variant follow the orders of the PC. For an order of 0.96 V of
+/// 24 V, the outputs are high for 4 % of each period, from the cycle of the order on. For 6 V, the
+/// outputs are high for a quarter of each period, at the latest after six cycles. The six cycles
+/// are needed because safety functions limit the rise. A stop ends the pulses.
 /// @verifies NFR-2
 /// @verifies FR-80
 TEST_P(Product, NFR2_OrderedVoltageComesOutAsPulses) {
@@ -195,8 +196,8 @@ INSTANTIATE_TEST_SUITE_P(Products, Product,
                                          "weeding_robot_pc_bluetooth", "weeding_robot_warning"),
                          [](const auto& product) { return std::string(product.param); });
 
-/// @brief A product that receives orders only from the PC never reads from another source, even
-/// when the PC is silent.
+/// @brief A robot variant that receives orders only from the PC never reads from another source,
+/// even when the PC is silent.
 /// @verifies NFR-2
 TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
   ProductRobot robot("weeding_robot_pc");
@@ -208,8 +209,8 @@ TEST(ProductOfThePc, NFR2_ReadsFromThePcOnly) {
   robot.commandByPc();
 }
 
-/// @brief The product with Bluetooth follows signed orders that it receives over the second serial
-/// port. The report shows their source.
+/// @brief The robot variant with Bluetooth follows signed orders that it receives over the second
+/// serial port. The report shows their source.
 /// @verifies FR-150
 /// @verifies FR-260
 TEST(ProductWithBluetooth, FR150_DeviceCommandsOverTheSecondPort) {
@@ -264,7 +265,8 @@ TEST(ProductWithBluetooth, FR262_OnlyNewOrdersWithTheRightKeyAreRead) {
   EXPECT_EQ(robot.report().orderId, 903);
 }
 
-/// @brief A stop over the second serial port acts while the robot follows the PC.
+/// @brief A stop order that arrives over the second serial port takes effect while the robot
+/// follows the PC.
 /// @verifies FR-151
 TEST(ProductWithBluetooth, FR151_StopOfTheDeviceActsInTheModePc) {
   RobotWithDevice robot;
@@ -285,8 +287,8 @@ TEST(ProductWithBluetooth, FR151_StopOfTheDeviceActsInTheModePc) {
   EXPECT_FALSE(robot.report().stop());
 }
 
-/// @brief The product that warns switches the red light on only in the cycle before its last
-/// waiting state.
+/// @brief The robot variant with the warning switches the red light on only in the cycle before its
+/// last waiting state.
 /// @verifies FR-152
 TEST(ProductThatWarns, FR152_RedLightIsTheWarning) {
   ProductRobot robot("weeding_robot_warning");

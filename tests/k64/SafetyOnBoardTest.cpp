@@ -29,8 +29,8 @@ using std::chrono::milliseconds;
 
 const std::string kProduct = "weeding_robot";
 const auto kFolder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/safety";
-// Switches on a board with the image with safety functions. Some scenarios contain a reset, so a
-// reset does not stop the board.
+// Switches on a board that runs the firmware image with safety functions. The board continues after
+// a reset, because some scenarios contain a reset.
 std::unique_ptr<board_robot::BoardSession> switchSafeRobotOn() {
   return switchProductOn(kProduct, emulator::readImage(imageOf(kProduct)),
                          {.resetsAreFindings = false});
@@ -59,9 +59,9 @@ Played played(const scenario::Scenario& scenario) {
 
 class ScenariosOnBoard : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The image with safety functions meets each scenario, except the scenarios that are only
-/// for the design of the paper. In a second run, the image sends the same reports, and the same
-/// events occur at the same times.
+/// @brief The firmware image with safety functions meets the expectations of each scenario.
+/// Scenarios that are only for the design of the paper are not run. In a second run, the firmware
+/// sends the same reports, and the same events occur at the same times.
 /// @verifies NFR-6
 TEST_P(ScenariosOnBoard, NFR6_ImageDoesWhatIsExpectedAndTheSameAgain) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -98,7 +98,7 @@ TEST(ClockOfTheSafeRobot, FR203_FirstResetAfterALostClockIsThatOfTheMonitor) {
   EXPECT_LE(resets.front().at, milliseconds(5001));
 }
 
-// The image with safety functions, a PC and a remote control.
+// A board that runs the firmware image with safety functions, with a PC and a remote control.
 class SafeBoard final : public SteppedRobot {
  public:
   SafeBoard() : SafeBoard(switchSafeRobotOn()) {}
@@ -151,7 +151,7 @@ class SafeBoard final : public SteppedRobot {
   // of the next start contains this number.
   int failedAssertion() {
     constexpr int kAssertion = 1;
-    static_cast<void>(line_.takeSent());  // removes the frame that the reset has cut
+    static_cast<void>(line_.takeSent());  // removes the incomplete frame that the reset has left
     connect();
     return welcome.value().fault == kAssertion ? welcome.value().faultNumber : 0;
   }
@@ -236,8 +236,8 @@ TEST_P(SwitchOfTheRemoteControl, FR285_BrakesWithin200Milliseconds) {
 INSTANTIATE_TEST_SUITE_P(Situations, SwitchOfTheRemoteControl, testing::ValuesIn(kSituations),
                          [](const auto& situation) { return std::string(situation.param.name); });
 
-/// @brief The switch also orders the stop when there is no source of orders. An order of the PC
-/// then moves nothing.
+/// @brief The enable switch also stops the robot while no source sends orders. After this stop, an
+/// order of the PC moves nothing.
 /// @verifies FR-285
 TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
   SafeBoard robot;
@@ -252,7 +252,7 @@ TEST(SwitchWithoutCommand, FR285_StopsWhileReconnecting) {
   EXPECT_TRUE(robot.physics().braking());
 }
 
-// Lines of interrupts, as the reference manual assigns them.
+// Numbers of interrupts, from the reference manual.
 constexpr int kTickLine = 49;  // PIT channel 1
 constexpr int kHallLine = 62;  // interrupt of port D
 
@@ -319,9 +319,9 @@ TEST(ThreadsOfTheWheels, FR270_RunTwiceOnlyInTheCycleThatStops) {
             std::ssize(cycles) - 2);  // the first period has no cycle
 }
 
-/// @brief A changed bit of the program in RAM causes a reset within 0.3 s. The test changes a
-/// function that runs in each cycle, a function that does not run, the vectors and the constants.
-/// After the reset, the program is correct again.
+/// @brief A changed bit of the program in RAM causes a reset within 0.3 s. The test changes one bit
+/// in each of four parts of the program: a function that runs in each cycle, a function that does
+/// not run, the vectors and the constants. After the reset, the program is correct again.
 /// @verifies FR-309
 TEST(ProgramOfTheSafeRobot, FR309_AChangedBitResetsTheRobot) {
   constexpr int kProgramChanged = 8;

@@ -6,18 +6,18 @@
 
 namespace wr::test {
 
-// Images with a handler that the firmware does not have. The code of the handler is in erased flash
-// after the image. Except for its vector, all other bytes are unchanged.
+// Firmware images with an additional exception handler. The code of the handler is in erased flash,
+// after the firmware. Of the firmware itself, only the vector of this exception is changed.
 
 /// Returns the exception of an interrupt.
 [[nodiscard]] constexpr std::uint32_t exceptionOf(std::uint32_t interrupt) {
   return 16 + interrupt;
 }
-/// The exceptions of the image.
+/// The exceptions of the firmware.
 inline constexpr std::uint32_t kSerialPortException = exceptionOf(31);
 inline constexpr std::uint32_t kPulseException = exceptionOf(48);
 inline constexpr std::uint32_t kMainThreadException = exceptionOf(64);
-/// An exception that is always enabled, and for which the image has no handler: SysTick.
+/// An exception that is always enabled, and for which the firmware has no handler: SysTick.
 inline constexpr std::uint32_t kUnusedException = 15;
 
 using Image = std::vector<std::uint8_t>;
@@ -27,11 +27,11 @@ using Code = std::vector<std::uint16_t>;
 /// Address of the code of the handler.
 inline constexpr std::uint32_t kHandlerAddress = 0x80000;
 
-/// Returns the image with this code as the handler of an exception.
+/// Returns a copy of the firmware image in which this code is the handler of an exception.
 [[nodiscard]] Image withHandler(Image image, std::uint32_t exception, const Code& code);
 
-/// Returns the address of a function of the image under test. Throws std::runtime_error when there
-/// is no function with this C++ name.
+/// Returns the address of a function of the firmware image under test. Throws std::runtime_error
+/// when there is no function with this C++ name.
 [[nodiscard]] std::uint32_t addressOf(const std::string& function);
 
 namespace stubs {
@@ -39,19 +39,20 @@ namespace stubs {
 /// Returns code that never ends.
 [[nodiscard]] Code hang();
 
-/// Returns code that reads from an address without memory, with the instruction at kHandlerAddress
-/// + 4.
+/// Returns code that reads from an address without memory. The reading instruction is at
+/// kHandlerAddress + 4.
 [[nodiscard]] Code readFromNowhere();
 
-/// Returns code that calls assertionFailed with a number, with the instruction at kHandlerAddress +
-/// 10.
+/// Returns code that calls assertionFailed with a number. The calling instruction is at
+/// kHandlerAddress + 10.
 [[nodiscard]] Code failAssertion(std::uint8_t number);
 
-/// The target of jumpIntoPeripheral(); no code is allowed at this address.
+/// Address to which the code of jumpIntoPeripheral() jumps. The processor does not execute code at
+/// this address.
 inline constexpr std::uint32_t kPeripheral = 0x40000000;
 [[nodiscard]] Code jumpIntoPeripheral();
 
-/// Returns code that divides by zero, with the instruction at kHandlerAddress + 4.
+/// Returns code that divides by zero. The dividing instruction is at kHandlerAddress + 4.
 [[nodiscard]] Code divideByZero();
 
 /// Returns code with an undefined instruction at kHandlerAddress.
@@ -60,12 +61,13 @@ inline constexpr std::uint32_t kPeripheral = 0x40000000;
 /// Returns code that pushes onto the stack endlessly.
 [[nodiscard]] Code overflowStack();
 
-/// Returns code for kUnusedException that runs for a time, with a higher priority than all devices.
-/// Each round has two instructions.
+/// Returns a handler for kUnusedException that keeps the processor busy for a number of rounds. Its
+/// priority is higher than the priority of all devices. Each round has two instructions.
 [[nodiscard]] Code keepDevicesWaiting(std::uint32_t rounds);
 
-/// Returns code that lowers the priority of kUnusedException below the priority of all devices, and
-/// then runs for a time. Each round has two instructions.
+/// Returns a handler for kUnusedException that first lowers its own priority below the priority of
+/// all devices. Then it keeps the processor busy for a number of rounds. Each round has two
+/// instructions.
 [[nodiscard]] Code takeTime(std::uint32_t rounds);
 
 }  // namespace stubs

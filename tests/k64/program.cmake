@@ -1,5 +1,5 @@
-# The program with which the tests use each driver separately. It is built for the K64. It consists of the sources of
-# the image without the robot.
+# The program with which the tests use each driver separately. It is built for the K64. It contains the drivers and the
+# start-up code of the firmware, but not the robot.
 set(drivers_program ${CMAKE_BINARY_DIR}/drivers/drivers.bin)
 file(GLOB drivers_sources CONFIGURE_DEPENDS
   ${CMAKE_SOURCE_DIR}/src/k64/*.cpp ${CMAKE_SOURCE_DIR}/src/k64/start_up/*.cpp)

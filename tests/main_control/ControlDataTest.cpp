@@ -101,8 +101,8 @@ TEST_F(ControlDataTest, FR242_AStopIsTheFirstReason) {
   EXPECT_TRUE(report().held);
 }
 
-/// @brief Without set-points and in the state Reconnecting, the reported reason is that no source
-/// sends orders.
+/// @brief Without set-points, and also in the state Reconnecting, the reported reason is that no
+/// source sends orders.
 /// @verifies FR-242
 /// @verifies FR-306
 TEST_F(ControlDataTest, FR242_WithoutOrdersTheReasonIsThatNobodyOrders) {
@@ -159,7 +159,7 @@ TEST_F(ControlDataTest, FR160_CostsAreDifferences) {
   EXPECT_EQ(report().costs, (CycleCosts{.report = 1000, .awake = 5000, .start = 9}));
 }
 
-/// @brief If a cycle sends no report, its report has no cost.
+/// @brief If no report was sent in a cycle, the stored cost of a report is 0.
 /// @verifies FR-160
 TEST_F(ControlDataTest, FR160_NoCostWithoutReport) {
   data.saveReported(50);

@@ -88,7 +88,7 @@ class ControllerFixture : public testing::Test {
     second.onServe = [this] { connection.service(); };
   }
 
-  // Connects the PC over the line. Only the link is served.
+  // Connects the PC over the serial line. Serves only the link, without a control cycle.
   void connect() {
     port.arrive(pc.hello());
     serveLink();
@@ -103,7 +103,7 @@ class ControllerFixture : public testing::Test {
     connection.service();
   }
 
-  // Returns the only report on the line.
+  // Returns the only report on the serial line.
   scenario::PcReport sentReport() {
     const std::vector<scenario::Bytes> sent = scenario::bodies(port.takeSent());
     EXPECT_EQ(sent.size(), 1U);

@@ -105,8 +105,8 @@ TEST_F(MainControllerTest, FR299_OnlyANeutralOrderAcknowledges) {
   EXPECT_EQ(system.calls, kHeld);
 }
 
-/// @brief A stop of any mode holds the control systems. The operation state still runs in every
-/// cycle.
+/// @brief If any mode reports a stop, the control systems are held. The operation state still runs
+/// in every cycle.
 /// @verifies FR-21
 TEST_F(MainControllerTest, FR21_StopOfAnyModeHolds) {
   data.saveSetPoints({});
@@ -223,8 +223,8 @@ TEST_F(MainControllerTest, FR35_ServesTheLinkBeforeTheRead) {
   EXPECT_TRUE(scenario::welcomeOf(scenario::bodies(port.takeSent()).at(0)).has_value());
 }
 
-/// @brief A line without a pause transfers 1152 bytes in each cycle at 115200 baud. No frame is
-/// lost.
+/// @brief A serial line without a pause transfers 1152 bytes in each cycle at 115200 baud. No frame
+/// is lost.
 /// @verifies FR-35
 /// @verifies FR-37
 TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
@@ -250,8 +250,8 @@ TEST_F(MainControllerTest, FR37_FullLineCostsNoFrame) {
             static_cast<std::uint16_t>(line.empty() ? sent - 1 : sent - 2));
 }
 
-/// @brief If a cycle is late by one period, the bytes of a line without a pause do not fit into the
-/// buffer of the port. The loss is counted, and the connection continues.
+/// @brief If a cycle is late by one period, the bytes of a serial line without a pause do not fit
+/// into the buffer of the port. The loss is counted, and the connection continues.
 /// @verifies FR-49
 TEST_F(MainControllerTest, FR49_LateCycleOnAFullLineLosesBytesAndGoesOn) {
   connect();

@@ -17,8 +17,8 @@ class SpySystem final : public ControlSystem {
   SetPoints applied;
   std::uint32_t cycle = 0;
   bool completes = true;
-  bool whole = false;  // true: it represents the whole robot, so its missing values also replace
-                       // other values
+  /// true: the system represents the whole robot; its missing values then also replace other values
+  bool whole = false;
   Measurements measured;
   Outputs outputs;
   std::function<void()> work = [] {};

@@ -20,9 +20,9 @@
 
 namespace wr::test {
 
-/// A builder of a control system that records its orders. A tick of the second timer has no effect
-/// on this system. The builder records whether the system was built, and whether it was started
-/// afterwards.
+/// A builder of a spy control system, which records the orders that it receives. A tick of the
+/// second timer has no effect on this system. The builder records whether the system was built, and
+/// whether it was started afterwards.
 class SpyBuilder final : public ControlSystemBuilder, public Command {
  public:
   SpySystem spy;
@@ -39,7 +39,8 @@ class SpyBuilder final : public ControlSystemBuilder, public Command {
   void execute() override {}
 };
 
-/// The builders and the cycles of a robot on the host. Each test adds the director of a product.
+/// The builders and the cycles of a robot on the host. Each test adds the director of a robot
+/// variant.
 class ProductFixture : public testing::Test {
  protected:
   template <class Director>

@@ -11,15 +11,15 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 
-# Programs that a test starts must end on Ctrl-C. This is true even if a shell started the tests
-# with SIGINT ignored.
+# Programs that a test starts must end when they receive SIGINT (Ctrl-C), even if a shell started
+# the tests with SIGINT ignored.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="session")
 def build() -> Callable[..., None]:
-    """Builds targets of a preset. If tests run in several processes, they build one after the
-    other."""
+    """Builds targets of a preset. If tests run in several processes, these processes build one
+    after the other."""
 
     def built(preset: str, *targets: str) -> None:
         folder = ROOT / "build" / preset

@@ -1,5 +1,5 @@
-"""Random texts for the readers. A text is a valid text with some edits. The seed is the seed of the
-test run."""
+"""Random texts for the tests of the readers. Each text is a valid text after some random edits. The
+seed is the seed of the test run."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@
 namespace wr::test {
 namespace {
 
-/// One signal of the remote control with all parts from its pin to its pipe.
+/// One signal of the remote control, with all objects from its pin to its pipe.
 template <class Buffer, class Lever, class Value>
 struct Signal {
   explicit Signal(FakeTimebase& timebase) : time(timebase) { pin.start(); }
@@ -96,7 +96,7 @@ TEST_F(RcBufferTest, FR52_TellsWhenThePulseEnded) {
 /// @verifies FR-52
 TEST_F(RcBufferTest, FR52_InterruptOfAnotherPin) {
   velocity.pulse(1700);
-  velocity.input.high = true;  // the level changes without a waiting edge
+  velocity.input.high = true;  // the level changes, but no edge is pending
   velocity.pin.serve();
   Instants instants;
   velocity.widths.fill(instants);
@@ -104,7 +104,7 @@ TEST_F(RcBufferTest, FR52_InterruptOfAnotherPin) {
   EXPECT_EQ(instants.last, Instant(1700));
 }
 
-/// @brief A lever near its middle sets 0.
+/// @brief A lever near its middle sets the value 0.
 /// @verifies FR-53
 TEST_F(RcBufferTest, FR53_MiddleSetsZero) {
   direction.pulse(1800);
@@ -177,8 +177,8 @@ TEST_F(RcBufferTest, FR55_LostEdges) {
   EXPECT_EQ(edge(false, 1700), 1200);
 }
 
-/// @brief A line that stays high and falls much later sets no value, even when the lower 32 bits of
-/// its width are the width of a valid pulse.
+/// @brief An input that stays high and falls much later sets no value, even when the lower 32 bits
+/// of its width are the width of a valid pulse.
 /// @verifies FR-54
 TEST_F(RcBufferTest, FR54_LineThatStaysHigh) {
   for (const std::int64_t width : {std::int64_t{21'500}, (std::int64_t{1} << 32) + 1600}) {
@@ -216,7 +216,8 @@ TEST_F(RcPathTest, FR56_MessageWithPulses) {
   EXPECT_EQ(reader.readI16({.name = FieldName::Steering}), -1600);
 }
 
-/// @brief When the pulses end on both pins, the message ends 200 ms after the last pulse.
+/// @brief When the pulses end on both pins, the message can be read until 200 ms after the last
+/// pulse.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_NoMessageWithoutPulses) {
   bothPulse(3);
@@ -243,7 +244,7 @@ TEST_F(RcPathTest, FR56_OnePinIsNoMessage) {
   EXPECT_FALSE(mode.newMessage());
 }
 
-/// @brief Pulses that set no value do not extend the message.
+/// @brief Pulses that set no value do not prolong the time in which the message can be read.
 /// @verifies FR-56
 TEST_F(RcPathTest, FR56_BadPulsesAreNoMessage) {
   bothPulse(3);

@@ -8,7 +8,7 @@
 
 namespace wr::test {
 
-/// @brief An analog input. Its conversions end when the test calls a function.
+/// @brief An analog input. The test decides when a conversion ends.
 class FakeAnalogInput final : public AnalogInput {
  public:
   [[nodiscard]] std::optional<std::uint16_t> sample() override {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Microseconds kLifetime = milliseconds(150);
 
-/// @brief The velocity of a sensor that stops writing is missing after 150 ms.
+/// @brief If a velocity sensor stops writing, its velocity counts as missing after 150 ms.
 /// @verifies FR-127
 TEST(MeasurementLifetime, FR127_Velocity) {
   SensedWheel wheel;
@@ -21,7 +21,7 @@ TEST(MeasurementLifetime, FR127_Velocity) {
   EXPECT_FALSE(wheel.controller.velocity(wheel.time.now()));
 }
 
-/// @brief The current of a converter without new samples is missing after 150 ms.
+/// @brief If a converter has no new samples, the current counts as missing after 150 ms.
 /// @verifies FR-127
 /// @verifies FR-173
 TEST(MeasurementLifetime, FR127_Current) {
@@ -39,7 +39,7 @@ TEST(MeasurementLifetime, FR127_Current) {
   EXPECT_FALSE(work.measured.current);
 }
 
-/// @brief The angle of a sensor without new samples is missing after 150 ms.
+/// @brief If the angle sensor has no new samples, the angle counts as missing after 150 ms.
 /// @verifies FR-127
 TEST(MeasurementLifetime, FR127_Angle) {
   FakeTimebase time;

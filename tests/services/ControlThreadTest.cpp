@@ -8,12 +8,13 @@
 namespace wr {
 namespace {
 
-/// @brief A thread whose platform is the test. The thread runs when the test dispatches it.
+/// @brief A thread for tests. The test replaces the platform: the thread runs when the test calls
+/// dispatch().
 class TestThread final : public ControlThread {
  public:
   void dispatch() { run(); }
 
-  /// @brief Runs while the thread is triggered.
+  /// @brief Runs the thread until all its triggers are served.
   void dispatchAll() {
     while (pended > 0) {
       --pended;
@@ -27,8 +28,8 @@ class TestThread final : public ControlThread {
   void pend() override { ++pended; }
 };
 
-/// @brief A body that counts its activations. In its first activation, it posts its own thread a
-/// number of times.
+/// @brief The body of a thread, which is the command that the thread runs. The body counts its
+/// activations. In its first activation, it posts its own thread a number of times.
 class Body final : public Command {
  public:
   explicit Body(ControlThread& thread, int posts = 0) : thread_(thread), posts_(posts) {}
@@ -115,7 +116,8 @@ TEST(ControlThread, FR4_PostBeforeTheBodyBeganIsCountedAndKept) {
   EXPECT_EQ(thread.overruns(), 1);
 }
 
-/// @brief A post whose activation is not kept is an overrun. It is reported like all other posts.
+/// @brief If two posts already wait, a third post causes no further activation. The third post
+/// counts as an overrun, but it returns true like the other posts.
 /// @verifies FR-4
 /// @verifies FR-172
 TEST(ControlThread, FR4_PostThatIsNotKeptIsCounted) {

@@ -45,8 +45,8 @@ struct DirControl {
                             .initial = states.off}};
 };
 
-/// @brief A controller whose ticks, orders, positions and motor belong to the test. There is a tick
-/// every 10 ms, so that the motor moves little between two ticks.
+/// @brief A controller. The test generates its ticks, orders and positions, and replaces its motor.
+/// There is a tick every 10 ms. The motor therefore moves little between two ticks.
 class DirControllerFixture : public testing::Test {
  protected:
   void follow(std::int32_t angle) {
@@ -96,7 +96,8 @@ class DirControllerFixture : public testing::Test {
     ASSERT_EQ(state(), SteeringState::Turning);
   }
 
-  /// @brief Returns the demanded rate, which one tick of the motor shows.
+  /// @brief Runs the motor until it is ready, and then for one tick. Returns its rate, which shows
+  /// the demanded direction.
   StepRate demand() {
     while (!control.motor.device.ready()) {
       control.motor.device.tick();

@@ -62,7 +62,8 @@ TEST_F(DirControllerTest, FR111_AMotionTheWrongWayIsAStall) {
 }
 
 /// @brief If the sum of the steps is less than 0.6 degrees, it is not sufficient for a decision.
-/// The window lasts until the sum is 0.6 degrees, so that a slow stall is also detected.
+/// The observation window lasts until the sum is 0.6 degrees. A slow stall is therefore also
+/// detected.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_ASlowStallIsFound) {
   beginTurn();
@@ -103,8 +104,8 @@ TEST_F(DirControllerTest, FR227_PositionFollowsTheStepsWithin3Degrees) {
   }
 }
 
-/// @brief The first reduction of the difference is one second after the motor was switched on, even
-/// if the motor was also on earlier.
+/// @brief The controller slowly reduces the stored difference between position and steps. The first
+/// reduction is one second after the motor was switched on, even if the motor was also on earlier.
 /// @verifies FR-227
 TEST_F(DirControllerTest, FR227_EachStartBeginsItsOwnSecond) {
   switchOn();
@@ -174,7 +175,7 @@ TEST_F(DirControllerTest, FR105_NoSlowTurnTowardsAnEnd) {
   EXPECT_EQ(state(), SteeringState::Turning);
 }
 
-/// @brief A stall that begins in the middle of a turn is detected in the next window.
+/// @brief A stall that begins in the middle of a turn is detected in the next observation window.
 /// @verifies FR-111
 TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
   beginTurn();
@@ -184,8 +185,9 @@ TEST_F(DirControllerTest, FR111_EachWindowIsJudgedAlone) {
   EXPECT_LE(control.clock.now() - begin, milliseconds(600));
 }
 
-/// @brief The status of each tick has the time of the tick. It shows the work of the motor, the end
-/// stops, and the newest position with the time of its measurement.
+/// @brief The status of each tick has the time of the tick. The status contains the state of the
+/// steering, the rate of the motor, the end stops, and the newest position with the time of its
+/// measurement.
 /// @verifies FR-116
 TEST_F(DirControllerTest, FR116_TheStatusTellsWhatTheSteeringDoes) {
   tickOnly();
@@ -236,8 +238,8 @@ TEST_F(DirControllerTest, FR110_APositionIsYoungFor20Milliseconds) {
   EXPECT_EQ(state(), SteeringState::Fault);
 }
 
-/// @brief A release in the tick of the fault does not end the fault, because it was sent before the
-/// fault was reported.
+/// @brief A release in the tick of the fault does not end the fault, because the release was sent
+/// before the fault was reported.
 /// @verifies FR-112
 TEST_F(DirControllerTest, FR112_AReleaseOfTheTickOfTheFaultDoesNotEndIt) {
   tickOnly();

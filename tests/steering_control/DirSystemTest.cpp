@@ -14,7 +14,7 @@ struct DirSystemTest : testing::Test {
 
   void publish(const DirStatus& what) { status.write(what, clock.now()); }
 
-  /// @brief Holds in a new cycle, and collects the measurements.
+  /// @brief Orders a hold in a new cycle, and collects the measurements.
   void cycle() {
     pool.hold(++number);
     pool.collect(measurements, outputs);
@@ -30,7 +30,7 @@ struct DirSystemTest : testing::Test {
   Outputs outputs;
 };
 
-/// @brief Control passes the ordered angle to the steering, with the time of the order.
+/// @brief control() passes the ordered angle to the steering, with the time of the order.
 /// @verifies FR-115
 TEST_F(DirSystemTest, FR115_TheOrderedAngleIsHandedOver) {
   clock.advance(milliseconds(100));
@@ -40,7 +40,7 @@ TEST_F(DirSystemTest, FR115_TheOrderedAngleIsHandedOver) {
   EXPECT_EQ(target.read()->at, clock.now());
 }
 
-/// @brief Hold passes the order to hold to the steering.
+/// @brief hold() passes an order to hold to the steering.
 /// @verifies FR-115
 TEST_F(DirSystemTest, FR115_TheOrderToHoldIsHandedOver) {
   pool.control({.steering = Angle(-1500)}, 1);
@@ -50,7 +50,7 @@ TEST_F(DirSystemTest, FR115_TheOrderToHoldIsHandedOver) {
   EXPECT_EQ(target.read()->at, clock.now());
 }
 
-/// @brief The order to release is passed once.
+/// @brief An acknowledgement passes an order to release to the steering, but only once.
 /// @verifies FR-112
 TEST_F(DirSystemTest, FR112_AReleaseIsHandedOverOnce) {
   pool.acknowledge(1);

@@ -15,7 +15,7 @@ namespace {
 struct SteeringDeviceTest : testing::Test {
   SteeringDeviceTest() { motor.settle(); }
 
-  /// @brief Sets the turn, and waits until the motor has reached it.
+  /// @brief Sets the rate of the turn, and waits until the motor has reached this rate.
   void reach(std::int32_t rate) {
     device.turn(StepRate(rate));
     motor.run(1000);
@@ -119,7 +119,7 @@ TEST_F(SteeringDeviceTest, FR104_AReversalBeginsTheStepAnew) {
 
 /// @brief An end stop is reached when its switch opens and its input is high.
 /// @verifies FR-105
-TEST_F(SteeringDeviceTest, FR105_ASwitchThatIsLowTellsTheEnd) {
+TEST_F(SteeringDeviceTest, FR105_AnEndStopIsReachedWhenItsInputIsHigh) {
   EXPECT_FALSE(device.leftEnd());
   EXPECT_FALSE(device.rightEnd());
   motor.leftEnd.reached = true;

@@ -77,8 +77,8 @@ class FakePeriodicTimer final : public PeriodicTimer {
 /// motor and mechanics.
 class SteeringLoop {
  public:
-  /// @brief Closes the loop, and runs it until the sensor has a position. A measurement has just
-  /// ended.
+  /// @brief Closes the loop, and runs it until the sensor has a position. When the constructor
+  /// returns, a measurement has just ended.
   /// @param seed seed of the noise
   explicit SteeringLoop(unsigned seed = 0) : input(plant, seed) {
     pool.add(system);

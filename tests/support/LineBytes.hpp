@@ -9,7 +9,8 @@
 
 namespace wr::test {
 
-/// @brief The bytes of a frame. They are encoded and decoded without the code under test.
+/// @brief The bytes of a frame. The functions below encode and decode a frame without the code
+/// under test.
 using Bytes = std::vector<std::uint8_t>;
 
 /// @brief Returns bytes whose values count from 0.
@@ -40,8 +41,9 @@ inline Bytes withCrc(Bytes body) {
   return body;
 }
 
-/// @brief Stuffs a body of at most 253 bytes. Each group of bytes without a zero has its length
-/// before it.
+/// @brief Returns a body of at most 253 bytes with COBS byte stuffing. Each zero byte ends a group
+/// of bytes. Before each group, the result has a byte with the length of the group plus 1. A zero
+/// byte ends the result.
 inline Bytes stuffed(const Bytes& body) {
   Bytes line;
   line.reserve(body.size() + 2);
@@ -64,7 +66,7 @@ inline Bytes stuffed(const Bytes& body) {
   return line;
 }
 
-/// @brief Returns the bytes of a frame on the line.
+/// @brief Returns the bytes of a frame on the serial line.
 inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& payload,
                        std::uint8_t version = 2) {
   Bytes body;
@@ -74,8 +76,8 @@ inline Bytes lineBytes(std::uint8_t type, std::uint8_t sequence, const Bytes& pa
   return stuffed(withCrc(std::move(body)));
 }
 
-/// @brief Splits bytes on the line into bodies, each with its CRC. Zero bytes between them are
-/// ignored.
+/// @brief Splits bytes on the serial line into bodies, each with its CRC. Zero bytes between them
+/// are ignored.
 inline std::vector<Bytes> bodies(const Bytes& line) {
   std::vector<Bytes> found;
   Bytes body;

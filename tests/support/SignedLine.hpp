@@ -19,7 +19,7 @@ namespace wr::test {
 inline constexpr SipHash::Key kSharedKey = {7, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
 inline constexpr std::uint64_t kStartNumber = 0x0123456789abcdef;
 
-/// A random source that returns a number of the test.
+/// A random source that returns the number that the test has chosen.
 class FixedRandom final : public RandomSource {
  public:
   explicit FixedRandom(std::optional<std::uint64_t> number) : number_(number) {}
@@ -60,7 +60,7 @@ class SigningDevice {
     return frame;
   }
 
-  /// Returns whether a frame of the robot has the expected counter and a correct tag.
+  /// Returns true if a frame of the robot has the expected counter and a correct tag.
   [[nodiscard]] bool verifies(std::uint32_t counter, const scenario::Bytes& frame) const {
     if (frame.size() < 25) {
       return false;

@@ -1,8 +1,9 @@
-// Boards with the image under test. With WR_GDB=PORT, the firmware waits for GDB at this TCP port
-// each time a test switches a board on. With the image that is built for recordings, the calls of
-// the firmware are recorded as on the host. Each test writes one file in the folder WR_TRACE_DIR
-// (see trace.cpp). The file <suite>.<test>.bits in the same folder contains the executed
-// instructions. It has the bits of ExecutedCode, up to the last bit that is set.
+// Switches on virtual boards with the firmware image under test. With WR_GDB=PORT, the firmware
+// waits for GDB at this TCP port each time a test switches a board on. If the firmware image is
+// built for recordings, the calls of the firmware are recorded as on the host. Each test writes one
+// file in the folder WR_TRACE_DIR (see trace.cpp). The file <suite>.<test>.bits in the same folder
+// contains the executed instructions. These are the bits of ExecutedCode::bits(), up to the last
+// bit that is set.
 
 #include "support/image.hpp"
 
@@ -38,8 +39,8 @@ emulator::ExecutedCode& executed() {
   return instance;
 }
 
-/// The debugger of the firmware. A running test cannot be restarted, so the debugger cannot go back
-/// in time.
+/// A connection between GDB and the firmware. GDB cannot go back in time, because a running test
+/// cannot be restarted.
 class Debug {
  public:
   explicit Debug(const std::string& port) : line_(programs::openLine("tcp:" + port)) {}
@@ -57,12 +58,12 @@ void debugIfAsked(emulator::VirtualBoard& board) {
   }
 }
 
-// Recordings contain addresses, so all recordings must belong to one image.
+// All recordings must belong to the same firmware image, because they contain addresses.
 bool isRecorded() {
   return imageFile() == WR_RECORDED_IMAGE;
 }
 
-// Writes the name of the image to the results of the test.
+// Writes the name of the firmware image to the results of the test.
 void nameInResults(const std::filesystem::path& image) {
   const std::string recorded = image == WR_RECORDED_IMAGE ? "_calls" : "";
   testing::Test::RecordProperty("image", image.stem().string() + recorded);
@@ -126,8 +127,8 @@ std::unique_ptr<board_robot::BoardSession> switchBoardOn(emulator::Options optio
 std::unique_ptr<board_robot::BoardSession> switchBoardOn(std::vector<std::uint8_t> image,
                                                          emulator::Options options) {
   options.elf = elfFile();
-  // A test may change a few instructions of the image to cause a fault. Such an image counts as the
-  // same image.
+  // A test may change a few instructions of the firmware image to cause a fault. The size of the
+  // image is then the same, and the image still counts as the image under test.
   const bool asLinked = image.size() == emulator::readImage(imageFile()).size();
   auto robot = std::make_unique<board_robot::BoardSession>(std::move(image), std::move(options));
   nameInResults(imageFile());

@@ -21,7 +21,7 @@ inline std::vector<std::filesystem::path> allScenarios() {
   return files;
 }
 
-/// @brief Returns whether a scenario is only for the paper's design. In such a scenario, safety
+/// @brief Returns true if a scenario is only for the paper's design. In these scenarios, safety
 /// functions would stop the robot or limit its acceleration by a ramp.
 /// @param file file of the scenario
 inline bool isOfThePaperAlone(const std::filesystem::path& file) {

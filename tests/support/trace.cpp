@@ -2,10 +2,11 @@
 // with WR_TRACE. Each test writes one file <suite>.<test>.bin in the folder WR_TRACE_DIR. The file
 // has one little-endian 64-bit number for each event. The number is the address of the function.
 // Bit 63 is set when the function is left. After kWhole events, calls that repeat an earlier call
-// of the test or of the simulated platform are shortened, because timers would fill the file.
-// Instead of the repeated call, the file contains the number of the event at which the earlier call
-// begins, with bit 62 set. A sequence of equal calls has only one such number. After kMost events,
-// nothing more is recorded, and a file <suite>.<test>.truncated shows this.
+// of the test or of the simulated platform are shortened, because the calls of the timers would
+// otherwise fill the file. Instead of the repeated call, the file contains the number of the event
+// at which the earlier call begins, with bit 62 set. A sequence of equal calls has only one such
+// number. After kMost events, nothing more is recorded, and a file <suite>.<test>.truncated shows
+// this.
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ std::size_t depth = 0;
 std::size_t begin = 0;  // beginning of the outermost call
 // The outermost calls with their inner calls, and the positions at which the outermost calls begin.
 std::map<std::vector<std::uint64_t>, std::size_t> before;
-thread_local bool recording = false;  // only the thread that runs the tests records
+thread_local bool recording = false;  // only the thread that runs the tests records its calls
 
 void note(std::uint64_t event) {
   if (count == kMost) {

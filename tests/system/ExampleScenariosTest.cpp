@@ -37,8 +37,8 @@ TEST(ClosedLoopOfRobot, FR80_TensionStandsInTheCycleOfItsOrder) {
   play("tension_step");
 }
 
-/// @brief From rest to 150 rpm, with noise, the error is below 2 % after 2 s and later below 1 %.
-/// The overshoot is less than 10 %.
+/// @brief After an order from rest to 150 rpm, with sensor noise, the error of the velocity is
+/// below 2 % after 2 s and later below 1 %. The overshoot is less than 10 %.
 /// @verifies FR-82
 /// @verifies FR-83
 TEST(ClosedLoopOfRobot, FR82_VelocitySettlesOnTheFlat) {
@@ -70,7 +70,8 @@ TEST(ClosedLoopOfRobot, FR87_WheelsStopBeforeTheyTurn) {
   playWithThePapersDesign("reversal");
 }
 
-/// @brief The overcurrent trip of a blocked wheel acts, and a stop does not release it.
+/// @brief The overcurrent trip switches a blocked wheel off. A stop order does not release the
+/// trip.
 /// @verifies FR-128
 TEST(ClosedLoopOfRobot, FR128_BlockedWheelIsCutOff) {
   playWithThePapersDesign("wheel_blocked");
@@ -118,8 +119,8 @@ TEST(ClosedLoopOfRobot, FR91_BrokenSensorsSwitchTheirWheelsOff) {
 
 class ExampleScenarios : public testing::TestWithParam<const char*> {};
 
-/// @brief The robot meets all other example scenarios. The tests of the programs play the example
-/// of ten minutes.
+/// @brief The robot meets the expectations of all other example scenarios. Only the scenario of ten
+/// minutes is played by other tests, which run the programs.
 /// @verifies NFR-6
 TEST_P(ExampleScenarios, RobotDoesWhatIsExpected) {
   play(GetParam());

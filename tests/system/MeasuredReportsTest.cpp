@@ -71,8 +71,8 @@ TEST_F(MeasuredReportsOfRobot, FR65_StateOfTheSteeringIsTold) {
   EXPECT_NEAR(robot.physics().steeringDegrees(), 5.0, 0.5);
 }
 
-/// @brief The report shows the end stop that is reached. The test has moved the steering to this
-/// end stop.
+/// @brief The test moves the steering to each end stop. The report then shows that this end stop is
+/// reached.
 /// @verifies FR-66
 TEST_F(MeasuredReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
   for (const bool left : {true, false}) {
@@ -90,8 +90,8 @@ TEST_F(MeasuredReportsOfRobot, FR66_EndStopThatIsReachedIsTold) {
 }
 
 /// @brief The report shows that the overcurrent trip of one wheel has acted. It shows that the
-/// trips of the other wheels have not acted. This test is not for safety functions, because they
-/// limit the current before the trip acts.
+/// trips of the other wheels have not acted. This test is not for robots with safety functions,
+/// because they limit the current before the trip acts.
 /// @verifies FR-67
 TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
   onlyWith("weeding_robot_paper");
@@ -103,8 +103,8 @@ TEST_F(MeasuredReportsOfRobot, FR67_WheelThatIsCutOffIsTold) {
 }
 
 /// @brief One or both Hall sensors of one wheel are broken. The report shows that this wheel has no
-/// motion feedback and that the other wheels have motion feedback. This test is not for safety
-/// functions, because they stop the robot earlier.
+/// motion feedback and that the other wheels have motion feedback. This test is not for robots with
+/// safety functions, because they stop the robot earlier.
 /// @verifies FR-68
 TEST_F(MeasuredReportsOfRobot, FR68_BlindWheelIsTold) {
   onlyWith("weeding_robot_paper");
@@ -128,9 +128,9 @@ TEST_F(MeasuredReportsOfRobot, FR69_NoEdgeOfAWholeSensorIsRejected) {
   EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{}));
 }
 
-/// @brief From the start on, each rejected edge of the robot is in the count of its wheel. A wheel
-/// at rest gets a pulse of 30 us in each ms. The first edge is a step. Each later edge reverses the
-/// direction too soon.
+/// @brief From the start of the firmware on, each rejected edge is included in the count of its
+/// wheel. A wheel at rest gets a pulse of 30 us in each ms. The first edge is a step. Each later
+/// edge reverses the direction too soon.
 /// @verifies FR-69
 /// @verifies FR-123
 TEST_F(MeasuredReportsOfRobot, FR69_RejectedEdgesAreCountedByWheel) {

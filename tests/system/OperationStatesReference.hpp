@@ -89,7 +89,7 @@ struct Reference {
   }
 };
 
-/// A source that alternates between active and silent. Each phase has a random duration.
+/// A source of orders that alternates between active and silent. Each phase has a random duration.
 class Runs {
  public:
   Runs(bool speaks, int longestSpeech, int longestSilence)
@@ -112,7 +112,7 @@ class Runs {
   int left_ = 0;
 };
 
-/// Runs the robot and its reference side by side, and compares their reports to the PC.
+/// Runs the robot and its reference in parallel, and compares the reports that both send to the PC.
 class Comparison {
  public:
   Comparison(SteppedRobot& robot, std::mt19937& random) : robot_(robot), random_(random) {}
@@ -134,7 +134,7 @@ class Comparison {
   int cycles = 0;
 
  protected:
-  /// Targets with more inputs than the line of the PC override these functions.
+  /// Targets that have more inputs than the serial line of the PC override these functions.
   virtual void beginSequence() {}
   virtual void beforeCycle() {}
   virtual void compareInside() {}
@@ -218,7 +218,7 @@ class Comparison {
   bool helloSent_ = false;
 };
 
-/// A robot and its comparison.
+/// A robot, and its comparison with the reference.
 template <class Robot, class ComparisonOfRobot>
 struct Compared {
   explicit Compared(std::mt19937& random) : comparison(robot, random) {}

@@ -71,7 +71,7 @@ TEST_F(OperationStatesOfRobot, FR16_MessageStartsTheCountAnew) {
   EXPECT_EQ(robot.report().state, kWaitingN);
 }
 
-/// @brief In each state, a message is read and sets Working.
+/// @brief In each state, a message is read, and the next state is Working.
 /// @verifies FR-13
 TEST_F(OperationStatesOfRobot, FR13_MessageSetsWorkingFromEachState) {
   for (int failed = 0; failed <= kWaitingCycles + 1; ++failed) {

@@ -11,8 +11,8 @@ namespace {
 
 class OrdersOfRobot : public testing::Test {
  protected:
-  // Connects the PC at power-up and keeps the connection until a number of reads in the mode RC
-  // have failed.
+  // Connects the PC at power-up. Then keeps it connected, without orders, until `reads` reads in
+  // the mode RC have failed.
   void connectAndFail(int reads) {
     robot.connect();
     for (int failed = 2; failed < reads; ++failed) {
@@ -75,7 +75,8 @@ TEST_F(OrdersOfRobot, FR20_OrderIsReadUpToItsLifetime) {
   EXPECT_EQ(robot.report().state, kWorking);
 }
 
-/// @brief An order whose last byte arrived 201 ms before the clock pulse is not a message.
+/// @brief An order whose last byte arrived 201 ms before the clock pulse is too old and is not
+/// read.
 /// @verifies FR-20
 TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
   connectAndFail(kWaitingCycles);
@@ -89,7 +90,8 @@ TEST_F(OrdersOfRobot, FR20_OlderOrderIsNoMessage) {
   EXPECT_EQ(robot.report().orderId, 0);
 }
 
-/// @brief The report of an order contains the time of the sender's clock from the order.
+/// @brief An order contains the time of the sender's clock. The report about this order repeats
+/// this time.
 /// @verifies FR-249
 TEST_F(OrdersOfRobot, FR249_ReportRepeatsTheTimeOfTheSender) {
   robot.commandByPc();
@@ -115,8 +117,8 @@ TEST_F(OrdersOfRobot, FR243_AnOrderThatIsRepeatedIsStale) {
   EXPECT_EQ(robot.report().staleOrders, 1);
 }
 
-/// @brief A stop acts before the PC is connected, and the report of the connection shows its
-/// source.
+/// @brief A stop order takes effect before the PC is connected. After the connection, the report
+/// shows the PC as the source of the stop.
 /// @verifies FR-240
 /// @verifies FR-242
 TEST_F(OrdersOfRobot, FR240_StopActsWithoutConnection) {
@@ -148,7 +150,7 @@ TEST_F(OrdersOfRobot, FR241_AnOrderThatMovesDoesNotRelease) {
   EXPECT_EQ(robot.report().stopSources, 0);
 }
 
-/// @brief A stop of the PC holds the robot in the mode PC, in every operation state.
+/// @brief A stop order of the PC holds the robot in the mode PC, in every operation state.
 /// @verifies FR-21
 /// @verifies FR-175
 /// @verifies FR-305
@@ -168,7 +170,7 @@ TEST_F(OrdersOfRobot, FR21_StopActsInEveryState) {
   EXPECT_EQ(robot.report().state, kReconnecting);
 }
 
-/// @brief A stop continues after the end of the connection.
+/// @brief A stop remains in force after the end of the connection.
 /// @verifies FR-21
 TEST_F(OrdersOfRobot, FR21_StopOutlivesTheConnection) {
   robot.commandByPc();
@@ -204,7 +206,7 @@ TEST_F(OrdersOfRobot, FR22_RobotIsHeldBeforeTheFirstOrder) {
   }
 }
 
-/// @brief The order of a PC that is not connected is not a message.
+/// @brief The order of a PC that is not connected is not read.
 /// @verifies FR-36
 TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
   for (int i = 0; i < kWaitingCycles + 6; ++i) {
@@ -216,7 +218,7 @@ TEST_F(OrdersOfRobot, FR36_OrderWithoutConnectionIsNoMessage) {
   EXPECT_EQ(robot.report().unexpected, kWaitingCycles + 6);
 }
 
-/// @brief If the connection ends before an order is read, the order is no longer a message.
+/// @brief If the connection ends before an order is read, the order can no longer be read.
 /// @verifies FR-36
 TEST_F(OrdersOfRobot, FR36_OrderOfAnEndedConnectionIsNoMessage) {
   robot.commandByPc();

@@ -16,8 +16,8 @@ namespace wr::test {
 
 using std::chrono::microseconds;
 
-/// Switches a new robot on. Returns when the robot reads its line. The linker selects the target of
-/// the robot.
+/// Switches a new robot on. Returns when the robot reads its serial line. The linker selects the
+/// target on which the robot runs: the host or the virtual K64.
 [[nodiscard]] std::unique_ptr<scenario::RobotSession> switchOn();
 
 /// Returns the number of sequences of the comparison with the reference that this target can run in
@@ -34,7 +34,7 @@ inline constexpr int kPc = 1;
 inline constexpr int kNobody = 255;
 inline constexpr int kNotArmed = 3;
 
-/// The whole firmware in stepped time, and a PC on its line.
+/// The whole firmware in stepped time, and a PC on its serial line.
 class SteppedRobot {
  public:
   SteppedRobot() : SteppedRobot(switchOn()) {}

@@ -54,7 +54,8 @@ TEST(TortureComparisonTest, AShorterRunDiffers) {
   EXPECT_THAT(context({kEntered, kLeft}, {kEntered}, 1), HasSubstr("nothing more"));
 }
 
-/// @brief The context of a difference shows the events before it and both records.
+/// @brief The context of a difference shows the records before the difference, and both records
+/// that differ.
 TEST(TortureComparisonTest, TheContextShowsBothRecords) {
   const std::string text = context({kEntered, kLeft}, {kEntered, kEnd}, 1);
   EXPECT_THAT(text, HasSubstr("0         enters exception 20"));
@@ -62,7 +63,8 @@ TEST(TortureComparisonTest, TheContextShowsBothRecords) {
   EXPECT_THAT(text, HasSubstr("1 right acted end"));
 }
 
-/// @brief A record is printed with the names of its numbers, which depend on its kind.
+/// @brief A record is printed with a name for each of its numbers. The names depend on the kind of
+/// the record.
 TEST(TortureComparisonTest, EachKindNamesItsNumbers) {
   constexpr std::array<std::uint32_t, 5> kWords{1, 2, 3, 4, 5};
   EXPECT_THAT(described({Kind::Entered, 20, 1, 0xE9, kWords}),

@@ -17,7 +17,7 @@ constexpr char kOptions[] =
     " -M mps2-an386 -nographic -monitor none -serial none"
     " -semihosting-config enable=on,target=native -kernel ";
 
-/// @brief A file that exists as long as the object.
+/// @brief A temporary file, which is removed with its object.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const Image& content)

@@ -4,15 +4,16 @@
 
 namespace wr::torture {
 
-/// @brief The Cortex-M4 of QEMU, in a machine with memory at 0 and at 0x20000000.
+/// @brief The Cortex-M4 of QEMU, in a simulated board with memory at the addresses 0 and
+/// 0x20000000.
 class Qemu {
  public:
-  /// @brief Returns whether QEMU is installed.
+  /// @brief Returns true if QEMU is installed.
   [[nodiscard]] static bool installed();
 
   /// @brief Runs a program to its end.
   /// @return the records of the program
-  /// @throws std::runtime_error when the program does not end in a minute
+  /// @throws std::runtime_error when the program does not end within a minute
   [[nodiscard]] static Records run(const Image& image);
 };
 

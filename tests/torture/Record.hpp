@@ -5,7 +5,7 @@
 
 namespace wr::torture {
 
-/// @brief Content of a record of the torture program.
+/// @brief Kind of a record of the torture program.
 enum class Kind : std::uint8_t {
   Entered,      ///< an exception was entered
   Left,         ///< an exception is about to be left
@@ -16,7 +16,7 @@ enum class Kind : std::uint8_t {
   FpMode        ///< modes in FPSCR at the first use of the floating-point registers
 };
 
-/// @brief Actions of the program, which are the detail of a record Acted.
+/// @brief Actions of the program. In a record of the kind Acted, `detail` is one of these actions.
 enum class Action : std::uint8_t {
   PendLines,
   PendSystem,
@@ -41,8 +41,8 @@ enum class Action : std::uint8_t {
   End
 };
 
-/// @brief Checked items, which are the detail of a record CheckFailed. Numbers 0 to 12 are the core
-/// registers. Numbers 32 to 63 are the floating-point registers.
+/// @brief Checked items. In a record of the kind CheckFailed, `detail` is the number of the item.
+/// Numbers 0 to 12 are the core registers. Numbers 32 to 63 are the floating-point registers.
 enum class Check : std::uint8_t { Flags = 16, StackPointer = 17, FpStatus = 18, LogFull = 19 };
 
 /// @brief An event in the form in which the program writes it.
@@ -58,11 +58,11 @@ struct Record {
 };
 static_assert(sizeof(Record) == 24);
 
-/// @brief Addresses of the runner's settings in the image of the program.
+/// @brief Addresses in the program at which the test stores the seed and the number of actions.
 inline constexpr std::uint32_t kSeedAddress = 0xC0;
 inline constexpr std::uint32_t kActionsAddress = 0xC4;
 
-/// @brief Memory of the program, besides the vectors and the code at address 0.
+/// @brief Memory of the program. The vectors and the code are at address 0.
 inline constexpr std::uint32_t kCodeSize = 0x10000;
 inline constexpr std::uint32_t kRamStart = 0x20000000;
 inline constexpr std::uint32_t kRamSize = 0x80000;

@@ -21,8 +21,8 @@ constexpr std::uint32_t kOpen = 0x01;
 constexpr std::uint32_t kWrite = 0x05;
 constexpr std::uint32_t kExit = 0x18;
 
-/// @brief The requests of the program to the machine. The program requests to write bytes and to
-/// end.
+/// @brief The semihosting requests of the program to the emulator: write bytes, and end the
+/// program.
 class Semihosting {
  public:
   void serve(CortexM4& processor) {

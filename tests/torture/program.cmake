@@ -11,7 +11,7 @@ file(GLOB torture_headers CONFIGURE_DEPENDS
 find_program(torture_compiler arm-none-eabi-g++ REQUIRED)
 find_program(torture_objcopy arm-none-eabi-objcopy REQUIRED)
 
-# Only probe.S touches the floating-point registers. The image is read at address 0.
+# Only probe.S touches the floating-point registers. The program is loaded at address 0.
 set(torture_options
   -std=c++20 -mcpu=cortex-m4 -mthumb -mfloat-abi=softfp -mgeneral-regs-only -O2 -g
   -ffreestanding -fno-exceptions -fno-rtti --param=min-pagesize=0

@@ -18,8 +18,8 @@ TYPED_TEST_SUITE(Behaviour, Designs, DesignName);
 
 // ---- link to the PC ----------------------------------------------------------------------------
 
-/// @brief A Hello is answered with a Welcome. It contains session, period, N and the cause of the
-/// reset.
+/// @brief A Hello is answered with a Welcome. The Welcome contains the session, the cycle period, N
+/// and the cause of the reset.
 TYPED_TEST(Behaviour, WelcomesThePc) {
   this->robot.hello();
   this->robot.cycle();
@@ -55,8 +55,8 @@ TYPED_TEST(Behaviour, CountsWhatItDoesNotExpect) {
   EXPECT_EQ(this->robot.report().unexpected, 2);
 }
 
-/// @brief Damaged frames, impossible lengths, types and versions, and values out of range have
-/// separate counts. None of these frames is an order.
+/// @brief Damaged frames, impossible lengths, types and versions, and values out of range are
+/// counted separately. None of these frames is an order.
 TYPED_TEST(Behaviour, CountsBadFrames) {
   this->robot.commandByPc();
   scenario::Bytes damaged = this->robot.pc.keepAlive();
@@ -137,8 +137,8 @@ TYPED_TEST(Behaviour, FailedReadsLeadToReconnecting) {
   EXPECT_FALSE(this->robot.report().held());
 }
 
-/// @brief Without orders, the modes alternate. Each design defines the failed read at which this
-/// begins.
+/// @brief Without orders, the modes alternate. Each design defines after how many failed reads the
+/// modes begin to alternate.
 TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
   this->robot.commandByPc();
   int mode = kPc;
@@ -151,8 +151,8 @@ TYPED_TEST(Behaviour, ModesAlternateWithoutOrders) {
   }
 }
 
-/// @brief While there are pulses of the remote control, the robot follows it. Velocity and steering
-/// follow its levers.
+/// @brief While there are pulses of the remote control, the robot follows the remote control.
+/// Velocity and steering follow its levers.
 TYPED_TEST(Behaviour, FollowsTheRemoteControl) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.5, .steering = -1});
   this->robot.connect();
@@ -178,8 +178,8 @@ TYPED_TEST(Behaviour, RemoteControlInTheMiddleOrdersRest) {
   EXPECT_FALSE(this->robot.report().orderRead());
 }
 
-/// @brief A stop of the PC holds the robot until the PC sends an order without a stop. Orders of
-/// the remote control do not end this stop.
+/// @brief A stop order of the PC holds the robot until the PC sends an order without a stop. Orders
+/// of the remote control do not end this stop.
 TYPED_TEST(Behaviour, StopHoldsInEachMode) {
   this->robot.line.remoteControl().set(plant::Sticks{.velocity = 0.2, .steering = 0});
   this->robot.connect();
@@ -316,7 +316,7 @@ TYPED_TEST(Behaviour, OvercurrentTripsTheWheel) {
 
 // ---- both side by side -------------------------------------------------------------------------
 
-// Two robots on one line. Both robots get the same bytes.
+// Two robots on one serial line. Both robots get the same bytes.
 struct SideBySide {
   OneWheelLine<UsualDesign> usual;
   OneWheelLine<PatternDesign> patterns;
@@ -327,7 +327,7 @@ struct SideBySide {
     patterns.send(bytes);
   }
 
-  // Runs a cycle of both robots, and returns the bytes of each.
+  // Runs a cycle of both robots, and returns the sent bytes of each robot.
   std::pair<scenario::Bytes, scenario::Bytes> cycleApart() {
     usual.runThroughPulse();
     patterns.runThroughPulse();

@@ -23,7 +23,7 @@ struct Devices {
   AnalogInput& current;        ///< current of the motor
   EdgeInput& rcVelocity;       ///< pulses of the velocity lever
   EdgeInput& rcDirection;      ///< pulses of the direction lever
-  SerialPort& pcPort;          ///< line to the PC
+  SerialPort& pcPort;          ///< serial line to the PC
   PeriodicTimer& cycleTimer;   ///< generates the clock pulses
   PeriodicTimer& tickTimer;    ///< generates the ticks
   const Timebase& timebase;    ///< returns the time

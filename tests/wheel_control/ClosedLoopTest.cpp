@@ -94,7 +94,7 @@ TEST_F(ClosedLoopTest, FR300_VelocityIsKeptUphill) {
 }
 
 /// @brief The robot drives from flat ground onto a downhill slope. While the wheelbase passes the
-/// edge, the velocity of the wheel is at most 165 rpm. It settles on the slope.
+/// beginning of the slope, the velocity of the wheel is at most 165 rpm. Then the velocity settles.
 /// @verifies FR-84
 TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
   plant.load = kRolling;
@@ -112,7 +112,7 @@ TEST_F(ClosedLoopTest, FR84_NotMuchFasterDownhill) {
 }
 
 /// @brief After 1 s, while the wheel accelerates, the error of the current is at most 5 % of the
-/// order or 0.1 A.
+/// order.
 /// @verifies FR-85
 TEST_F(ClosedLoopTest, FR85_CurrentIsReachedInOneSecond) {
   plant.load = kRolling;
@@ -133,10 +133,10 @@ TEST_F(ClosedLoopTest, FR85_BrakingCurrentIsReached) {
   EXPECT_NEAR(plant.current().count(), -500, 100);
 }
 
-/// @brief After 1 s, the error of the current is at most 5 % of the order or 0.1 A. This is tested
-/// over the whole range of currents, in both directions, for any supply, winding and motor
-/// constant. Friction consumes 97 % of the torque, so the wheel stays slow, and the supply is
-/// sufficient.
+/// @brief After 1 s, the error of the current is at most the greater of two values: 5 % of the
+/// order, and 0.1 A. This is tested over the whole range of currents, in both directions, for any
+/// supply, winding and motor constant. Friction consumes 97 % of the torque. The wheel therefore
+/// stays slow, and the supply is sufficient.
 /// @verifies FR-85
 TEST(CurrentLoop, FR85_CurrentsOverTheWholeRange) {
   for (const double supply : {21.0, 24.0, 29.0}) {
@@ -182,7 +182,7 @@ TEST_F(ClosedLoopTest, FR301_DelayedStepIsHardlyOvershot) {
 /// within 5 % after 1 s, with an overshoot of less than 10 %.
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUp) {
-  plant.load = 1.455;  // 3 A carry this load
+  plant.load = 1.455;  // this load needs 3 A
   run(currentOf(10000), 60);
   ASSERT_EQ(controller.applied(), Tension(24000));
   ASSERT_NEAR(plant.current().count(), 3000, 30);
@@ -201,7 +201,7 @@ TEST_F(ClosedLoopTest, FR301_NoWindUp) {
 /// @verifies FR-301
 TEST_F(ClosedLoopTest, FR301_NoWindUpOfTheVelocity) {
   for (const double load : {3.3, 3.6, 3.9}) {
-    plant.load = load;  // 6.8, 7.4 and 8 A carry the load
+    plant.load = load;  // these loads need 6.8, 7.4 and 8 A
     run(velocityOf(3000), 60);
     ASSERT_EQ(controller.applied(), Tension(24000)) << load;
     ASSERT_LT(plant.present(), Velocity(2900)) << load;
@@ -228,8 +228,9 @@ TEST_F(ClosedLoopTest, FR87_FR301_ReverseSlowsDownFirst) {
 /// Results of a step of the velocity order.
 struct Step {
   double overshoot = 0;  // [0.1 rpm] velocity beyond the target
-  double settled = 0;    // [s] time from which on the velocity stays within 5 % or 2 rpm
-  double steady = 0;     // [0.1 rpm] error of the mean over the fifth second
+  double settled =
+      0;  // [s] time from which on the velocity stays within the greater of 5 % and 2 rpm
+  double steady = 0;  // [0.1 rpm] error of the mean over the fifth second
 };
 
 /// Orders a velocity for 6 s, and checks the velocity at the end of each cycle.
@@ -260,7 +261,8 @@ struct Variant {
   double friction;
 };
 
-/// Returns all extremes of supply, inertia, winding, motor constant and rolling resistance.
+/// Returns all combinations of the extreme values of supply, inertia, winding, motor constant and
+/// rolling resistance.
 std::vector<Variant> variants() {
   std::vector<Variant> all;
   for (const double supply : {21.0, 24.0, 29.0}) {
@@ -288,8 +290,8 @@ WheelPlant plantOf(const Variant& variant) {
 }
 
 /// @brief A wheel settles in 3 s with less than 30 % overshoot. The error of its mean velocity is
-/// at most 1 % or 0.5 rpm. This is tested over the whole range of velocities, in both directions,
-/// with any supply, inertia, winding and motor constant.
+/// at most the greater of 1 % and 0.5 rpm. This is tested over the whole range of velocities, in
+/// both directions, with any supply, inertia, winding and motor constant.
 /// @verifies FR-223
 TEST(VelocityLoop, FR223_StepsOverTheWholeRange) {
   for (const Variant& variant : variants()) {
@@ -324,7 +326,8 @@ TEST(VelocityLoop, FR223_StepsBetweenVelocitiesAndReversals) {
   }
 }
 
-/// @brief A reversed voltage at full speed reverses the wheel in time, also with twice the inertia.
+/// @brief If the ordered voltage is reversed at full speed, the wheel reverses in time, even with
+/// twice the inertia.
 /// @verifies FR-222
 TEST(VelocityLoop, FR222_ReversalFromFullSpeedIsInTime) {
   for (const Variant& variant : variants()) {

@@ -36,7 +36,7 @@ constexpr WheelSetPoint currentOf(std::int16_t value) {
   return WheelSetPoint::current(Current(value));
 }
 
-/// A wheel with its controller. They are composed as in the robot. The test replaces the sensors.
+/// A wheel with its controller, composed as in the robot. The test replaces the sensors.
 class ControlledWheel {
  public:
   host::HostPwmOutput pwm;
@@ -72,8 +72,8 @@ class ControlledWheel {
     currents.write(current, time.now());
   }
 
-  /// Runs one cycle of a wheel that turns. Its position changes by more edges than a single sensor
-  /// can cause.
+  /// Runs one cycle of a wheel that turns. Its position changes by more edges than a single working
+  /// Hall sensor can cause.
   void control(const WheelSetPoint& setPoint, Velocity velocity = Velocity(),
                Current current = Current()) {
     measure(velocity, current);

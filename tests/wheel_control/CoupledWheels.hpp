@@ -20,12 +20,13 @@ class SimulatedWheel : public SensedWheel {
   double resistance = 1.55;  // winding, leads and driver [ohm]
   double constant = 0.485;   // [V s/rad], and [N m/A]
   double speed = 0;          // speed of the shaft [rad/s]
-  bool hallWorks = true;     // the Hall sensors have edges
+  bool hallWorks = true;     // false: the Hall sensors cause no edges
 
-  /// Returns the torque of the motor at the shaft [N m], at present.
+  /// Returns the present torque of the motor at the shaft [N m].
   [[nodiscard]] double torque() const { return constant * current(); }
 
-  /// Turns the shaft, and generates the Hall edges of this movement.
+  /// Turns the shaft at its present speed for a time, and generates the Hall edges of this
+  /// movement.
   void turn(double seconds) {
     constexpr double kEdgesPerRadian = 60 / (2 * std::numbers::pi);
     place_ += speed * seconds * kEdgesPerRadian;
@@ -37,14 +38,14 @@ class SimulatedWheel : public SensedWheel {
     passed_ = passed;
   }
 
-  /// Ends a millisecond, and samples the current.
+  /// Advances the time by 1 ms, and records one sample of the current.
   void tick() {
     time.advance(milliseconds(1));
     samples.collect(static_cast<std::uint16_t>(
         std::clamp(std::lround(kMiddle + current() * 4096 / 33), 0L, 4095L)));
   }
 
-  /// Measures and controls at the end of a cycle.
+  /// Runs the measurement and the control of a cycle, with a set-point.
   void follow(const WheelSetPoint& setPoint) {
     work = {};
     work.setPoint = setPoint;
@@ -102,11 +103,11 @@ class CoupledWheels {
   }
 
  private:
-  static constexpr int kParts = 4;                 // number of parts of a millisecond
-  static constexpr double kPart = 0.001 / kParts;  // [s]
+  static constexpr int kParts = 4;                 // number of simulation steps in 1 ms
+  static constexpr double kPart = 0.001 / kParts;  // duration of a step [s]
   static constexpr double kWheelInertia = 0.006;   // inertia of a wheel at the shaft [kg m2]
-  static constexpr double kBodyInertia = 0.13;     // inertia of the body at the shafts
-  static constexpr double kGrip = 5;               // torque of a tyre by its slip [N m s/rad]
+  static constexpr double kBodyInertia = 0.13;     // inertia without wheels, at the shafts [kg m2]
+  static constexpr double kGrip = 5;               // torque of a tyre per slip [N m s/rad]
 
   void move() {
     double grip = 0;

@@ -21,8 +21,8 @@
 
 namespace wr::test {
 
-/// A wheel with controller, sensors and orders. They are composed as in the robot. The test
-/// triggers the interrupts.
+/// A wheel with controller, sensors and orders, composed as in the robot. The test triggers the
+/// interrupts.
 class SensedWheel : public ControlledWheel {
  public:
   BasicCollector basic;
@@ -39,7 +39,7 @@ class SensedWheel : public ControlledWheel {
   ApplyControl applyControl{controller, wheel};
   HaltWheel haltWheel{controller, wheel};
 
-  /// Sets the zero of the current sensor and the first levels of the Hall sensors.
+  /// Sets the zero point of the current sensor and the first levels of the Hall sensors.
   SensedWheel() {
     for (int sample = 0; sample < ValueCollector::kZeroSamples; ++sample) {
       samples.collect(kMiddle);
@@ -62,7 +62,7 @@ class SensedWheel : public ControlledWheel {
   }
 
   static constexpr std::uint16_t kMiddle = 2048;          // no current
-  static constexpr std::uint16_t kTwoAmperes = 2296;      // 0.1 V/A at 3.3 V over 4096 numbers
+  static constexpr std::uint16_t kTwoAmperes = 2296;      // 0.1 V/A; 3.3 V are 4096 steps
   static constexpr std::uint16_t kTooMuch = 2048 + 2000;  // 16.1 A
 
   std::size_t turned = 0;

@@ -21,8 +21,8 @@ class WheelControllerTest : public testing::Test, protected ControlledWheel {
   }
 };
 
-/// @brief The output has the voltage of an order in the cycle that reads the order, within 0.5 % or
-/// 6 mV.
+/// @brief In the cycle that reads an order, the output already has the ordered voltage. The error
+/// is at most the greater of 0.5 % and 6 mV.
 /// @verifies FR-80
 TEST_F(WheelControllerTest, FR80_TensionStandsAtTheOutputAtOnce) {
   for (const std::int16_t tension :
@@ -42,7 +42,7 @@ TEST_F(WheelControllerTest, FR81_RiseIsLimited) {
   EXPECT_EQ(output(), Tension(24000));
 }
 
-/// @brief Each quantity has its algorithm.
+/// @brief Each quantity is controlled by a separate algorithm.
 /// @verifies FR-80
 /// @verifies FR-82
 /// @verifies FR-85
@@ -55,7 +55,7 @@ TEST_F(WheelControllerTest, FR80_FR82_FR85_EachQuantityHasItsAlgorithm) {
   EXPECT_EQ(controller.applied(), Tension(1500));
 }
 
-/// @brief A change of the quantity clears the memory of control.
+/// @brief A change of the quantity clears the memory of the controller.
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
   for (int cycle = 0; cycle < 5; ++cycle) {
@@ -68,7 +68,7 @@ TEST_F(WheelControllerTest, FR301_AnotherQuantityStartsAfresh) {
 }
 
 /// @brief For any demand, the wheel gets at most the supply voltage. The algorithm gets the applied
-/// voltage, so that its integral does not grow.
+/// voltage. Therefore, its integral does not grow.
 /// @verifies FR-86
 /// @verifies FR-301
 TEST_F(WheelControllerTest, FR86_DemandStaysWithinTheSupply) {
@@ -157,7 +157,8 @@ TEST_F(WheelControllerTest, FR88_HaltLowersThenShortCircuits) {
   EXPECT_TRUE(enable.isOn());
 }
 
-/// @brief After an incomplete halt the rise begins at the remaining voltage.
+/// @brief A halt that has not ended yet leaves a voltage. The next rise of the voltage begins at
+/// this remaining voltage.
 /// @verifies FR-81
 TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -166,8 +167,8 @@ TEST_F(WheelControllerTest, FR81_RiseBeginsAtWhatAHaltLeft) {
   EXPECT_EQ(controller.applied(), Tension(7600 + 12000));
 }
 
-/// @brief After a halt, a reversal begins at the remaining voltage. The orientation changes only
-/// without voltage.
+/// @brief A reversal after a halt begins at the voltage that the halt has left. The orientation
+/// changes only without voltage.
 /// @verifies FR-87
 TEST_F(WheelControllerTest, FR87_ReverseBeginsAtWhatAHaltLeft) {
   control(tensionOf(10000));
@@ -264,7 +265,7 @@ TEST_F(WheelControllerTest, FR91_NoMotionUntilReleased) {
 }
 
 /// @brief The limit of 4.5 V s is exact. The count begins at 0 after a motion, after the release,
-/// and after cycles whose voltage need not turn a wheel.
+/// and after cycles whose voltage may be too low to turn a wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
   constexpr std::int32_t kLimit = 45000;  // [mV cycles]
@@ -311,8 +312,8 @@ TEST_F(WheelControllerTest, FR91_TheCountIsExact) {
   }
 }
 
-/// @brief The count falls by 2 V s for each second with a voltage that need not turn a wheel, down
-/// to 0.
+/// @brief The count falls by 2 V s for each second with a voltage that may be too low to turn a
+/// wheel, down to 0.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_TheCountFalls) {
   control(tensionOf(7000));
@@ -329,7 +330,7 @@ TEST_F(WheelControllerTest, FR91_TheCountFalls) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief A halt does not clear the count. Pulses of voltage are added.
+/// @brief A halt does not clear the count. Each pulse of voltage adds to the count.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_HaltKeepsTheCount) {
   for (int pulse = 0; pulse < 3; ++pulse) {
@@ -354,7 +355,8 @@ TEST_F(WheelControllerTest, FR91_OneEdgeToAndFroIsNoMotion) {
   EXPECT_TRUE(controller.blind());
 }
 
-/// @brief A voltage of 2.0 V need not turn a wheel. A creeping wheel counts as a moving wheel.
+/// @brief A voltage of 2.0 V may be too low to turn a wheel. A creeping wheel counts as a moving
+/// wheel.
 /// @verifies FR-91
 TEST_F(WheelControllerTest, FR91_LowVoltageAndCreeping) {
   for (int cycle = 0; cycle < 100; ++cycle) {
@@ -468,8 +470,8 @@ TEST_F(WheelControllerTest, FR87_CreepingWheelCanBeReversed) {
   EXPECT_FALSE(controller.reversalLate());
 }
 
-/// @brief A wheel that is dragged faster than its set-point while its demand brakes never has a
-/// late reversal.
+/// @brief If a slope drags a wheel faster than its set-point, the demand brakes the wheel. This
+/// braking never counts as a late reversal.
 /// @verifies FR-222
 TEST_F(WheelControllerTest, FR222_ADraggedWheelIsNeverLate) {
   for (int cycle = 0; cycle < 50; ++cycle) {

@@ -143,7 +143,7 @@ TEST_F(WheelSystemTest, FR93_MissingValueIsReportedAsMissing) {
   EXPECT_EQ(outputs.tensions.at(kWheel), Tension(2600)) << "the wheel is being stopped";
 }
 
-/// @brief A hold also measures, and stops the wheel.
+/// @brief During a hold, the system still measures, and it stops the wheel.
 /// @verifies FR-88
 TEST_F(WheelSystemTest, FR88_HoldStopsTheWheel) {
   system.start();
@@ -162,7 +162,7 @@ TEST_F(WheelSystemTest, FR88_HoldStopsTheWheel) {
   EXPECT_EQ(output(), Tension(0));
 }
 
-/// @brief An acknowledgement releases faults only in its own cycle.
+/// @brief An acknowledgement releases faults only in the cycle of the acknowledgement.
 /// @verifies FR-89
 TEST_F(WheelSystemTest, FR89_AcknowledgementActsOnce) {
   system.start();

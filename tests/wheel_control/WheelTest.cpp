@@ -11,7 +11,8 @@
 namespace wr::test {
 namespace {
 
-/// An output whose level change is interrupted by an overcurrent trip, just before the change.
+/// An output that simulates an interrupt: just before its level changes, an overcurrent trip
+/// occurs.
 class Interrupted final : public DigitalOutput {
  public:
   Wheel* wheel = nullptr;
@@ -100,7 +101,7 @@ TEST_F(WheelTest, FR89_TripIsLatched) {
 }
 
 /// @brief The driver stays off for one whole control cycle, in which the current decays. Then the
-/// driver is on without voltage, so that the motor brakes.
+/// driver is on without voltage, and the motor brakes.
 /// @verifies FR-221
 TEST_F(WheelTest, FR221_BrakesWhenTheCurrentHasDecayed) {
   wheel.setTension(Tension(5000));

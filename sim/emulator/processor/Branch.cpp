@@ -5,7 +5,7 @@
 #include "sim/emulator/processor/Core.hpp"
 #include "sim/emulator/processor/Encoding.hpp"
 
-// Branches (ARMv7-M ARM, A5.2.6, A5.3.4, A7.7.12 to A7.7.21). The field "value" is the distance
+// Branches (ARMv7-M ARM, A5.2.6, A5.3.4, A7.7.12 to A7.7.21). The field `value` is the distance
 // from the program counter.
 
 namespace wr::emulator {

@@ -9,7 +9,7 @@ namespace wr::emulator {
 
 namespace {
 
-// Returns whether an address is in the range in which no code may be executed (ARMv7-M ARM, B3.1).
+// Returns true if an address is in the range in which no code may be executed (ARMv7-M ARM, B3.1).
 bool isNeverExecuted(std::uint32_t address) {
   return (address >= 0x40000000 && address < 0x60000000) || address >= 0xA0000000;
 }
@@ -61,9 +61,9 @@ Trap Core::run() {
 }
 
 // The address and the cycle count are local variables. They are copied to their members, but never
-// read from these members. An instruction on the host then does not wait for the previous
-// instruction. For the same reason, the next address is selected by a branch, which the host can
-// predict.
+// read from these members. The processor of the host then need not wait for the result of the
+// previous instruction. For the same reason, the next address is selected by a branch, because the
+// host can predict a branch.
 template <bool kSlowFlash, bool kLooks>
 void Core::runInstructions() {
   std::uint32_t address = next;

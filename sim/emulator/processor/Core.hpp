@@ -20,7 +20,7 @@ enum class Trap : std::uint8_t {
   None,
   Sleep,
   SupervisorCall,
-  ExceptionReturn,  ///< trapAddress(): EXC_RETURN
+  ExceptionReturn,  ///< trapAddress() is the EXC_RETURN value
   // The following values are faults. The instruction of a fault has no effect.
   Breakpoint,
   Undefined,
@@ -33,13 +33,14 @@ enum class Trap : std::uint8_t {
   InstructionViolation,
   LoadBus,  ///< trapAddress() is the address of the access; there is no memory at this address
   StoreBus,
-  LoadAcross,  ///< load across the border of two memories
+  LoadAcross,  ///< load that crosses the border between two memories
   StoreAcross,
   FlashStore,
   Refused  ///< the owner of a window rejected the access and has stored the reason
 };
 
-/// @brief Executes instructions one after the other. Another class handles the exceptions.
+/// @brief The part of the processor that executes instructions one after the other. Another class
+/// handles the exceptions.
 ///
 /// The operations of the instructions use the public members.
 class Core {
@@ -64,7 +65,7 @@ class Core {
   bool exclusive = false;             ///< state of the local monitor (ARMv7-M ARM, A3.4.1)
   std::uint32_t next = 0;             ///< address of the next instruction
 
-  /// @brief Executes instructions until a cycle or until a trap.
+  /// @brief Executes instructions until the cycle of setStop() is reached or a trap occurs.
   /// @return the trap, which is then cleared
   Trap run();
 
@@ -75,20 +76,20 @@ class Core {
   [[nodiscard]] std::uint64_t cycles() const { return instructions_ + otherCycles_; }
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }
 
-  /// @brief Adds cycles to the first cycle of an instruction.
+  /// @brief Adds the additional cycles of an instruction. Its first cycle is already counted.
   void spend(std::uint64_t cycles) { otherCycles_ += cycles; }
 
   /// @brief Returns the address of the running or the last instruction.
   [[nodiscard]] std::uint32_t at() const { return registers.r[Registers::kPc] - 4; }
 
-  /// @brief Reports that a mask has changed. After the change, a masked exception may be entered.
+  /// @brief Reports that an exception mask has changed. A masked exception may then be entered.
   void masksChanged() {
     if (maskedPending) {
       stopAt_ = 0;
     }
   }
 
-  /// @brief Ends the run after the running instruction.
+  /// @brief Ends run() after the running instruction, with a trap.
   void trap(Trap trap, std::uint32_t address = 0) {
     trap_ = trap;
     trapAddress_ = address;
@@ -96,24 +97,24 @@ class Core {
   }
   [[nodiscard]] std::uint32_t trapAddress() const { return trapAddress_; }
 
-  /// @brief Continues at another address.
+  /// @brief Makes the program continue at another address.
   void branch(std::uint32_t address) {
     spend(kRefillCycles);
     next = address & ~1U;
     branched_ = true;
   }
 
-  /// @brief Continues at an address. The lowest bit of the address selects the instruction set
-  /// (BXWritePC, A2.3.1).
+  /// @brief Makes the program continue at an address. The lowest bit of the address selects the
+  /// instruction set (BXWritePC, A2.3.1).
   void branchAndExchange(std::uint32_t address);
 
-  /// @brief Continues at an address, and does not treat EXC_RETURN as a return from an exception
-  /// (BLXWritePC).
+  /// @brief Makes the program continue at an address. An EXC_RETURN value does not cause a return
+  /// from an exception (BLXWritePC).
   void branchOnly(std::uint32_t address);
 
-  /// @brief Loads a number if this is possible without a call. A number of a signed type is
-  /// sign-extended.
-  /// @return false if a call is needed
+  /// @brief Loads a number if this is possible without a function call. A number of a signed type
+  /// is sign-extended.
+  /// @return false if a function call is needed
   template <typename Value>
   [[nodiscard]] bool loadDirectly(std::uint32_t address, std::uint32_t& value) const {
     const Memory::Direct& direct = memory.direct(address);
@@ -127,7 +128,7 @@ class Core {
     return true;
   }
 
-  /// @brief Loads a number from any address.
+  /// @brief Loads a number from any address, also from a peripheral.
   /// @return false in case of a trap
   template <typename Value>
   [[nodiscard]] bool load(std::uint32_t address, std::uint32_t& value) {
@@ -141,8 +142,8 @@ class Core {
     return true;
   }
 
-  /// @brief Stores a number if this is possible without a call.
-  /// @return false if a call is needed
+  /// @brief Stores a number if this is possible without a function call.
+  /// @return false if a function call is needed
   template <typename Value>
   [[nodiscard]] bool storeDirectly(std::uint32_t address, std::uint32_t value) const {
     const Memory::Direct& direct = memory.direct(address);
@@ -155,7 +156,7 @@ class Core {
     return true;
   }
 
-  /// @brief Stores a number at any address.
+  /// @brief Stores a number at any address, also in a peripheral.
   /// @return false in case of a trap
   template <typename Value>
   [[nodiscard]] bool store(std::uint32_t address, std::uint32_t value) {
@@ -175,8 +176,8 @@ class Core {
   /// @return false in case of a trap
   [[nodiscard]] bool beginFp();
 
-  /// @brief Returns the cycles in which the processor itself reads from flash, for example a
-  /// vector.
+  /// @brief Adds the cycles that the processor needs for a read from flash that is not part of an
+  /// instruction, for example the read of a vector.
   void spendForRead(std::uint32_t address);
 
   /// @brief Records that the next instruction does not begin a block, for example after the entry
@@ -211,7 +212,7 @@ class Core {
   std::uint64_t instructions_ = 0;
   std::uint64_t otherCycles_ = 0;
   std::uint64_t stopAt_ = 0;
-  std::uint32_t codeAddress_ = 0;  ///< memory that is executed
+  std::uint32_t codeAddress_ = 0;  ///< first address of the memory that is executed at present
   std::uint32_t codeSize_ = 0;
   Instruction* code_ = nullptr;
   std::uint32_t phrase_ =

@@ -32,7 +32,7 @@ enum class What : std::uint8_t {
 };
 constexpr std::size_t kWhats = 16;
 
-/// The second operand.
+/// The form of the second operand.
 enum class Second : std::uint8_t {
   Number,         ///< value; the carry does not change
   NumberAndFlag,  ///< value; the carry becomes its highest bit

@@ -16,11 +16,11 @@ struct Encoding {
     return bits >> from & ((2U << (to - from)) - 1);
   }
   [[nodiscard]] constexpr bool bit(unsigned number) const { return (bits >> number & 1U) != 0; }
-  /// @brief Returns the number of a register, four bits.
+  /// @brief Returns the number of a register, from a field of four bits.
   [[nodiscard]] constexpr std::uint8_t reg(unsigned from) const {
     return static_cast<std::uint8_t>(bits >> from & 15U);
   }
-  /// @brief Returns the number of a low register, three bits.
+  /// @brief Returns the number of a low register, from a field of three bits.
   [[nodiscard]] constexpr std::uint8_t low(unsigned from) const {
     return static_cast<std::uint8_t>(bits >> from & 7U);
   }

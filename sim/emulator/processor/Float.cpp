@@ -316,7 +316,7 @@ std::uint32_t Float::squareRoot(std::uint32_t a) {
       root >>= 1;
     }
   }
-  // The root gets additional low bits, which record whether there is a remainder.
+  // The root gets additional low bits, which are not 0 if there is a remainder.
   return round(false, (x.exponent - shift) / 2 - 1, root << 1 | (rest != 0 ? 1U : 0U), rounding());
 }
 

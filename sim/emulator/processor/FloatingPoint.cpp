@@ -5,7 +5,7 @@
 #include "sim/emulator/processor/Encoding.hpp"
 #include "sim/emulator/processor/Float.hpp"
 
-// The floating-point extension FPv4-SP (ARMv7-M ARM, A6.4 to A6.7). The fields d, n and m are
+// The floating-point extension FPv4-SP (ARMv7-M ARM, A6.4 to A6.7). The fields `d`, `n` and `m` are
 // numbers of single-precision registers.
 
 namespace wr::emulator {
@@ -112,7 +112,7 @@ void negate(Core& core, const Instruction& in) {
   core.registers.s[in.d] = core.registers.s[in.m] ^ Float::kSign;
 }
 
-// Compares two numbers. Bit 0 of value means a comparison with zero. Bit 1 means that each NaN is
+// Compares two numbers. Bit 0 of `value` means a comparison with zero. Bit 1 means that each NaN is
 // invalid.
 void compare(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -120,7 +120,7 @@ void compare(Core& core, const Instruction& in) {
   Float(x.fpscr).compare(x.s[in.d], other, (in.value & 2U) != 0);
 }
 
-// Converts the lower half of a register, or the upper half if value is 16.
+// Converts the lower half of a register, or the upper half if `value` is 16.
 void fromHalf(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   x.s[in.d] = Float(x.fpscr).fromHalf(x.s[in.m] >> in.value & 0xFFFFU);
@@ -132,8 +132,8 @@ void toHalf(Core& core, const Instruction& in) {
   x.s[in.d] = (x.s[in.d] & ~(0xFFFFU << in.value)) | half << in.value;
 }
 
-// In a conversion, the lower 8 bits of value contain the number of fraction bits. The next bits are
-// options of the conversion.
+// In a conversion, the lower 8 bits of `value` contain the number of fraction bits. The next bits
+// are options of the conversion.
 constexpr std::uint32_t kSignedFixed = 0x100;
 constexpr std::uint32_t kHalfFixed = 0x200;
 constexpr std::uint32_t kGivenRounding =
@@ -238,7 +238,7 @@ Instruction floatingPointData(Encoding code) {
   }
 }
 
-// Loads and stores, A6.5. The field value is the offset. The field m is the number of
+// Loads and stores, A6.5. The field `value` is the offset. The field `m` is the number of
 // single-precision registers.
 
 constexpr std::uint8_t kDoubleWord = 2;
@@ -259,8 +259,8 @@ void loadStoreSingles(Core& core, const Instruction& in) {
   (void)transfer<kLoads>(core, fpBase(core.registers, in) + in.value, in.d, in.m);
 }
 
-// Loads or stores several registers. If bit 0 of value is set, register n is written back. If bit 1
-// is set, register n is decremented first.
+// Loads or stores several registers. If bit 0 of `value` is set, register n is written back. If bit
+// 1 is set, register n is decremented first.
 template <bool kLoads>
 void loadStoreMany(Core& core, const Instruction& in) {
   Registers& x = core.registers;

@@ -12,7 +12,7 @@ struct Instruction {
 
   Operation run = nullptr;
   std::uint32_t value =
-      0;  ///< immediate number, list of registers, or an operand that does not fit elsewhere
+      0;  ///< immediate number, list of registers, or an operand for which there is no other field
   std::uint8_t d = 0;     ///< register that is written, loaded or stored
   std::uint8_t n = 0;     ///< register of the first operand, or of the address
   std::uint8_t m = 0;     ///< register of the second operand
@@ -28,13 +28,14 @@ struct Instruction {
     return inBlock ? kPlace : kDecoded;
   }
 
-  /// @brief Returns whether the instruction was decoded for its position inside or outside of an IT
+  /// @brief Returns true if the instruction was decoded for its position inside or outside of an IT
   /// block.
   [[nodiscard]] bool isDecoded(bool inBlock) const { return (form & kPlace) == place(inBlock); }
   [[nodiscard]] bool isWide() const { return (form & 4U) != 0; }
   [[nodiscard]] std::uint32_t bytes() const { return form & 6U; }
 };
 static_assert(sizeof(Instruction) <= 16,
-              "as many instructions as possible must fit into the caches");
+              "an instruction must be small, because many instructions shall fit into the caches "
+              "of the host");
 
 }  // namespace wr::emulator

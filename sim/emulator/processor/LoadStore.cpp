@@ -12,13 +12,13 @@ namespace wr::emulator {
 
 namespace {
 
-/// The source of the address.
+/// The way in which an instruction computes its address.
 enum class Place : std::uint8_t {
-  Offset,   ///< register n and value
-  Before,   ///< register n and value; register n is written back
-  After,    ///< register n, to which value is added afterwards
-  Indexed,  ///< register n and register m, shifted to the left by value
-  Literal   ///< the program counter and value
+  Offset,   ///< register n plus value
+  Before,   ///< register n plus value; register n is written back
+  After,    ///< register n, to which `value` is added afterwards
+  Indexed,  ///< register n plus register m, which is shifted to the left by value
+  Literal   ///< the program counter plus value
 };
 constexpr std::size_t kPlaces = 5;
 
@@ -51,7 +51,7 @@ template <typename Value, Place kPlace>
   }
 }
 
-// Prepares a call only if the access needs a call.
+// Loads a number. Prepares a function call only if the access needs it.
 template <typename Value, Place kPlace>
 void load(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -207,7 +207,7 @@ LongPlace longPlace(Encoding code) {
   return {before || keeps, !before ? Place::After : keeps ? Place::Before : Place::Offset, byte};
 }
 
-// Two words, A5.3.6. Register m is the second register, and value is the offset.
+// Two words, A5.3.6. Register m is the second register, and `value` is the offset.
 
 template <bool kLoads, Place kPlace>
 void dual(Core& core, const Instruction& in) {
@@ -238,8 +238,8 @@ Instruction::Operation dualOperation(bool before, bool keeps, bool literal) {
                    : dual<kLoads, Place::Offset>;
 }
 
-// Exclusive accesses, A3.4. Only the handler of an exception can access the memory in between. The
-// entry and the return of an exception clear the monitor.
+// Exclusive accesses, A3.4. Between a load and its store, only the handler of an exception can
+// access the memory. The entry and the return of an exception clear the monitor.
 
 template <typename Value>
 bool aligned(Core& core, std::uint32_t address) {
@@ -262,7 +262,7 @@ void loadExclusive(Core& core, const Instruction& in) {
   }
 }
 
-// Writes 0 to register m if the value was stored, 1 if it was not stored.
+// Writes 0 to register m if the value was stored, and 1 if the value was not stored.
 template <typename Value>
 void storeExclusive(Core& core, const Instruction& in) {
   Registers& x = core.registers;
@@ -321,8 +321,8 @@ Instruction exclusiveOrTable(Encoding code) {
   }
 }
 
-// Several registers. The lower 16 bits of value are the list of registers, and d is their number.
-// If bit 16 of value is set, register n is written back.
+// Several registers. The lower 16 bits of `value` are the list of registers, and `d` is their
+// number. If bit 16 of `value` is set, register n is written back.
 constexpr std::uint32_t kKeeps = 1U << 16;
 constexpr std::uint32_t kList = 0xFFFF;
 

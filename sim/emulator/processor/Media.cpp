@@ -64,8 +64,8 @@ void insertField(Core& core, const Instruction& in) {
   d = (d & ~mask) | (field & mask);
 }
 
-// In a saturation, m is the number of bits, and value is a shift to the left. If bit 8 of value is
-// set, the shift is to the right.
+// In a saturation, `m` is the number of bits, and `value` is a shift to the left. If bit 8 of
+// `value` is set, the shift is to the right.
 constexpr std::uint32_t kToTheRight = 0x100;
 
 template <bool kSigned>
@@ -129,7 +129,7 @@ Instruction fieldOperation(Encoding code) {
   return result;
 }
 
-// In an extension, value is the rotation, and register n is added.
+// In an extension, `value` is the rotation, and register n is added.
 
 enum class Part : std::uint8_t { SignedHalf, Half, SignedBytes, Bytes, SignedByte, Byte };
 

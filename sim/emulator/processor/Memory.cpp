@@ -9,8 +9,8 @@ namespace wr::emulator {
 
 namespace {
 
-// The operating system returns memory that is zero, and needs memory only for the pages that are
-// accessed.
+// Allocates memory whose bytes are 0. The operating system provides physical memory only for the
+// pages that are accessed.
 template <typename Item>
 std::unique_ptr<Item, Memory::Release> zeros(std::size_t count) {
   std::unique_ptr<Item, Memory::Release> items(
@@ -49,7 +49,7 @@ Memory::Direct Memory::directOf(const Area& area) const {
 void Memory::observe(std::function<void(std::uint32_t, std::uint32_t, bool)> call) {
   observer_ = std::move(call);
   for (const Area& area :
-       all_) {  // the load clears the decoded instructions, so that stores can be direct again
+       all_) {  // the load clears the decoded instructions; stores can then be direct again
     forget(area, area.address, area.size);
   }
   for (std::size_t i = 0; i < kMegabytes; ++i) {

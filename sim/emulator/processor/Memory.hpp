@@ -14,12 +14,13 @@
 
 namespace wr::emulator {
 
-static_assert(std::endian::native == std::endian::little, "as the processor");
+static_assert(std::endian::native == std::endian::little,
+              "the host must be little-endian, like the simulated processor");
 
-/// @brief The memory map.
+/// @brief The memory map of the processor, with its memories and windows.
 class Memory {
  public:
-  /// @brief Kinds of access that a program has to a memory.
+  /// @brief The accesses that a program may make to a memory.
   enum class Access { ReadWrite, ReadExecute, ReadWriteExecute };
 
   using Read = std::function<std::uint32_t(std::uint32_t address, unsigned size)>;
@@ -55,14 +56,14 @@ class Memory {
     [[nodiscard]] bool isFlash() const { return bytes != nullptr && !mayWrite; }
   };
 
-  /// @brief A part of memory in which aligned loads and stores need no call.
+  /// @brief A part of memory in which aligned loads and stores need no function call.
   struct Direct {
     std::uint8_t* bytes = nullptr;
     std::uint32_t address = 0;  ///< address of the first byte
     std::uint32_t loads = 0;    ///< number of bytes that can be loaded
     std::uint32_t stores = 0;   ///< number of bytes that can be stored
 
-    /// @brief Returns whether an access is within the first `count` bytes.
+    /// @brief Returns true if an access is within the first `count` bytes.
     [[nodiscard]] bool holds(std::uint32_t count, std::uint32_t place, std::uint32_t wanted) const {
       const std::uint32_t offset = place - address;
       return offset < count && count - offset >= wanted && (place & 3U) == 0;
@@ -70,7 +71,7 @@ class Memory {
   };
 
   /// @brief Constructs an empty memory.
-  /// @param readsFlashDirectly false: each load from flash is a call
+  /// @param readsFlashDirectly false: each load from flash is a function call
   explicit Memory(bool readsFlashDirectly) : readsFlashDirectly_(readsFlashDirectly) {}
 
   /// @brief Adds memory.
@@ -85,15 +86,15 @@ class Memory {
     return directs_[address / kMegabyte];
   }
 
-  /// @brief Returns the bytes at an address, if they can be loaded without a call; nullptr
-  /// otherwise.
+  /// @brief Returns the bytes at an address if they can be loaded without a function call;
+  /// otherwise nullptr.
   [[nodiscard]] const std::uint8_t* loadable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.loads, address, size) ? near.bytes + (address - near.address) : nullptr;
   }
 
-  /// @brief Returns the bytes at an address, if they can be stored without a call; nullptr
-  /// otherwise.
+  /// @brief Returns the bytes at an address if they can be stored without a function call;
+  /// otherwise nullptr.
   [[nodiscard]] std::uint8_t* storable(std::uint32_t address, std::uint32_t size) const {
     const Direct& near = direct(address);
     return near.holds(near.stores, address, size) ? near.bytes + (address - near.address) : nullptr;

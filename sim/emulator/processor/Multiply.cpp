@@ -9,8 +9,8 @@ namespace wr::emulator {
 
 namespace {
 
-// The field value of an instruction contains the register that is added. Its lowest bits contain
-// the form.
+// The field `value` of an instruction contains the number of the register that is added. The lowest
+// bits of this field select the form of the instruction.
 constexpr std::uint32_t kFirstHigh = 1;   // upper half of the first operand
 constexpr std::uint32_t kSecondHigh = 2;  // upper half of the second operand
 constexpr std::uint32_t kExchanged = 2;   // halves of the second operand are swapped
@@ -123,8 +123,8 @@ void sumOfDifferences(Core& core, const Instruction& in) {
   core.registers.r[in.d] = sum;
 }
 
-// In a long product, register d receives the lower word. The register in the field value receives
-// the upper word.
+// In a long product, register d receives the lower word. The register whose number is in the field
+// `value` receives the upper word.
 
 std::uint64_t longAddend(const Core& core, const Instruction& in) {
   return std::uint64_t{addend(core, in)} << 32 | core.registers.r[in.d];
@@ -173,8 +173,8 @@ void divide(Core& core, const Instruction& in) {
     }
     return;
   }
-  // The most negative number divided by -1 has itself as its result. The 64-bit type can contain
-  // the true quotient.
+  // If the most negative number is divided by -1, the result is this number itself. The 64-bit type
+  // can represent the true quotient.
   x.r[in.d] =
       kSigned ? static_cast<std::uint32_t>(wide(dividend) / wide(divisor)) : dividend / divisor;
 }

@@ -23,7 +23,8 @@ struct Registers {
   std::uint32_t otherStack = 0;  ///< the stack pointer that is not in use
   bool onProcessStack = false;   ///< the process stack is in use
 
-  // Each flag is stored as the result that defines it, because flags are seldom read.
+  // Each flag is stored as the result from which the flag is computed. The flag itself is computed
+  // only when it is read, because this is seldom.
   std::uint32_t n = 0;  ///< bit 31
   std::uint32_t z = 1;  ///< Z is set when this word is 0
   std::uint32_t c = 0;  ///< 0 or 1
@@ -42,7 +43,7 @@ struct Registers {
   std::array<std::uint32_t, 32> s{};
   std::uint32_t fpscr = 0;
 
-  /// @brief Returns whether a condition is true (A7.3).
+  /// @brief Returns true if a condition is met (A7.3).
   [[nodiscard]] bool passes(unsigned condition) const {
     const bool holds = passesFirst(condition >> 1);
     return (condition & 1U) != 0 && condition != 15 ? !holds : holds;

@@ -50,7 +50,7 @@ void setFaultmask(Core& core, std::uint32_t value) {
   }
 }
 
-// Bit 4 of value disables interrupts. Bit 1 selects PRIMASK, and bit 0 selects FAULTMASK.
+// Bit 4 of `value` disables interrupts. Bit 1 selects PRIMASK, and bit 0 selects FAULTMASK.
 void cps(Core& core, const Instruction& in) {
   core.spend(kSpecialCycles);
   if (!core.registers.privileged()) {
@@ -142,8 +142,8 @@ void setPrivileged(Core& core, std::uint32_t number, std::uint32_t value) {
   core.masksChanged();
 }
 
-// The field value is the number of the register. The field m is the mask of the flags: 2 for N to
-// Q, 1 for GE.
+// The field `value` is the number of the register. The field `m` is the mask of the flags: 2 for N
+// to Q, 1 for GE.
 void msr(Core& core, const Instruction& in) {
   Registers& x = core.registers;
   core.spend(kSpecialCycles);

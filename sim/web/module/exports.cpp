@@ -1,4 +1,5 @@
-// The functions of the module for the page. Texts and bytes are in the memory of the module.
+// The functions of the WebAssembly module that the page calls. Texts and bytes are in the memory of
+// the module.
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -86,8 +87,8 @@ void liveFree(std::uint8_t* memory) {
   std::free(memory);
 }
 
-/// Switches a robot on. Bit 0 of the options continues the run after a reset, and bit 1 records all
-/// events and reports.
+/// Switches a robot on. If bit 0 of the options is set, the run continues after a reset. If bit 1
+/// is set, all events and reports are recorded.
 void liveStart(const std::uint8_t* image, std::size_t imageSize, const std::uint32_t* functions,
                std::size_t functionCount, const char* scenario, std::size_t scenarioSize,
                unsigned options) {
@@ -153,8 +154,8 @@ void liveReport() {
   module().bytes = module().robot->player().report().value_or(Bytes());
 }
 
-/// Stores the bytes on the line since the last call. Each piece has its time in us (8 bytes), its
-/// sender (1: the PC), its length (4 bytes) and its bytes.
+/// Stores the bytes that were on the serial line since the last call. Each piece has its time in us
+/// (8 bytes), its sender (1: the PC), its length (4 bytes) and its bytes.
 void liveLine() {
   Bytes& bytes = module().bytes;
   bytes.clear();
@@ -183,9 +184,9 @@ std::size_t liveCallCount() {
   return module().robot->cycle().calls.size();
 }
 
-/// Stores the entries and exits of interrupts and threads in the last control cycle. An entry has
-/// the exception (2 bytes), 1 for an entry or 0 for an exit (1 byte), and the time since the start
-/// of the cycle in ns (4 bytes).
+/// Stores the entries and exits of interrupts and threads in the last control cycle. Each item has
+/// three numbers: the exception (2 bytes), 1 for an entry or 0 for an exit (1 byte), and the time
+/// since the start of the cycle in ns (4 bytes).
 void liveSwitches() {
   Bytes& bytes = module().bytes;
   bytes.clear();
@@ -205,8 +206,8 @@ const std::uint32_t* liveEntries() {
   return module().robot->entries().data();
 }
 
-/// Stores the last call of each function. An entry has the time of the call in ns (8 bytes; -1: not
-/// called yet) and the core registers 0 to 3 at its beginning (4 bytes each).
+/// Stores the last call of each function. Each item has the time of the call in ns (8 bytes; -1:
+/// not called yet) and the core registers 0 to 3 at its beginning (4 bytes each).
 void liveLastCalls() {
   Bytes& bytes = module().bytes;
   bytes.clear();

@@ -19,7 +19,8 @@ TEST(Crc16, FR40_HasTheCheckValueOfItsAlgorithm) {
   EXPECT_EQ(crc.value(), 0x29B1);
 }
 
-/// @brief The checksum does not depend on the division of the bytes into parts.
+/// @brief Bytes that are added in several parts have the same checksum as bytes that are added at
+/// once.
 /// @verifies FR-40
 TEST(Crc16, FR40_BytesCanBeAddedInParts) {
   Crc16 crc;

@@ -17,9 +17,9 @@ using testing::ElementsAre;
 using testing::ElementsAreArray;
 using testing::IsEmpty;
 
-/// @brief Stores bytes from the line in the decoder. Each read ends with a zero byte or fills the
-/// decoder's storage.
-/// @return the results of the decoder, except Nothing
+/// @brief Passes bytes of the serial line to the decoder, in several reads. Each read ends with a
+/// zero byte or fills the decoder's storage.
+/// @return all results of the decoder that are not Nothing
 std::vector<Decoded> push(FrameDecoder& decoder, const Bytes& line) {
   std::vector<Decoded> said;
   for (std::span<const std::uint8_t> rest = line; !rest.empty();) {
@@ -81,8 +81,8 @@ TEST(FrameDecoder, FR41_AFrameWithOneWrongBitIsDamaged) {
   }
 }
 
-/// @brief A frame is damaged if its COBS code points beyond its end, or if the code ends before the
-/// end of the frame.
+/// @brief A frame counts as damaged in two cases: its COBS code points beyond the end of the frame,
+/// or the code ends before the end of the frame.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_BadCobsIsDamaged) {
   FrameDecoder decoder;
@@ -90,7 +90,7 @@ TEST(FrameDecoder, FR41_BadCobsIsDamaged) {
   EXPECT_THAT(push(decoder, {2, 1, 3, 1, 1, 9, 0}), ElementsAre(Decoded::Damaged));
 }
 
-/// @brief A body of fewer than 5 bytes is damaged, even with a correct CRC.
+/// @brief A frame with a body of fewer than 5 bytes counts as damaged, even if its CRC is correct.
 /// @verifies FR-41
 TEST(FrameDecoder, FR41_ABodyOfFewerThanFiveBytesIsDamaged) {
   for (std::size_t length = 0; length <= 2; ++length) {
@@ -125,8 +125,8 @@ TEST(FrameDecoder, FR40_FindsAFrameInSingleBytes) {
   EXPECT_THAT(decoder.frame().payload, ElementsAreArray(Bytes(kMaxPayload, 7)));
 }
 
-/// @brief A body of 206 bytes or more is too long. The decoder returns this result once, when the
-/// frame ends.
+/// @brief A frame with a body of 206 bytes or more is too long. The decoder reports this once, at
+/// the end of the frame.
 /// @verifies FR-42
 TEST(FrameDecoder, FR42_ABodyOfMoreThan205BytesIsTooLong) {
   static_assert(kMaxPayload == 200 && kMaxBody == 205);
@@ -141,7 +141,8 @@ TEST(FrameDecoder, FR42_ABodyOfMoreThan205BytesIsTooLong) {
               ElementsAre(Decoded::TooLong));
 }
 
-/// @brief A complete frame of another version is not damaged, and its type can be read.
+/// @brief A complete frame of another protocol version does not count as damaged, and its type can
+/// be read.
 /// @verifies FR-43
 TEST(FrameDecoder, FR43_AFrameOfAnotherVersionIsNotDamaged) {
   FrameDecoder decoder;

@@ -53,7 +53,7 @@ TEST(FrameEncoder, FR40_AgreesWithTheReference) {
   }
 }
 
-/// @brief A payload that is too large for a frame ends the program.
+/// @brief The program ends if a payload is too large for a frame.
 /// @verifies FR-176
 TEST(FrameEncoderDeathTest, RefusesAPayloadThatIsTooLarge) {
   FrameEncoder encoder;

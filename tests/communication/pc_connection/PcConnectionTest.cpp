@@ -36,16 +36,16 @@ constexpr std::uint8_t kOrder = 0x04;
 constexpr std::uint8_t kWelcome = 0x81;
 constexpr std::uint8_t kReport = 0x82;
 
-/// @brief A connection whose PC is the test.
+/// @brief A connection to the PC. The test plays the role of the PC.
 struct PcConnectionTest : testing::Test {
-  /// @brief Puts bytes on the line at the present time, and serves the link. The clock pulse has
-  /// the same time.
+  /// @brief Puts bytes on the serial line at the present time. Then serves the link in a cycle
+  /// whose clock pulse has the same time.
   void receive(const Bytes& line) {
     arrive(line);
     service();
   }
 
-  /// @brief Puts bytes on the line at the present time.
+  /// @brief Puts bytes on the serial line at the present time.
   void arrive(const Bytes& line) {
     port.at = clock.now();
     port.received.insert(port.received.end(), line.begin(), line.end());
@@ -89,8 +89,8 @@ struct PcConnectionTest : testing::Test {
 
   [[nodiscard]] std::uint8_t lastSession() const { return sent().back()[3]; }
 
-  /// @brief Executes an action. Checks that the action changes only one count, and returns this
-  /// count.
+  /// @brief Executes an action. Checks that the action increases one count by `times`, and that it
+  /// changes no other count.
   template <class Action>
   void expectCounted(std::uint16_t LinkCounts::*count, int times, Action action) {
     LinkCounts expected = connection.counts();
@@ -121,8 +121,8 @@ TEST_F(PcConnectionTest, FR31_IsDisconnectedAfterStart) {
   EXPECT_EQ(connection.counts(), LinkCounts());
 }
 
-/// @brief The firmware answers a Hello with one Welcome. It contains session, version, build id,
-/// period, N and start.
+/// @brief The firmware answers a Hello with one Welcome. The Welcome contains the session, the
+/// protocol version, the build id, the cycle period, the constant N and the data of the start.
 /// @verifies FR-30
 /// @verifies FR-76
 /// @verifies FR-246
@@ -147,7 +147,7 @@ TEST_F(PcConnectionTest, FR30_TheBuildIdIsHexadecimal) {
 }
 
 /// @brief The Welcome contains the cause of the reset and the kind, number and address of the
-/// fault. Each Welcome of a start has the same content.
+/// fault. All Welcomes after one start have the same content.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   start = {ResetCause::Software, FaultKind::UnexpectedInterrupt, 0x0150, 0x89ABCDEF};
@@ -161,7 +161,7 @@ TEST_F(PcConnectionTest, FR76_EachWelcomeTellsCauseAndFault) {
   }
 }
 
-/// @brief In each state, each Hello is answered. Each answer has another session.
+/// @brief In each state, each Hello is answered. Each answer has a new session number.
 /// @verifies FR-30
 TEST_F(PcConnectionTest, FR30_EachHelloIsAnsweredWithANewSession) {
   send(kHello);
@@ -221,8 +221,8 @@ TEST_F(PcConnectionTest, FR245_OneWelcomeAnswersTheHellosOfACycle) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief A session that no Welcome has offered cannot be confirmed. It cannot be confirmed in the
-/// cycle of the Hello. It also cannot be confirmed when the port had no space for the Welcome.
+/// @brief A session can be confirmed only after its Welcome was sent. In the cycle of the Hello, a
+/// Confirm is too early. If the port had no space for the Welcome, no Confirm is accepted.
 /// @verifies FR-245
 /// @verifies FR-31
 TEST_F(PcConnectionTest, FR245_OnlyASessionThatWasSentIsOffered) {
@@ -399,7 +399,7 @@ TEST_F(PcConnectionTest, FR33_TheSilenceBeginsWithTheLastByte) {
   EXPECT_FALSE(connection.connected());
 }
 
-/// @brief The age of an order is measured from its last byte on the line.
+/// @brief The age of an order is measured from its last byte on the serial line.
 /// @verifies FR-20
 TEST_F(PcConnectionTest, FR20_TheAgeOfAnOrderCountsFromItsLastByte) {
   handshake();
@@ -411,7 +411,7 @@ TEST_F(PcConnectionTest, FR20_TheAgeOfAnOrderCountsFromItsLastByte) {
   }
 }
 
-/// @brief A KeepAlive or an order keeps the connection.
+/// @brief A KeepAlive or an order keeps the connection alive.
 /// @verifies FR-33
 TEST_F(PcConnectionTest, FR33_AcceptedFramesKeepTheConnection) {
   handshake();
@@ -425,7 +425,7 @@ TEST_F(PcConnectionTest, FR33_AcceptedFramesKeepTheConnection) {
   EXPECT_EQ(connection.counts(), LinkCounts());
 }
 
-/// @brief Frames that are dropped do not keep the connection.
+/// @brief Frames that are dropped do not keep the connection alive.
 /// @verifies FR-33
 /// @verifies FR-48
 TEST_F(PcConnectionTest, FR48_DroppedFramesDoNotKeepTheConnection) {
@@ -456,7 +456,7 @@ TEST_F(PcConnectionTest, FR34_AHelloBeginsANewHandshake) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A stop lasts after the end of the connection.
+/// @brief A stop remains in force after the end of the connection.
 /// @verifies FR-21
 TEST_F(PcConnectionTest, FR21_AStopOutlivesTheConnection) {
   handshake();
@@ -470,7 +470,7 @@ TEST_F(PcConnectionTest, FR21_AStopOutlivesTheConnection) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief An order is a message only while the PC is connected.
+/// @brief An order can be read only while the PC is connected.
 /// @verifies FR-36
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR36_OrdersAreTakenOnlyWhileConnected) {
@@ -484,8 +484,8 @@ TEST_F(PcConnectionTest, FR36_OrdersAreTakenOnlyWhileConnected) {
   EXPECT_TRUE(orders.available());
 }
 
-/// @brief A stop acts in every state of the connection. Without a connection, the frame with the
-/// stop is still counted as unexpected. It is not a message.
+/// @brief A stop order takes effect in every state of the connection. Without a connection, its
+/// frame is counted as unexpected, and the order cannot be read.
 /// @verifies FR-240
 /// @verifies FR-47
 TEST_F(PcConnectionTest, FR240_AStopActsWhenDisconnected) {
@@ -494,7 +494,7 @@ TEST_F(PcConnectionTest, FR240_AStopActsWhenDisconnected) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A stop acts during the handshake.
+/// @brief A stop order takes effect during the handshake.
 /// @verifies FR-240
 TEST_F(PcConnectionTest, FR240_AStopActsInTheHandshake) {
   send(kHello);
@@ -502,8 +502,8 @@ TEST_F(PcConnectionTest, FR240_AStopActsInTheHandshake) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop acts even when other fields of its order are out of range or when unused bits of
-/// the commands are set.
+/// @brief A stop order takes effect even if other fields of the order are out of range. It also
+/// takes effect if unused bits in the commands field are set.
 /// @verifies FR-240
 /// @verifies FR-46
 TEST_F(PcConnectionTest, FR240_AStopActsWithFieldsOutOfRange) {
@@ -516,7 +516,7 @@ TEST_F(PcConnectionTest, FR240_AStopActsWithFieldsOutOfRange) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop order acts even when it is stale.
+/// @brief A stop order takes effect even when it is stale.
 /// @verifies FR-240
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR240_AStopActsInAStaleOrder) {
@@ -527,8 +527,8 @@ TEST_F(PcConnectionTest, FR240_AStopActsInAStaleOrder) {
   EXPECT_TRUE(orders.stopOrdered());
 }
 
-/// @brief A stop does not act if its frame is damaged, has another version or type, or is too short
-/// to contain a stop.
+/// @brief A stop order has no effect if its frame is damaged, has another version or type, or is
+/// too short to contain a stop.
 /// @verifies FR-240
 TEST_F(PcConnectionTest, FR240_AStopNeedsAGoodFrame) {
   handshake();
@@ -579,7 +579,8 @@ TEST_F(PcConnectionTest, FR243_AnOrderMustBeNewerThanTheFrameBefore) {
   }
 }
 
-/// @brief A stale order does not keep the connection, and does not replace the previous order.
+/// @brief A stale order does not keep the connection alive, and does not replace the previous
+/// order.
 /// @verifies FR-243
 /// @verifies FR-48
 TEST_F(PcConnectionTest, FR243_AStaleOrderChangesNothing) {
@@ -606,8 +607,8 @@ TEST_F(PcConnectionTest, FR243_AnOldKeepAliveDoesNotMakeOldOrdersNew) {
                 [&] { receive(test::lineBytes(kOrder, 6, orderPayload(2))); });
 }
 
-/// @brief A Hello restarts the sequence. After it, an order with a number of the previous session
-/// is accepted.
+/// @brief A Hello restarts the sequence of numbers. After the Hello, an order is accepted even if
+/// its number was already used in the previous session.
 /// @verifies FR-243
 TEST_F(PcConnectionTest, FR243_AHelloBeginsTheSequenceAgain) {
   handshake();
@@ -646,8 +647,8 @@ TEST_F(PcConnectionTest, FR47_TheSequenceOfAnUnexpectedFrameIsNotLookedAt) {
   EXPECT_TRUE(connection.connected());
 }
 
-/// @brief Damaged frames, frames that are too long, and frames of another version have separate
-/// counts.
+/// @brief Damaged frames, frames that are too long, and frames of another version are counted
+/// separately.
 /// @verifies FR-41
 /// @verifies FR-42
 /// @verifies FR-43
@@ -672,7 +673,8 @@ TEST_F(PcConnectionTest, FR44_UnknownTypesAreCounted) {
   });
 }
 
-/// @brief In every state, a frame is dropped if its payload is shorter than its type demands.
+/// @brief In every state, a frame is dropped if its payload is shorter than the type of the frame
+/// demands.
 /// @verifies FR-45
 TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   const auto sendAll = [&] {
@@ -688,8 +690,8 @@ TEST_F(PcConnectionTest, FR45_PayloadsThatAreTooShortAreCounted) {
   EXPECT_FALSE(orders.available());
 }
 
-/// @brief A longer payload is accepted, up to 200 bytes, and bytes after the known fields are
-/// ignored.
+/// @brief A payload may be longer than the fields of its frame type, up to 200 bytes. The bytes
+/// after these fields are ignored.
 /// @verifies FR-248
 TEST_F(PcConnectionTest, FR248_LongerPayloadsAreAccepted) {
   const auto longer = [](Bytes payload, std::size_t size) {
@@ -776,7 +778,7 @@ TEST_F(PcConnectionTest, FR49_LostBytesAreTold) {
   expectCounted(&LinkCounts::lostBytes, 321, [&] { service(); });
 }
 
-/// @brief A count stops at 65535.
+/// @brief A count does not increase beyond 65535.
 /// @verifies FR-251
 TEST_F(PcConnectionTest, FR251_CountsSaturate) {
   const Bytes chunk = [] {
@@ -812,7 +814,8 @@ TEST_F(PcConnectionTest, FR244_TheBytesOfOneCycleAreBounded) {
 }
 
 /// @brief In a cycle, each read except the last read ends a frame or fills the storage of a frame.
-/// This limits the number of reads. The proven bound of the cycle needs this limit.
+/// This limits the number of reads. The proven bound of the duration of a cycle depends on this
+/// limit.
 /// @verifies FR-244
 TEST_F(PcConnectionTest, FR244_TheReadsOfOneCycleAreBounded) {
   constexpr std::size_t kBytes = 1216;
@@ -874,7 +877,7 @@ TEST_F(PcConnectionTest, FR64_AReportWithoutRoomIsDroppedAndCounted) {
   EXPECT_EQ(sent().back()[2], 1);
 }
 
-/// @brief An object that is too large for a frame is not sent, and is counted.
+/// @brief An object that is too large for a frame is not sent. It is counted as a dropped report.
 /// @verifies FR-64
 TEST_F(PcConnectionTest, FR64_AReportThatFitsInNoFrameIsDroppedAndCounted) {
   class Large final : public Serializable {
@@ -919,8 +922,8 @@ TEST_F(PcConnectionTest, FR247_TheFirstFrameFollowsAZeroByte) {
   EXPECT_NE(port.sent[first], 0);
 }
 
-/// @brief If the port has no space for the first frame, the zero byte before the frame is not sent
-/// either.
+/// @brief If the port has no space for the first frame, neither the frame nor the zero byte before
+/// it is sent.
 /// @verifies FR-247
 TEST_F(PcConnectionTest, FR247_WithoutRoomNoZeroByteIsSent) {
   constexpr std::size_t kWelcomeOnLine = 29 + 7;
@@ -943,7 +946,7 @@ TEST_F(PcConnectionTest, FR252_SentFramesAreNumbered) {
   }
 }
 
-/// @brief One line of the worked examples of the protocol.
+/// @brief One example frame from docs/protocol_examples.txt.
 struct Example {
   std::string name;
   std::string from;
@@ -971,7 +974,7 @@ std::vector<Example> examples() {
   return found;
 }
 
-/// @brief The codec encodes and decodes each worked example of the protocol.
+/// @brief The encoder and the decoder agree with each worked example of the protocol.
 /// @verifies FR-40
 TEST(ProtocolExamples, FR40_TheCodecAgreesWithEachExample) {
   const std::vector<Example> all = examples();
@@ -1024,8 +1027,8 @@ TEST_F(PcConnectionTest, FR40_TheConnectionAcceptsEachExample) {
   EXPECT_FALSE(orders.stopOrdered());
 }
 
-/// @brief In one example, the robot starts after a fault. With the data of this start, the firmware
-/// sends the Welcome of the example.
+/// @brief In one example, the robot starts after a fault. When the firmware has the data of this
+/// start, it sends the same Welcome as the example.
 /// @verifies FR-76
 TEST_F(PcConnectionTest, FR76_TheWelcomeAfterAFaultAgreesWithTheExample) {
   start = {ResetCause::Software, FaultKind::Assertion, 3, 0x4A6E};

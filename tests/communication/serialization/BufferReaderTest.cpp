@@ -46,7 +46,7 @@ TEST_F(BufferReaderTest, FR50_DirectionAloneIsNoOrder) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief An order is complete until the older of its two signals is 200 ms old.
+/// @brief An order can be read until the older of its two signals is 200 ms old.
 /// @verifies FR-20
 /// @verifies FR-50
 /// @verifies FR-56
@@ -64,7 +64,7 @@ TEST_F(BufferReaderTest, FR50_NeitherSignalMayBeOld) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief After a read, both signals must have a new value before the next order is complete.
+/// @brief After a read, both signals must have a new value before the next order can be read.
 /// @verifies FR-20
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_BothSignalsMustBeNew) {
@@ -145,7 +145,7 @@ TEST_F(BufferReaderTest, FR51_TheFirstFieldTakesTheSignals) {
   }
 }
 
-/// @brief A read that ends without reading a field also consumes the signals.
+/// @brief A read that reads no field also consumes the signals: they cannot be read again.
 /// @verifies FR-50
 TEST_F(BufferReaderTest, FR50_AReadWithoutFieldsConsumes) {
   velocitySignal(1);
@@ -173,8 +173,8 @@ TEST_F(BufferReaderTest, FR50_AFailedReadConsumes) {
   EXPECT_FALSE(reader.available());
 }
 
-/// @brief A field that an order of the remote control does not have is read as 0. The function
-/// finish() reports this.
+/// @brief A field that an order of the remote control does not have is read as 0. Then finish()
+/// returns false.
 /// @verifies FR-51
 TEST_F(BufferReaderTest, UnknownFieldsFail) {
   velocitySignal(1);

@@ -22,7 +22,7 @@ OrderMessage withSteering(int angle) {
   return {setPoints, false};
 }
 
-/// @brief An order without content is in range and does not stop.
+/// @brief An order with default values is in range, and is not a stop order.
 /// @verifies FR-178
 TEST(OrderMessage, IsAnOrderToStandStill) {
   const OrderMessage order;
@@ -68,8 +68,8 @@ TEST(OrderMessage, FR46_AnUnknownQuantityIsOutOfRange) {
   EXPECT_FALSE(withWheel(3, static_cast<WheelQuantity>(255), 0).inRange());
 }
 
-/// @brief In the commands, bit 0 is the stop, and bit 1 is the acknowledgement. With any other bit,
-/// the order is out of range.
+/// @brief In the commands field, bit 0 is the stop, and bit 1 is the acknowledgement. If any other
+/// bit is set, the order is out of range.
 /// @verifies FR-46
 TEST(OrderMessage, FR46_OnlyTheTwoCommandsAreInRange) {
   for (int commands = 0; commands < 256; ++commands) {
@@ -133,7 +133,7 @@ TEST(OrderMessage, IsReadAsItWasWritten) {
 /// @verifies FR-45
 TEST(OrderMessage, AnIncompleteOrderIsNotRead) {
   SerialReader reader;
-  reader.readU8({FieldName::Commands});  // one byte fewer is left
+  reader.readU8({FieldName::Commands});  // now one byte is missing
   OrderMessage order;
   EXPECT_FALSE(order.readFrom(reader));
 }

@@ -204,8 +204,8 @@ TEST(ReportMessage, FR62_EachValueHasItsBitAndItsPlace) {
     EXPECT_EQ(u16(bytes, one.place), 0x1234U);
     EXPECT_EQ(u16(bytes, 62), one.measured);
     EXPECT_EQ(bytes[73], one.applied);
-    EXPECT_EQ(bytes[98], 0) << "a value does not show an overcurrent trip";
-    EXPECT_EQ(bytes[99], 0) << "a value does not show missing motion feedback";
+    EXPECT_EQ(bytes[98], 0) << "setting a value must not report an overcurrent trip";
+    EXPECT_EQ(bytes[99], 0) << "setting a value must not report missing motion feedback";
   }
 }
 
@@ -229,7 +229,7 @@ TEST(ReportMessage, FR62_TheTurnDirectionHasItsBit) {
   }
 }
 
-/// @brief Each flag has its bit.
+/// @brief Each flag has a separate bit in the report.
 /// @verifies FR-4
 /// @verifies FR-175
 /// @verifies FR-305
@@ -258,7 +258,7 @@ TEST(ReportMessage, FR242_TheReasonWhyTheRobotDoesNotFollowHasItsPlace) {
   data.stopSources = 0x02;
   const Bytes bytes = written(data);
   EXPECT_EQ(Bytes(bytes.begin() + 120, bytes.begin() + 124), (Bytes{4, 9, 3, 2}));
-  EXPECT_EQ(u16(bytes, 62), 0U) << "the cause of a stop is no measured value";
+  EXPECT_EQ(u16(bytes, 62), 0U) << "the cause of a stop must not count as a measured value";
 }
 
 /// @brief The order in force contains a time of the sender's clock. The report has a field for this
@@ -308,7 +308,7 @@ TEST(ReportMessage, FR65_TheStateOfTheSteeringHasItsNumber) {
   }
 }
 
-/// @brief Each end stop of the steering has its bit.
+/// @brief Each end stop of the steering has a separate bit in the report.
 /// @verifies FR-66
 TEST(ReportMessage, FR66_EachEndStopHasItsBit) {
   ReportData data;
@@ -355,7 +355,7 @@ TEST(ReportMessage, FR69_EachCountOfRejectedEdgesHasItsPlace) {
   }
 }
 
-/// @brief Each count of processor cycles has a separate 32-bit position in the report.
+/// @brief Each count of processor cycles has a separate 32-bit field in the report.
 /// @verifies FR-160
 /// @verifies FR-302
 /// @verifies FR-303
@@ -383,7 +383,7 @@ TEST(ReportMessage, ValuesAreLimitedToTheirFields) {
   EXPECT_EQ(u16(bytes, 64), 0x7FFFU);
 }
 
-/// @brief Any report is read back as it was written.
+/// @brief For any report, the values that are read back are equal to the values that were written.
 /// @verifies FR-61
 /// @verifies FR-62
 /// @verifies FR-63

@@ -114,8 +114,8 @@ TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeChangesNothing) {
   EXPECT_EQ(read().setPoints().orderId, 1);
 }
 
-/// @brief If the previous order was already read, an order out of range does not make it available
-/// again.
+/// @brief An order out of range does not make the previous order available again if the previous
+/// order was already read.
 /// @verifies FR-20
 /// @verifies FR-46
 TEST_F(SerialReaderTest, FR46_AnOrderOutOfRangeIsNotAvailable) {
@@ -166,8 +166,8 @@ TEST_F(SerialReaderTest, FR241_AnOrderThatMovesDoesNotStop) {
   EXPECT_FALSE(reader.stopOrdered());
 }
 
-/// @brief A rejected order neither stops the robot nor releases a stop. A stop in a rejected order
-/// is handled separately.
+/// @brief A rejected order neither stops the robot nor releases a stop. For the stop in a rejected
+/// order, the caller must call heedStop().
 /// @verifies FR-240
 /// @verifies FR-241
 TEST_F(SerialReaderTest, FR240_TheStopOfARefusedOrderIsHeeded) {
@@ -218,8 +218,8 @@ TEST_F(SerialReaderTest, FR170_NumbersAreLittleEndian) {
   EXPECT_TRUE(reader.finish());
 }
 
-/// @brief A read beyond the end returns 0. The function finish() reports such a read. The next
-/// order is read correctly.
+/// @brief A read beyond the end of the order returns 0. Then finish() returns false. The next order
+/// is read correctly.
 /// @verifies FR-45
 TEST_F(SerialReaderTest, AReadBeyondTheEndFails) {
   offer(orderBytes(1, 0, 0, 0, 1));

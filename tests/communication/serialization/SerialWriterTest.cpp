@@ -22,7 +22,7 @@ TEST(SerialWriter, FR170_NumbersAreLittleEndian) {
                                           0xFD, 0xFF, 0xFF, 0xFF));
 }
 
-/// @brief After clear(), the next field is written at the beginning.
+/// @brief After clear(), the next field is written at the beginning of the storage.
 /// @verifies FR-170
 TEST(SerialWriter, BeginsAnew) {
   SerialWriter writer;
@@ -33,7 +33,7 @@ TEST(SerialWriter, BeginsAnew) {
   EXPECT_THAT(writer.bytes(), ElementsAre(0x34, 0x12));
 }
 
-/// @brief A field that ends at the last byte of the space is written.
+/// @brief A field that ends at the last byte of the storage is written.
 /// @verifies FR-64
 TEST(SerialWriter, FR64_WritesUpToTheLastByte) {
   SerialWriter writer;
@@ -44,7 +44,8 @@ TEST(SerialWriter, FR64_WritesUpToTheLastByte) {
   EXPECT_EQ(writer.bytes().size(), SerialWriter::kCapacity);
 }
 
-/// @brief No part of a field that does not fit is written. The function finish() reports this.
+/// @brief If a field does not fit into the storage, no part of the field is written. Then finish()
+/// returns false.
 /// @verifies FR-64
 TEST(SerialWriter, TellsThatAFieldDidNotFit) {
   SerialWriter writer;

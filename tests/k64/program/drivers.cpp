@@ -1,5 +1,5 @@
-// A composition without a robot. Bytes from the PC are orders to the devices of the board. Each
-// answer is a sequence of 16-bit numbers, low byte first.
+// A program for the K64 that uses the drivers without a robot. Bytes from the PC are orders to the
+// devices of the board. Each answer is a sequence of 16-bit numbers, low byte first.
 
 #include <algorithm>
 #include <array>
@@ -86,7 +86,7 @@ void countEdges(std::size_t begin, std::size_t end) {
   }
 }
 
-// A value whose words are all equal to its number.
+// A value of 32 words. All words are equal to the number of the value.
 struct Numbered {
   std::array<std::uint32_t, 32> words{};
 };
@@ -178,8 +178,8 @@ struct Pulse {
 };
 std::array<Pulse, 3> pulses{};
 
-// Serves an input of the remote control. Then computes for the longest time that the handler of a
-// product may need.
+// Serves an input of the remote control. Then keeps the processor busy for the longest time that
+// the interrupt handler of any robot variant may need.
 void servePulse(std::size_t input) {
   constexpr std::uint32_t kRounds = 400;
   countEdges(kHallCount + input, kHallCount + input + 1);

@@ -19,7 +19,7 @@ class ControlSystemPoolTest : public testing::Test {
   SpySystem two;
 };
 
-/// @brief At Control, each system measures, receives the set-points, and works.
+/// @brief When control() is called, each system measures, receives the set-points, and works.
 /// @verifies FR-14
 TEST_F(ControlSystemPoolTest, FR14_ControlReachesEachSystem) {
   addBoth();
@@ -31,7 +31,7 @@ TEST_F(ControlSystemPoolTest, FR14_ControlReachesEachSystem) {
   }
 }
 
-/// @brief At Hold, each system measures, halts, and works.
+/// @brief When hold() is called, each system measures, halts, and works.
 /// @verifies FR-18
 TEST_F(ControlSystemPoolTest, FR18_HoldReachesEachSystem) {
   addBoth();

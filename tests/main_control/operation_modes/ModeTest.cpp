@@ -24,7 +24,7 @@ class BrokenReader final : public Reader {
 
 class ModeTest : public ControllerFixture {
  protected:
-  // Sends an order over the line to the reader of the connected PC's orders.
+  // Sends an order of the connected PC over the serial line, and serves the link.
   void order(std::uint16_t id, bool stop = false) {
     port.arrive(pc.order({.id = id, .stop = stop}));
     serveLink();
@@ -137,7 +137,8 @@ TEST_F(ModeTest, FR17_ModesChangeToTheOther) {
   EXPECT_EQ(&controller.getMode(), &first);
 }
 
-/// @brief The mode PC reports a stop of the PC, even when the order is old and the link is lost.
+/// @brief The mode PC reports a stop order of the PC, even when the order is old and the link is
+/// lost.
 /// @verifies FR-21
 TEST_F(ModeTest, FR21_ModePassesTheStopOn) {
   PC mode(basicPc, second, connection);

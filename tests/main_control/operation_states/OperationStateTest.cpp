@@ -11,7 +11,8 @@
 namespace wr::test {
 namespace {
 
-// The successors of each state are fake states. Their steps show whether they are current.
+// The successors of each state are fake states. Each fake state records its steps. With these
+// records, the test finds the current state.
 class OperationStateTest : public ControllerFixture {
  protected:
   // Makes a state the current state of the controller.
@@ -22,7 +23,7 @@ class OperationStateTest : public ControllerFixture {
     controller.read();
   }
 
-  // Returns whether a fake state is the current state.
+  // Returns true if a fake state is the current state.
   bool isCurrent(FakeState& fake) {
     fake.steps.clear();
     controller.control();
@@ -52,8 +53,8 @@ TEST_F(OperationStateTest, FR15_WorkingSetsWaiting) {
   EXPECT_TRUE(isCurrent(other));
 }
 
-/// @brief Waiting remains until the N-th failed read, and then sets WaitingN. The failed read that
-/// set Waiting is included in this number.
+/// @brief Waiting remains the current state until the N-th failed read, and then sets WaitingN. The
+/// failed read that set Waiting is included in this number.
 /// @verifies FR-15
 /// @verifies FR-16
 TEST_F(OperationStateTest, FR16_WaitingCountsFailedReads) {

@@ -48,7 +48,7 @@ class BluetoothRobot : public ProductFixture {
     devicePort.arrive(device.sign(frames.order({.id = id, .steering = 250, .stop = stop})));
   }
 
-  // Runs cycles without orders until the robot reads in a mode.
+  // Runs cycles without orders until the robot reads in the given mode.
   void waitForMode(int mode) {
     int cycles = 0;
     while (cycleWithPc().mode != mode) {
@@ -132,8 +132,8 @@ TEST_F(BluetoothRobot, FR150_WhoOrdersKeepsTheCommand) {
   EXPECT_EQ(cycle().orderId, 4);
 }
 
-/// @brief While the robot follows the PC, a stop of the device holds the robot until the device
-/// releases the stop.
+/// @brief While the robot follows the PC, a stop order of the device holds the robot until the
+/// device releases the stop.
 /// @verifies FR-151
 TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInAnyMode) {
   pcOrder(1);
@@ -154,7 +154,7 @@ TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInAnyMode) {
   EXPECT_EQ(spy.calls, kControlled);
 }
 
-/// @brief A stop of the device also acts in the mode of the device.
+/// @brief A stop order of the device also takes effect in the mode Bluetooth.
 /// @verifies FR-151
 TEST_F(BluetoothRobot, FR151_StopOfTheDeviceActsInItsMode) {
   waitForMode(kBluetooth);
@@ -178,14 +178,14 @@ TEST_F(BluetoothRobot, FR290_StopOfEachSourceIsStored) {
   EXPECT_TRUE(pcStop.value);
 }
 
-// The same robot after a reset. A stop of the device was in force at the reset.
+// The same robot after a reset. At the reset, a stop order of the device was in force.
 class BluetoothRobotAfterAStop : public BluetoothRobot {
  protected:
   BluetoothRobotAfterAStop() : BluetoothRobot(true) {}
 };
 
-/// @brief A stop of the device remains in force after a reset. Orders of the PC do not move the
-/// robot.
+/// @brief A stop order of the device remains in force after a reset. Orders of the PC do not move
+/// the robot.
 /// @verifies FR-290
 TEST_F(BluetoothRobotAfterAStop, FR290_OrderOfThePcDoesNotEndIt) {
   for (std::uint16_t order = 1; order <= 2 * kWaitingCycles; ++order) {
@@ -209,8 +209,8 @@ TEST_F(BluetoothRobotAfterAStop, FR290_NeutralOrderOfTheDeviceEndsIt) {
   EXPECT_FALSE(deviceStop.value);
 }
 
-/// @brief Noise has no effect, and orders and stops without a correct tag have no effect. The robot
-/// continues to follow the PC.
+/// @brief Noise on the serial line has no effect. Orders and stops without a correct tag have no
+/// effect. The robot continues to follow the PC.
 /// @verifies FR-151
 /// @verifies FR-262
 TEST_F(BluetoothRobot, FR262_UnsignedFramesChangeNothing) {

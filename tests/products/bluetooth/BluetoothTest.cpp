@@ -90,7 +90,7 @@ TEST_F(BluetoothTest, FR150_ChangesToTheOtherMode) {
   EXPECT_EQ(&controller.getMode(), &second);
 }
 
-/// @brief The mode serves the mode that it extends.
+/// @brief When the mode Bluetooth is served, it also serves the mode that it wraps.
 /// @verifies FR-151
 TEST_F(BluetoothTest, FR151_ServesTheWrappedMode) {
   FakeMode wrapped(ModeId::None);
@@ -101,7 +101,7 @@ TEST_F(BluetoothTest, FR151_ServesTheWrappedMode) {
   EXPECT_EQ(served, 1);
 }
 
-/// @brief The mode reports a stop of the device, even when the order is old.
+/// @brief The mode reports a stop order of the device, even when the order is old.
 /// @verifies FR-151
 TEST_F(BluetoothTest, FR151_PassesTheStopOn) {
   EXPECT_FALSE(mode.stopOrdered());

@@ -135,8 +135,8 @@ TEST_F(SignedPortTest, FR263_SentFramesAreSigned) {
   }
 }
 
-/// @brief A single zero byte ends a frame that a reset has cut. The port sends such a byte
-/// unchanged and uses no counter for it.
+/// @brief The firmware sends a single zero byte to end a frame that a reset has interrupted. The
+/// port sends this byte unchanged and uses no counter for it.
 /// @verifies FR-263
 TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
   ASSERT_TRUE(signedPort.write(scenario::Bytes{0}));
@@ -145,9 +145,9 @@ TEST_F(SignedPortTest, FR263_ZeroByteAloneIsSentAsItIs) {
   EXPECT_TRUE(device.verifies(1, line.takeSent()));
 }
 
-/// @brief The port returns the time of a frame and the lost bytes of its line. It returns the space
-/// for a frame with its counter and tag. If the line has no space for a frame, the frame is not
-/// sent and uses no counter.
+/// @brief The port returns the time of a frame and the number of bytes that its serial line has
+/// lost. The free space that it returns does not include the bytes for counter and tag. If the
+/// serial line has no space for a frame, the frame is not sent and uses no counter.
 /// @verifies FR-263
 /// @verifies FR-262
 /// @verifies FR-20
@@ -214,7 +214,7 @@ TEST_F(SignedPortTest, FR263_TheLongestFrameIsSent) {
 }
 
 /// @brief Each dropped frame is answered with a challenge, for any kind of error. A single zero
-/// byte is not a frame and gets no answer.
+/// byte is not a frame. It is not answered.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_EachDroppedFrameIsAnswered) {
   line.arrive(device.signWith(9, frames.hello()));
@@ -245,7 +245,7 @@ TEST_F(SignedPortTest, FR262_AChallengeLeavesRoomForAFrame) {
   }
 }
 
-/// A line on which bytes arrive faster than they can be read.
+/// A serial line on which bytes arrive faster than they can be read.
 class FloodedPort final : public SerialPort {
  public:
   explicit FloodedPort(std::size_t atOnce) : atOnce_(atOnce) {}
@@ -267,8 +267,8 @@ class FloodedPort final : public SerialPort {
   std::size_t atOnce_;
 };
 
-/// @brief A read ends even if the line never becomes empty, because it reads at most 64 parts of 64
-/// bytes. An empty line is read once.
+/// @brief A read ends even if the serial line never becomes empty, because one read reads at most
+/// 64 parts of 64 bytes. An empty serial line is read once.
 /// @verifies FR-262
 TEST_F(SignedPortTest, FR262_AReadEndsInAFlood) {
   for (const auto& [atOnce, reads] : {std::pair<std::size_t, int>{64, 64}, {1, 64}, {0, 1}}) {
@@ -280,8 +280,8 @@ TEST_F(SignedPortTest, FR262_AReadEndsInAFlood) {
   }
 }
 
-/// @brief Without a key or without a random number, nothing is received or sent, and no challenge
-/// is sent either.
+/// @brief Without a key or without a random number, nothing is received or sent. Challenges are not
+/// sent either.
 /// @verifies FR-265
 TEST_F(SignedPortTest, FR265_WithoutKeyNothingIsReceivedOrSent) {
   FixedRandom broken(std::nullopt);

@@ -48,7 +48,7 @@ class EnableSwitchTest : public ControllerFixture {
                      .timebase = time}};
 };
 
-/// @brief The enable switch extends a mode, but does not change the mode of the controller.
+/// @brief changeMode() of the enable switch has no effect.
 /// @verifies FR-17
 TEST_F(EnableSwitchTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
   const Mode& before = controller.getMode();
@@ -91,7 +91,8 @@ TEST_F(EnableSwitchTest, FR285_SilenceStops) {
   EXPECT_TRUE(mode.stopOrdered());
 }
 
-/// @brief A stop of the wrapped mode is a stop of the switch. The wrapped mode is served.
+/// @brief If the wrapped mode reports a stop, the switch reports it too. When the switch is served,
+/// it also serves the wrapped mode.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_TheWrappedModeCanStop) {
   signals(kDrivePulse);
@@ -119,7 +120,7 @@ TEST_F(EnableSwitchTest, FR285_AStopBetweenTwoCyclesActs) {
   EXPECT_FALSE(mode.stopOrdered());
 }
 
-/// @brief Between the bands, the previous position stays valid.
+/// @brief A pulse whose width is between two bands does not change the position of the switch.
 /// @verifies FR-285
 TEST_F(EnableSwitchTest, FR285_BetweenTheBandsThePositionStays) {
   signals(1300);
@@ -188,7 +189,8 @@ TEST_F(EnableSwitchTest, FR287_NoOrdersInThePositionPc) {
   EXPECT_TRUE(mode.newMessage());
 }
 
-/// @brief After the sequence "stop", "PC", "drive", the first three orders acknowledge.
+/// @brief After the sequence "stop", "PC", "drive", the first three orders contain an
+/// acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   source.order.orderId = 9;
@@ -202,7 +204,7 @@ TEST_F(EnableSwitchTest, FR288_TheSequenceOfTheSwitchAcknowledges) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief A stop ends the acknowledgement. The orders after the stop do not acknowledge.
+/// @brief A stop ends the acknowledgement. The orders after the stop contain no acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AStopEndsTheAcknowledgement) {
   signals(kStopPulse);
@@ -215,7 +217,7 @@ TEST_F(EnableSwitchTest, FR288_AStopEndsTheAcknowledgement) {
   EXPECT_FALSE(acknowledges());
 }
 
-/// @brief While the stick is deflected, no order acknowledges.
+/// @brief While the stick is deflected, no order contains an acknowledgement.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
   signals(kStopPulse);
@@ -226,8 +228,8 @@ TEST_F(EnableSwitchTest, FR288_ADeflectedStickDoesNotAcknowledge) {
   EXPECT_TRUE(acknowledges());
 }
 
-/// @brief Pulses that return after a gap do not acknowledge, because no operator has moved the
-/// switch.
+/// @brief Pulses that return after a gap cause no acknowledgement, because no operator has moved
+/// the switch.
 /// @verifies FR-288
 TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   signals(kPcPulse);
@@ -239,7 +241,7 @@ TEST_F(EnableSwitchTest, FR288_AGapOfThePulsesDoesNotAcknowledge) {
   EXPECT_TRUE(mode.stopOrdered());
   signals(kDrivePulse);
   EXPECT_FALSE(acknowledges());
-  signals(kStopPulse);  // a receiver with a preset fail-safe
+  signals(kStopPulse);  // a receiver that sends its preset fail-safe pulse
   signals(kDrivePulse);
   EXPECT_FALSE(acknowledges());
   signals(kPcPulse);
@@ -356,7 +358,7 @@ TEST_F(EnableBufferTest, FR285_PulsesOutOfRangeAreMissing) {
 }
 
 /// @brief A single stop pulse counts as a disturbance. Two successive stop pulses confirm the stop.
-/// Later pulses do not hide the confirmed stop.
+/// Later pulses do not cancel the confirmed stop.
 /// @verifies FR-285
 TEST_F(EnableBufferTest, FR285_TwoSuccessivePulsesConfirmAStop) {
   for (const int width : {1249, 899, 2101}) {

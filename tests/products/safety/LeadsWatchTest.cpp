@@ -34,13 +34,13 @@ class WatchedLeads : public testing::Test {
     return watch->swapped(measured, Tension(static_cast<std::int32_t>(ordered * 1000)));
   }
 
-  /// Returns the voltage at which the wheel pulls with a current.
+  /// Returns the voltage at which the motor has a given velocity and a given current.
   [[nodiscard]] double pulling(double rpm, double amperes) const {
     return (motor.constant * rpm + motor.resistance * amperes) * 24 / motor.supply;
   }
 
-  /// Starts the wheel and drives it for some seconds. Returns whether the watch detected swapped
-  /// leads.
+  /// Starts the wheel and drives it for a number of cycles. Returns true if the watch detected
+  /// swapped leads.
   bool drive(double rpm, double amperes, int cycles) {
     bool stopped = false;
     const double step = rpm < 0 ? -17.6 : 17.6;
@@ -109,7 +109,8 @@ TEST_F(WatchedLeads, FR307_EachMotorIsLearned) {
   }
 }
 
-/// @brief A single cycle that matches swapped leads, even perfectly, does not stop the robot.
+/// @brief If the measurements of only a single cycle match swapped leads, the robot does not stop,
+/// even if they match perfectly.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   EXPECT_FALSE(drive(300, 1, 40));
@@ -123,8 +124,8 @@ TEST_F(WatchedLeads, FR307_OneCycleIsNotEnough) {
   }
 }
 
-/// @brief A cycle changes the evidence only if it has a measurement, a voltage, and an edge in the
-/// direction of the velocity.
+/// @brief The watch uses a cycle as evidence only if the cycle has a measurement, a voltage, and an
+/// edge in the direction of the velocity.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_OnlyCompleteCyclesCount) {
   EXPECT_FALSE(drive(100, 1, 40));
@@ -195,7 +196,8 @@ TEST_F(WatchedLeads, FR307_AResetForgetsTheMotor) {
   }
 }
 
-/// @brief A cycle with correct leads directly after a cycle with swapped leads is not learned.
+/// @brief The watch does not learn from a cycle with correct leads that directly follows a cycle
+/// with swapped leads.
 /// @verifies FR-307
 TEST_F(WatchedLeads, FR307_InDoubtNothingIsLearned) {
   motor.resistance = 1.8;

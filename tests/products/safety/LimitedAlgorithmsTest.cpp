@@ -24,9 +24,9 @@ WheelFeedback measured(int rpm, int milliamperes) {
   return {.velocity = Velocity(10 * rpm), .current = Current(milliamperes)};
 }
 
-/// @brief Far from the limit, and for a wheel whose voltage is unknown, the demanded voltage is not
-/// changed. At 12 A, the voltage does not rise. At 10 A, it rises by at most 2 V, because the
-/// winding has more than 1 ohm. The other direction has the same limits.
+/// @brief The demanded voltage is not changed in two cases: the current is far from the limit, or
+/// the voltage of the wheel is unknown. At 12 A, the voltage does not rise. At 10 A, it rises by at
+/// most 2 V, because the winding has more than 1 ohm. The other direction has the same limits.
 /// @verifies FR-296
 TEST(CurrentLimitedTest, FR296_TheCurrentStaysBelowTheTrip) {
   DirectAlgorithm direct;

@@ -29,7 +29,7 @@ class SteeringGeometryTest : public ControllerFixture {
   SteeringGeometry mode{source};
 };
 
-/// @brief An extension of a mode does not change the mode of the controller.
+/// @brief changeMode() of the decorators SteeringGeometry and PersistentStop has no effect.
 /// @verifies FR-17
 TEST_F(SteeringGeometryTest, FR17_LeavesTheChangeOfTheModeToTheMode) {
   RetainedStop::Cells cells{};
@@ -78,7 +78,7 @@ TEST_F(SteeringGeometryTest, FR284_EachWheelTurnsOnItsCircle) {
 }
 
 /// @brief At 32 degrees to the left, the inner rear wheel has 58 % of the velocity of the outer
-/// front wheel. The robot drives on a circle of 2.5 m.
+/// front wheel. The robot drives on a circle with a radius of 2.5 m.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_FullLock) {
   const SetPoints order = read(alike(1000, 3200));
@@ -87,7 +87,8 @@ TEST_F(SteeringGeometryTest, FR284_FullLock) {
   EXPECT_EQ(read(alike(1000, 4000)).wheels[2].value, order.wheels[2].value);
 }
 
-/// @brief An order is not changed if its wheels differ or if it does not set a velocity.
+/// @brief An order is not changed in two cases: its wheel values differ, or it does not set a
+/// velocity.
 /// @verifies FR-284
 TEST_F(SteeringGeometryTest, FR284_OtherOrdersStay) {
   SetPoints different = alike(1000, 2000);
@@ -173,8 +174,8 @@ TEST_F(PersistentStopTest, FR290_OtherResetsKeepTheMemory) {
   }
 }
 
-/// @brief A memory with any damaged bit counts as a stop. Empty memory and erased memory also count
-/// as a stop.
+/// @brief If any bit of the memory is damaged, the memory counts as a stored stop. Empty memory and
+/// erased memory also count as a stored stop.
 /// @verifies FR-290
 TEST_F(PersistentStopTest, FR290_DamagedMemoryIsAStop) {
   memory.save(false);

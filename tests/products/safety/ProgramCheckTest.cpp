@@ -16,7 +16,8 @@ constexpr std::size_t kSizeOfRam = std::size_t{64} * 1024 / sizeof(Words);
 /// A program of two parts, and a copy of the program.
 class CheckedProgram : public testing::Test {
  protected:
-  // Calls the check after each of some ticks, and after other interrupts between them.
+  // Runs a number of ticks. Calls the check after each tick, and also after other interrupts
+  // between two ticks.
   void ticks(int count) {
     for (int number = 0; number < count; ++number) {
       check_.tick();
@@ -49,7 +50,7 @@ TEST_F(CheckedProgram, FR309_AnUnchangedProgramGoesOn) {
 using CheckedProgramDeathTest = CheckedProgram;
 
 /// @brief A program fills the lower RAM. If any bit of this program changes, the check ends the
-/// program within 300 ticks (0.3 s). This is true for any present position of the check.
+/// program within 300 ticks (0.3 s). This is true at every position that the check has reached.
 /// @verifies FR-309
 TEST_F(CheckedProgramDeathTest, FR309_AChangedBitEndsTheProgram) {
   ticks(200);

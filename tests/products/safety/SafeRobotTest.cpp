@@ -118,7 +118,7 @@ TEST_F(SafeRobot, FR282_TheRobotAcceleratesGently) {
 }
 
 /// @brief The emergency stop brakes all wheels in the next cycle. After its release, the robot
-/// stays at rest until the remote control acknowledges.
+/// stays at rest until the remote control acknowledges the stop.
 /// @verifies FR-271
 /// @verifies FR-288
 /// @verifies FR-291
@@ -248,8 +248,8 @@ TEST_F(SafeRobot, FR271_AShortPressStops) {
   EXPECT_NEAR(rpm(), 0, 1);
 }
 
-/// @brief A reset does not release an emergency stop. After the reset, the remote control
-/// acknowledges it.
+/// @brief A reset does not release the protective stop that an emergency stop has caused. After the
+/// reset, the robot stays at rest until the remote control acknowledges the stop.
 /// @verifies FR-291
 TEST_F(SafeRobot, FR291_AResetDoesNotReleaseAProtectiveStop) {
   armByRc();
@@ -294,7 +294,7 @@ TEST_F(SafeRobot, FR285_AShortTurnOfTheSwitchStops) {
   }
 }
 
-/// @brief Pulses that no longer change stop a driving robot.
+/// @brief If the pulses of the remote control no longer change, a driving robot stops.
 /// @verifies FR-289
 TEST_F(SafeRobot, FR289_HeldPulsesStopTheRobot) {
   armByRc();

@@ -13,7 +13,8 @@
 namespace wr::test {
 namespace {
 
-/// A decorator of the safety functions with one control system that records its orders.
+/// Tests of the stages of the safety functions. The last stage is the robot with one spy control
+/// system, which records its orders.
 class SafetyChain : public testing::Test {
  protected:
   SafetyChain() {
@@ -70,9 +71,9 @@ class RobotOfPool : public SafetyChain {
   SpySystem second;
 };
 
-/// @brief The robot is one control system that contains the other control systems. It passes each
-/// order to every control system, with the number of the cycle. It has completed a cycle when all
-/// control systems have completed this cycle.
+/// @brief The robot is one control system that contains the other control systems. The robot passes
+/// each order to every control system, with the number of the cycle. The robot has completed a
+/// cycle when all control systems have completed this cycle.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   order(robot, alike(123));
@@ -91,8 +92,8 @@ TEST_F(RobotOfPool, FR293_EachOrderReachesEveryControlSystem) {
   EXPECT_EQ(second.calls, kAcknowledged);
 }
 
-/// @brief The robot with safety functions is one control system. Each of its orders reaches the
-/// first stage.
+/// @brief The robot with safety functions is one control system. Each order to this control system
+/// reaches the first stage of the safety functions.
 /// @verifies FR-293
 TEST_F(RobotOfPool, FR293_TheRobotIsOneControlSystem) {
   SafeSystem whole(robot);
@@ -199,8 +200,8 @@ TEST_F(ProtectiveStopTest, FR291_TheCauseIsStored) {
   EXPECT_EQ(memory.stored().wheel, Protection::kNoWheel);
 }
 
-/// @brief Power-on releases the protective stop. After any other reset, a memory that is empty,
-/// erased or changed counts as a protective stop.
+/// @brief Power-on releases the protective stop. After any other reset, an empty, erased or changed
+/// memory counts as a stored protective stop.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   RetainedProtection::Cells cells{};
@@ -220,8 +221,8 @@ TEST(RetainedProtectionTest, FR291_DoubtfulMemoryIsAProtectiveStop) {
   }
 }
 
-/// @brief The memory returns each cause with each wheel, or without a wheel. A number that does not
-/// belong to a wheel counts as a protective stop for a doubtful memory.
+/// @brief The memory returns each cause with each wheel, or without a wheel. If the stored number
+/// belongs to no wheel, the memory is doubtful. This counts as a protective stop.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   RetainedProtection::Cells cells{};
@@ -237,8 +238,8 @@ TEST(RetainedProtectionTest, FR291_EachCauseAndWheelIsStored) {
   EXPECT_EQ(memory.stored(), RetainedProtection::Stop{.cause = StopCause::MissingMeasurement});
 }
 
-/// @brief A loss of the clock latches a protective stop. A start without a clock also latches it.
-/// An earlier cause does not change.
+/// @brief A loss of the clock latches a protective stop. A start without a clock also latches a
+/// protective stop. An earlier cause is not overwritten.
 /// @verifies FR-291
 TEST(RetainedProtectionTest, FR291_ALossOfTheClockIsAProtectiveStop) {
   RetainedProtection::Cells cells{};
@@ -359,15 +360,15 @@ TEST_F(ProtectiveStopTest, FR297_FR298_TheWheelsAreCompared) {
   expectLatched(StopCause::Overcurrent, 1);
 }
 
-/// @brief A hold is forwarded.
+/// @brief A hold is forwarded to the control systems.
 /// @verifies FR-270
 TEST_F(ProtectiveStopTest, FR270_AHoldPasses) {
   hold(stop);
   EXPECT_EQ(spy.calls, kHeld);
 }
 
-/// @brief An acknowledgement restarts the supervision of each wheel. The counts of other faults
-/// begin at 0.
+/// @brief An acknowledgement restarts the supervision of each wheel. The counts of all faults then
+/// begin at 0 again.
 /// @verifies FR-291
 TEST_F(ProtectiveStopTest, FR291_AnAcknowledgementRestartsTheSupervision) {
   const auto missing = [&] {
@@ -580,7 +581,8 @@ TEST_F(SetPointRampTest, FR282_EachWheelHasItsRamp) {
   }
 }
 
-/// @brief The wheels keep the ratio of their changes.
+/// @brief If the changes of the set-points are limited, they are reduced by the same factor for all
+/// wheels.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_OneFactorForAllWheels) {
   SetPoints curve = alike(1000);
@@ -673,8 +675,9 @@ TEST_F(SetPointRampTest, FR294_ACurveLowersTheVelocity) {
 }
 
 /// @brief The set-points of all wheels fall while one wheel turns faster than 310.0 rpm or will
-/// turn faster in two cycles. They fall by 6 % per cycle, but not below a tenth. Otherwise, they
-/// rise by 1 % per cycle. In a curve of 5 degrees, the limit is 270.0 rpm.
+/// turn faster in two cycles. They fall by 6 % per cycle, but not below a tenth of the ordered
+/// values. Otherwise, they rise again by 1 % per cycle. In a curve of 5 degrees, the limit is 270.0
+/// rpm.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   const auto at = [&](int velocity) {
@@ -707,8 +710,8 @@ TEST_F(SetPointRampTest, FR282_AFastWheelLowersAllSetPoints) {
   EXPECT_EQ(at(2701), 940);
 }
 
-/// @brief Any single wheel that is too fast lowers the set-points, even while its velocity falls. A
-/// wheel that will only reach the limit in two cycles does not lower them.
+/// @brief Any single wheel that is too fast lowers the set-points, even while its velocity falls.
+/// If a wheel will reach but not exceed the limit in two cycles, the set-points do not fall.
 /// @verifies FR-282
 TEST_F(SetPointRampTest, FR282_EachFastWheelCounts) {
   for (std::size_t wheel = 0; wheel < kWheelCount; ++wheel) {

@@ -14,7 +14,7 @@
 namespace wr::test {
 namespace {
 
-/// The directors of the products with safety functions.
+/// The directors of the robot variants with safety functions.
 class SafetyDirectors : public ProductFixture {
  protected:
   RetainedStop::Cells cells{};
@@ -47,7 +47,8 @@ TEST_F(SafetyDirectorsDeathTest, FR78_ConstructionForThePcTwiceEndsTheProgram) {
   EXPECT_DEATH(pcDirector.construct(), "assertion 5 failed");
 }
 
-/// @brief A robot that is not built cannot start. It has no pin of the enable switch.
+/// @brief A robot that is not built cannot start, and its pin of the enable switch cannot be
+/// requested.
 /// @verifies FR-78
 TEST_F(SafetyDirectorsDeathTest, FR78_StartBeforeConstructionEndsTheProgram) {
   EXPECT_DEATH(director.start(), "assertion 1 failed");
@@ -126,7 +127,7 @@ TEST_F(SafetyBuilderTest, FR293_ControlSystemsAreBuiltAsOne) {
   EXPECT_TRUE(builder.system().completed(1));
 }
 
-/// @brief The control systems can be wrapped only once.
+/// @brief The safety functions can be wrapped around the control systems only once.
 /// @verifies FR-78
 TEST_F(SafetyBuilderDeathTest, FR78_ConstructionTwiceEndsTheProgram) {
   builder.buildSystem();

@@ -13,9 +13,9 @@
 namespace wr::test {
 namespace {
 
-// Returns all scenarios that the image with safety functions must meet on the virtual board. The
-// scenario with the loss of the clock is not included, because only the virtual board has an
-// external clock.
+// Returns the files of all scenarios whose expectations the firmware with safety functions must
+// meet. The scenario with the loss of the clock is not included, because only the virtual board has
+// an external clock.
 std::vector<std::filesystem::path> scenarios() {
   std::vector<std::filesystem::path> files = allScenarios();
   std::erase_if(files, [](const std::filesystem::path& file) {
@@ -26,8 +26,8 @@ std::vector<std::filesystem::path> scenarios() {
 
 class ScenariosWithSafety : public testing::TestWithParam<std::filesystem::path> {};
 
-/// @brief The robot with safety functions meets each scenario, except the scenarios that are only
-/// for the design of the paper.
+/// @brief The robot with safety functions meets the expectations of each scenario. Scenarios that
+/// are only for the design of the paper are not run.
 /// @verifies NFR-6
 TEST_P(ScenariosWithSafety, NFR6_RobotDoesWhatIsExpected) {
   const scenario::Scenario scenario = scenario::Scenario::load(GetParam());
@@ -39,7 +39,7 @@ TEST_P(ScenariosWithSafety, NFR6_RobotDoesWhatIsExpected) {
 INSTANTIATE_TEST_SUITE_P(Files, ScenariosWithSafety, testing::ValuesIn(scenarios()),
                          [](const auto& file) { return file.param.stem().string(); });
 
-/// The product with safety functions in the simulated robot.
+/// The robot variant with safety functions in the simulation.
 class SafetyScenario : public testing::TestWithParam<const char*> {
  protected:
   static std::vector<std::string> failures(const std::string& name) {
@@ -99,8 +99,8 @@ INSTANTIATE_TEST_SUITE_P(Faults, FaultOfAPart,
 
 class FaultOfTheSteering : public SafetyScenario {};
 
-/// @brief The robot brakes if the steering is stuck, and if the angle sensor drifts or is not
-/// connected.
+/// @brief The robot brakes in three cases: the steering is stuck, the angle sensor drifts, or the
+/// angle sensor is not connected.
 /// @verifies FR-272
 TEST_P(FaultOfTheSteering, FR272_StopsTheRobot) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});
@@ -125,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(Faults, FaultOfAHallSensor,
 
 class LimitOfTheRobot : public SafetyScenario {};
 
-/// @brief The robot keeps its limits of speed and acceleration.
+/// @brief The robot does not exceed its limits of speed and acceleration.
 /// @verifies FR-282
 /// @verifies FR-283
 TEST_P(LimitOfTheRobot, FR282_IsKept) {
@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Starts, StartOfTheRobot,
 
 class StopOfThePc : public SafetyScenario {};
 
-/// @brief A stop of the PC continues after a reset.
+/// @brief A stop that the PC has commanded stays in force after a reset.
 /// @verifies FR-290
 TEST_P(StopOfThePc, FR290_OutlivesAReset) {
   EXPECT_EQ(failures(GetParam()), std::vector<std::string>{});

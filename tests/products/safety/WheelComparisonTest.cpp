@@ -39,8 +39,8 @@ class ComparedWheels : public testing::Test {
 };
 
 /// @brief A wheel that does not move is detected after two comparisons. Each comparison lasts for
-/// 20 edges of the other wheels. Both comparisons together take 0.114 m, because a wheel with a
-/// radius of 0.272 m has 600 edges in a turn.
+/// 20 edges of the other wheels. During both comparisons, the robot drives 0.114 m, because a wheel
+/// with a radius of 0.272 m has 600 edges in a turn.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
   for (const int direction : {1, -1}) {
@@ -55,7 +55,7 @@ TEST_F(ComparedWheels, FR297_AWheelWithoutMotionIsFound) {
 
 /// @brief A wheel that moves half as far as the other wheels is reported. A wheel that moves
 /// farther is not reported. A wheel that is faster than the other wheels is never reported. A wheel
-/// that is too slow only once is not reported either.
+/// that is too slow in only one comparison is not reported.
 /// @verifies FR-297
 TEST_F(ComparedWheels, FR297_HalfTheWayIsTheLimit) {
   for (int cycle = 0; cycle < 10; ++cycle) {

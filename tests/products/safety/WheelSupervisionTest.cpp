@@ -89,7 +89,7 @@ TEST_F(SupervisedWheel, FR274_MoreThan330RpmIsACause) {
 }
 
 /// @brief If the motor turns its wheel at 5.1 rpm against 1.1 V, this causes a stop in the second
-/// cycle. At 1.0 V or 5.0 rpm, it does not.
+/// cycle. At 1.0 V or at 5.0 rpm, there is no stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cycle(measured(0, 0), 1.1, 10), StopCause::None);
@@ -104,8 +104,9 @@ TEST_F(SupervisedWheel, FR275_TurningAgainstTheVoltageIsACause) {
   EXPECT_EQ(cause, StopCause::WrongDirection);
 }
 
-/// @brief At 1.5 V, and 20 rpm in the opposite direction, up to 1.124 V may remain unexplained.
-/// This bound is 40 % of 1.5 V plus half of 1.047 V. A current of 0.949 A is within the bound.
+/// @brief At 1.5 V, and 20 rpm in the opposite direction, up to 1.124 V of the voltage may remain
+/// unexplained by the model of the motor. This bound is 40 % of 1.5 V plus half of 1.047 V. At a
+/// current of 0.949 A, the unexplained voltage is at this bound.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_TheCurrentShowsWhoTurnsTheWheel) {
   EXPECT_EQ(firstCause(20, measured(-20, 0.96), 1.5, 17.6), 0);
@@ -142,8 +143,8 @@ TEST_F(SupervisedWheel, FR275_ADraggedWheelIsNoCause) {
   }
 }
 
-/// @brief With swapped leads, a voltage of 3 V turns a wheel against this voltage. The current is
-/// (3 V - k v) / 1.5 Ohm. This causes a stop.
+/// @brief With swapped leads, a voltage of 3 V turns a wheel in the opposite direction. The current
+/// is (3 V - k v) / 1.5 Ohm. This causes a stop.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_SwappedLeadsAreACause) {
   EXPECT_EQ(cycle(measured(0, 2), 3.0, 30), StopCause::None);
@@ -151,8 +152,9 @@ TEST_F(SupervisedWheel, FR275_SwappedLeadsAreACause) {
   EXPECT_EQ(cycle(measured(-35, 0.78), 3.0, 30), StopCause::WrongDirection);
 }
 
-/// @brief A fault that is present in every second cycle is detected, because a cycle without the
-/// fault subtracts only half a cycle. A fault in every third cycle is not detected.
+/// @brief A fault that is present in every second cycle is detected, because each cycle without the
+/// fault lowers the count of the fault by only half a cycle. A fault in every third cycle is not
+/// detected.
 /// @verifies FR-275
 TEST_F(SupervisedWheel, FR275_AnIntermittentFaultIsACause) {
   EXPECT_EQ(cycle(measured(0, 2), 3.0, 30), StopCause::None);
@@ -233,9 +235,9 @@ TEST_F(SupervisedWheel, FR276_OrdersOfVoltageHaveNoSetPointOfVelocity) {
   }
 }
 
-/// @brief At 10 V and 2 A, the winding has 3 V. The permitted difference is the sum of 0.7 V, 20 %
-/// of 10 V, 25 % of 3 V and 10 % of the induced voltage. A greater difference causes a stop in the
-/// second cycle.
+/// @brief At 10 V and 2 A, the voltage at the winding is 3 V. The permitted difference is the sum
+/// of 0.7 V, 20 % of 10 V, 25 % of 3 V and 10 % of the induced voltage. A greater difference causes
+/// a stop in the second cycle.
 /// @verifies FR-277
 TEST_F(SupervisedWheel, FR277_ADifferenceToTheModelIsACause) {
   // The equation 10 V - 3 V - e = 3.45 V + e / 10 has the solution e = 3.227 V.
@@ -355,8 +357,8 @@ TEST_F(SupervisedWheel, FR277_ACurrentAtRestIsACause) {
   EXPECT_EQ(halted(measured(0, -1.001)), StopCause::Tracking);
 }
 
-/// @brief A measurement may be missing in two cycles. In the third cycle it causes a protective
-/// stop.
+/// @brief A measurement may be missing in two cycles. If it is also missing in the third cycle, a
+/// protective stop follows.
 /// @verifies FR-278
 TEST_F(SupervisedWheel, FR278_AMissingMeasurementIsACause) {
   WheelMeasurements missing;
@@ -394,8 +396,9 @@ class RejectedEdges : public SupervisedWheel {
   int milliamperes_ = 0;
 };
 
-/// @brief Nine implausible edges while the wheel has voltage cause a stop. One cycle counts at most
-/// five edges, and subtracts half an edge. Edges before the first cycle are not counted.
+/// @brief Nine implausible edges while the wheel has voltage cause a stop. In each cycle, at most
+/// five edges are added to the count, and half an edge is subtracted. Edges before the first cycle
+/// are not counted.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_NineAreACause) {
   EXPECT_EQ(rejected(1, 200), StopCause::None);
@@ -418,8 +421,8 @@ TEST_F(RejectedEdges, FR279_SingleLostEdgesAddUp) {
   }
 }
 
-/// @brief A wheel at rest on an edge causes implausible edges. Fewer than five such edges in a
-/// cycle are not counted.
+/// @brief A wheel that rests exactly at an edge may cause implausible edges. If a cycle has fewer
+/// than five of them, they are not counted.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_AWheelAtRestMayGiveSome) {
   EXPECT_EQ(rejected(100, 4, 9, 2), StopCause::None);
@@ -427,8 +430,8 @@ TEST_F(RejectedEdges, FR279_AWheelAtRestMayGiveSome) {
   EXPECT_EQ(rejected(1, 5, 9, 2), StopCause::HallSignals);
 }
 
-/// @brief A cycle whose edges are not counted subtracts half an edge. The edges of a wheel are
-/// counted from 10.0 rpm on.
+/// @brief In a cycle whose edges are not counted, half an edge is still subtracted from the count.
+/// At 10.0 rpm or more, fewer than five edges in a cycle are also counted.
 /// @verifies FR-279
 TEST_F(RejectedEdges, FR279_ACycleWithoutEdgesSubtractsHalfAnEdge) {
   EXPECT_EQ(rejected(1, 200, 9, 2), StopCause::None);

@@ -15,7 +15,7 @@ class WaitingKTest : public ControllerFixture {
     controller.read();
   }
 
-  // Returns whether a fake state is the current state.
+  // Returns true if a fake state is the current state.
   bool isCurrent(FakeState& fake) {
     fake.steps.clear();
     controller.control();

@@ -13,7 +13,7 @@ constexpr int kWaitingN = 2;
 constexpr int kReconnecting = 3;
 constexpr int kWaitingK = 4;
 
-// A robot that warns. The PC is connected and has sent an order.
+// The robot variant with the warning. The PC is connected and has sent an order.
 class WarningRobot : public ProductFixture {
  protected:
   WarningRobot() {
@@ -38,8 +38,8 @@ TEST_F(WarningRobot, FR78_ControlSystemsAreBuiltAndStarted) {
   EXPECT_TRUE(spyBuilder.started);
 }
 
-/// @brief The warning is on only in the cycle of the failed read before the last waiting state. The
-/// robot follows its set-points until the last waiting state ends.
+/// @brief The warning is on in only one cycle: the cycle of the failed read that precedes the last
+/// waiting state. The robot follows its set-points until the last waiting state ends.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_WarnsOneCycleBeforeTheLastWaitingState) {
   EXPECT_EQ(order(8).orderId, 8);
@@ -72,7 +72,8 @@ TEST_F(WarningRobot, FR152_MessageEndsTheWarning) {
   }
 }
 
-/// @brief While a stop is in force, the lamp stays off, in all states up to the last state.
+/// @brief While a stop is in force, the warning lamp stays off in every state, from Waiting through
+/// WaitingK and WaitingN to Reconnecting.
 /// @verifies FR-152
 TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
   port.arrive(pc.order({.id = 9, .stop = true}));
@@ -87,7 +88,8 @@ TEST_F(WarningRobot, FR152_StopKeepsTheLampDark) {
   EXPECT_TRUE(passed);
 }
 
-/// @brief This robot also follows the remote control.
+/// @brief When the PC is silent, the robot variant with the warning also follows the remote
+/// control.
 /// @verifies FR-17
 TEST_F(WarningRobot, FR17_RemoteControlFollowsThePc) {
   for (int failed = 0; failed < kWaitingCycles + 1; ++failed) {

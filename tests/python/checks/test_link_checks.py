@@ -1,4 +1,4 @@
-"""The dead links of a site, and the place of each link in the sources."""
+"""The dead links of a site, and the position of each link in the source files."""
 
 from __future__ import annotations
 

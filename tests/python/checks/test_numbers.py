@@ -1,4 +1,5 @@
-"""The numbers that requirements state, and their constants."""
+"""The numbers that requirements state, and the constants of the code that must have the same
+values."""
 
 from fractions import Fraction
 

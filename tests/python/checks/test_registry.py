@@ -1,4 +1,4 @@
-"""Each check is described, and each clause is decided."""
+"""Each check has a description. Each clause of the patterns has code that checks it."""
 
 from __future__ import annotations
 

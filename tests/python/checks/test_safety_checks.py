@@ -1,4 +1,4 @@
-"""hazard-*: bounds, results and names that no seeded fault in tests/drift tests."""
+"""hazard-*: the bounds, results and names for which tests/drift has no seeded fault."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def test_a_scenario_passes_in_this_run(
     ("test", "played", "found"),
     [
         ("TEST(Safety, FR1_Stops) {\n}\n", [], True),
-        (FOLDER, [], False),  # The test has not run, so it may play each scenario.
+        (FOLDER, [], False),  # A test that has not run may play each scenario.
         (FOLDER, ["Files_Safety.FR1_Stops_lost"], False),
         (FOLDER, ["Files_Safety.FR1_Stops_found"], True),
     ],

@@ -1,6 +1,7 @@
-"""The worked examples of the protocol. This script writes them again in the present layout.
+"""The worked examples of the protocol. This script rewrites their file in the present layout of the
+frames.
 
-If a payload has new fields at its end, they become 0. The schema hash becomes the present hash.
+New fields at the end of a payload get the value 0. The schema hash is replaced by the present hash.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ def examples() -> list[list[str]]:
 
 
 def with_present_layout(name: str, sender: str, old: str) -> str:
-    """Returns the line of an example. It is made from the body of the example."""
+    """Returns the text line of an example in the present layout. It is computed from the old body
+    of the example."""
     version, kind, sequence, *values = bytes.fromhex(old)
     layout = BY_KIND[kind]
     payload = bytearray(values).ljust(layout.size, b"\0")

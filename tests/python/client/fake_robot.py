@@ -1,5 +1,5 @@
-"""A robot in Python at the other end of a pseudo-terminal. It has protocol version 2, arming,
-protective stop, remote control and emergency stop. Its four wheels turn freely."""
+"""A robot in Python at the other end of a pseudo-terminal. The robot supports protocol version 2,
+arming, protective stop, remote control and emergency stop. Its four wheels turn freely."""
 
 from __future__ import annotations
 
@@ -48,8 +48,8 @@ class FakeWheel:
 
 @dataclass
 class FakeRobot:
-    """A robot that answers Hello, Confirm and orders. While it is connected, it reports in each
-    cycle."""
+    """A robot that answers Hello, Confirm and orders. While a client is connected, the robot sends
+    a report in each cycle."""
 
     versions: tuple[int, int] = (2, 2)
     schema: int = SCHEMA_HASH

@@ -1,5 +1,5 @@
-"""The bring-up. Each step is tested on the robot in Python, with a right and with a wrong robot.
-The record is tested too."""
+"""The bring-up. Each step is tested with the robot in Python, once without a fault and once with a
+fault. The record of the bring-up is tested too."""
 
 import argparse
 import json
@@ -37,7 +37,8 @@ def _quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def images(tmp_path: Path) -> Path:
-    """Returns a folder with an image. The robot in Python reports this image as its own."""
+    """Returns a folder with a firmware image. The robot in Python reports the build id of this
+    image."""
     folder = tmp_path / "k64"
     folder.mkdir()
     (folder / "weeding_robot.bin").write_bytes(b"code 0123abcd code")

@@ -1,5 +1,5 @@
-"""The capture of the line. The values that Wireshark shows are compared with the values that the
-client decodes."""
+"""The capture of the serial line. The values that Wireshark shows are compared with the values that
+the client decodes."""
 
 import os
 import random

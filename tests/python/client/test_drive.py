@@ -42,8 +42,8 @@ def script_in(folder: Path, text: str) -> Path:
 
 
 def orders(mcu: Any) -> list[tuple[int, int, int]]:
-    """Returns the velocity of the first wheel, the steering and the commands of each order, as they
-    are on the line."""
+    """Returns the velocity of the first wheel, the steering and the commands of each order, in the
+    units of the frames."""
     return [
         (
             int.from_bytes(frame.payload[9:11], "little", signed=True),
@@ -471,8 +471,8 @@ class Terminal:
     program: subprocess.Popen[bytes]
 
     def type(self, text: bytes, seconds: float = 0.0) -> None:
-        """Types a text. With a time, types it repeatedly during this time, like a key that is held
-        down."""
+        """Types a text. If a time is given, types the text repeatedly during this time, like a key
+        that is held down."""
         end = time.monotonic() + seconds
         os.write(self.keys, text)
         while time.monotonic() < end:

@@ -1,5 +1,5 @@
 """The client with the firmware, which runs in real time on a pseudo-terminal. The tests run with
-the firmware for this machine, and with the image for the K64 on the virtual board.
+the firmware for the host, and with the firmware image for the K64 on the virtual board.
 """
 
 import itertools
@@ -45,7 +45,7 @@ def robot(program: list[Path | str], tmp_path: Path) -> Iterator[Path]:
     end = time.monotonic() + 10
     while not path.exists() and time.monotonic() < end:
         time.sleep(0.005)
-    assert path.exists(), "the simulator made no link"
+    assert path.exists(), "the simulator made no symbolic link"
     yield path
     process.send_signal(signal.SIGINT)
     assert process.wait(10) == 0
@@ -53,7 +53,7 @@ def robot(program: list[Path | str], tmp_path: Path) -> Iterator[Path]:
 
 @pytest.fixture
 def world(robot: Path) -> Iterator[Control]:
-    """Returns the path of the robot's control socket."""
+    """Yields a connection to the control socket of the robot."""
     control = Control(robot.parent / "control")
     yield control
     control.close()
@@ -105,7 +105,7 @@ def test_from_power_up_with_a_silent_remote_control_the_pc_commands_within_n_and
     driven = reports[working:]
     assert {(report.mode, report.source) for report in driven} == {("PC", "PC")}
     read = [report for report in driven if report.state == "Working" and report.order_read]
-    assert len(read) >= 0.8 * len(driven)  # A busy machine sometimes sends an order too late.
+    assert len(read) >= 0.8 * len(driven)  # A busy computer sometimes sends an order too late.
 
 
 def test_the_robot_tells_why_it_started_and_no_fault(
@@ -183,7 +183,7 @@ def test_a_stop_holds_and_outlives_the_connection_until_it_is_released(robot: Pa
         assert again.stop
         assert again.held
         moving = drive(link, 10, first=200)[-1]
-        assert moving.stop, "an order that moves the robot releases no stop"
+        assert moving.stop, "an order that moves the robot must not release a stop"
         released = drive(link, 15, first=300, wheel=STILL)[-1]
         assert not released.stop
         assert not released.held
@@ -226,7 +226,8 @@ def brought_up(robot: Path, world: Control, images: Path) -> Record:
 
 @pytest.fixture
 def images(program: list[Path | str], tmp_path: Path) -> Path:
-    """Returns a folder with the program that runs. It takes the place of the built image."""
+    """Returns a folder with the program that runs. The bring-up uses this program in place of the
+    built firmware image."""
     folder = tmp_path / "images"
     folder.mkdir()
     (folder / "weeding_robot.bin").symlink_to(program[-1])

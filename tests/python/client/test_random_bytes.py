@@ -1,4 +1,4 @@
-"""Random bytes and random scripts never end the client. The client accepts a message, or shows an
+"""Random bytes and random scripts never crash the client. The client accepts a message, or shows an
 error.
 """
 

@@ -100,7 +100,7 @@ def test_the_table_of_a_scenario_is_drawn_in_units(
     reports = read_recording(table)
     velocity = plots(reports)[0]
     ordered, measured = velocity.curves
-    # The value is in rpm. On the line, its unit is 0.1 rpm.
+    # The value is in rpm. In the frame, its unit is 0.1 rpm.
     assert 0 < max(value for _, value in ordered.points) <= 300
     last = measured.points[-1][1]
     assert max(value for _, value in measured.points) >= last
@@ -123,6 +123,6 @@ def test_ros_reads_the_definitions_of_the_messages() -> None:
         parsed = parse_message_string("weeding_robot_msgs", name, text)
         fields = [str(one.name) for one in parsed.fields]
         assert fields == [value for value in LAYOUTS[name].value_names if value in fields], (
-            "in the order of the line"
+            "the fields must be in the sequence of the frame"
         )
         assert set(fields) == set(LAYOUTS[name].value_names)

@@ -1,4 +1,5 @@
-"""The schema of the exported model rejects invalid data, and each diagram has its source.
+"""The schema of the exported model rejects invalid data, and each diagram is exported with its
+source text.
 
 The tests of the built site check the model of this project.
 """

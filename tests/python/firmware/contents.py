@@ -1,4 +1,4 @@
-"""The contents of an image: its vectors, its symbols and its sections."""
+"""The contents of a firmware image: its vectors, its symbols and its sections."""
 
 from __future__ import annotations
 
@@ -55,14 +55,14 @@ def sections(program: Path) -> dict[str, tuple[int, int]]:
 
 def across_border(program: Path) -> list[str]:
     """Returns the sections and objects of a program that are partly below and partly above the
-    border."""
+    border between SRAM_L and SRAM_U."""
     places = [(name, *place) for name, place in sections(program).items()]
     places += [(one.name, one.address, one.size) for one in symbols(program)]
     return [name for name, address, size in places if address < BORDER < address + size]
 
 
 def vector_problems(image: bytes) -> list[str]:
-    """Returns the faults in the vectors of an image."""
+    """Returns the faults in the vectors of a firmware image."""
     stack, *handlers = struct.unpack_from(f"<{VECTORS}I", image)
     problems = []
     if not SRAM_LOWER < stack <= BORDER or stack % 8:

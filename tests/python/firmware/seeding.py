@@ -1,4 +1,4 @@
-"""Makes an image with mistakes in its drivers, and runs this image on the virtual K64."""
+"""Makes a firmware image with mistakes in its drivers, and runs this image on the virtual K64."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ BOARD = ROOT / "build" / "host" / "sim" / "weeding_robot_board"
 FOUND = 4  # exit code of the board program that means that the run ended with a finding
 SOURCES = ROOT / "src" / "k64"
 
-# Two seconds of a robot that is driven. Reports are sent, and orders are received.
+# A drive of two seconds, in which the robot sends reports and receives orders.
 DRIVE = """\
 at 300 connect
 from 640 to 1940 every 100 order velocity 300 steering 150
@@ -27,7 +27,7 @@ at 2000 end
 
 @dataclass(frozen=True)
 class Change:
-    """A part of a source of src/k64, and the text that replaces it."""
+    """A text in a source file of src/k64, and the text that replaces it."""
 
     file: str
     before: str
@@ -43,8 +43,8 @@ class Run:
 
 @dataclass(frozen=True)
 class Program:
-    """The image under test, which is linked once. After a change of a driver, only this driver is
-    compiled, because the drivers take no part in the optimisation at link time."""
+    """The firmware image under test, which is linked once. After a change of a driver, only this
+    driver is compiled, because the drivers take no part in the optimisation at link time."""
 
     compiled: dict[str, list[str]]  # source of src/k64 -> the command that compiles it
     link: list[str]
@@ -52,7 +52,7 @@ class Program:
     def seeded(self, folder: Path, changes: tuple[Change, ...]) -> Path:
         """Compiles copies of the changed sources, and links them with the other objects.
 
-        Returns the name of the image without its suffix.
+        Returns the name of the firmware image without its suffix.
         """
         link = list(self.link)
         for file in {change.file for change in changes}:
@@ -62,7 +62,7 @@ class Program:
             words = list(self.compiled[file])
             original = words[words.index("-o") + 1]
             words[words.index("-c") + 1] = str(source)
-            # With this option, findings show the place in the original source.
+            # With this option, findings show the source line of the original file.
             prefix = f"-ffile-prefix-map={folder}=src/k64"
             made = compiled_to(source.with_suffix(".obj"), [*words, prefix])
             link[link.index(original)] = made
@@ -85,7 +85,8 @@ def link_once(folder: Path) -> Program:
             link[link.index(original)] = made
             words[words.index("-o") + 1] = made
             compiled[str(source.relative_to(SOURCES))] = words
-    # -g0 omits the debug information. It would refer to intermediate files of the compiler.
+    # -g0 omits the debug information, because this would refer to intermediate files of the
+    # compiler.
     linked_to(f"{folder / 'all'}.elf", [*link, "-g0", "-save-temps"])
     (optimised,) = folder.glob("all.elf.*.ltrans.o")
     link.insert(link.index("-o"), str(optimised))  # This object must be before the libraries.
@@ -94,8 +95,8 @@ def link_once(folder: Path) -> Program:
 
 
 def compiled_to(target: Path, words: list[str]) -> str:
-    """Runs a command of the build that compiles, but with a different output. Returns the
-    output."""
+    """Runs a compile command of the build with a different output file. Returns the path of this
+    file."""
     words = list(words)
     words[words.index("-o") + 1] = str(target)
     subprocess.run(words, check=True, cwd=BUILD, timeout=60)
@@ -103,7 +104,7 @@ def compiled_to(target: Path, words: list[str]) -> str:
 
 
 def linked_to(target: str, words: list[str]) -> None:
-    """Runs the link command of the build, but with a different output."""
+    """Runs the link command of the build with a different output file."""
     words = list(words)
     words[words.index("-o") + 1] = target
     subprocess.run(words, check=True, cwd=BUILD, timeout=60)
@@ -113,25 +114,28 @@ def changed(file: str, changes: tuple[Change, ...]) -> str:
     text = (SOURCES / file).read_text(encoding="utf-8")
     for change in changes:
         if change.file == file:
-            assert text.count(change.before) == 1, f"{file} has not once: {change.before}"
+            assert text.count(change.before) == 1, (
+                f"{file} must contain this text exactly once: {change.before}"
+            )
             text = text.replace(change.before, change.after)
     return text
 
 
 def link_command() -> list[str]:
-    """Returns the command that links the image. The command writes no map file."""
+    """Returns the command that links the firmware image. The command writes no map file."""
     ninja = ["ninja", "-C", str(BUILD), "-t", "commands", "weeding_robot_paper.elf"]
     done = subprocess.run(ninja, check=True, capture_output=True, text=True, timeout=60)
     line = done.stdout.splitlines()[-1].removeprefix(": && ")
     words = shlex.split(line[: line.index(" && ")])
-    # These files are intermediate files of the compiler that the build keeps.
+    # This option makes the compiler keep intermediate files.
     place = words.index("-dumpdir")
     del words[place : place + 2]
     return [word for word in words if not word.startswith("-Wl,-Map=")]
 
 
 def driven(image: Path, folder: Path) -> Run:
-    """Runs an image for two seconds of the robot's time. The image is named without its suffix."""
+    """Runs a firmware image for two seconds of the robot's time. The name of the image is given
+    without its suffix."""
     scenario = folder / "drive.scenario"
     scenario.write_text(DRIVE, encoding="utf-8")
     words: list[str | Path] = [BOARD, "--image", f"{image}.bin", "--elf", f"{image}.elf"]

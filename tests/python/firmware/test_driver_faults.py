@@ -1,5 +1,5 @@
-"""Mistakes of drivers. Each mistake is made in a copy, and stops the image on the virtual K64 with
-a finding."""
+"""Mistakes of drivers. Each mistake is made in a copy of the sources. On the virtual K64, the
+firmware with the mistake stops with a finding."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "received byte of the UART not taken": (
-        "uart-overrun",  # The fault is detected before the interrupt counts as a storm.
+        "uart-overrun",  # The fault is detected before the interrupt counts as endless.
         (Change("K64Uart.cpp", "uart::D.at(offset()).read()", "uart::BDL.at(offset()).read()"),),
     ),
     "transmit interrupt of the UART never switched off": (
@@ -151,7 +151,8 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         ),
     ),
     "inputs b of the converters not chosen": (
-        "unmodelled-register",  # The program then reads the inputs a of these channels.
+        # The program then reads the inputs with the suffix a of these channels.
+        "unmodelled-register",
         (Change("K64Adc.cpp", "write(adc::CFG2_MUXSEL_B)", "write({0})"),),
     ),
     "result of a converter not taken": (
@@ -166,7 +167,7 @@ FAULTS: dict[str, tuple[str, tuple[Change, ...]]] = {
         "interrupt-storm",
         (
             Change("K64Port.cpp", "    flags.write(port::ISFR.bit(number_));\n", ""),
-            # Without this change, the bound would end the storm.
+            # Without this second change, the limit of edges would end the storm of interrupts.
             Change("K64Port.cpp", "    ++edges_;\n", ""),
         ),
     ),
@@ -240,8 +241,8 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Program:
 
 @pytest.fixture(scope="module")
 def table() -> Iterator[dict[str, dict[str, object]]]:
-    """Yields the table of findings. If all faults were tried, the list of findings is a result of
-    the run."""
+    """Yields the table of findings. If all faults were tried, stores the list of findings as a
+    result of the run."""
     rows: dict[str, dict[str, object]] = {}
     yield rows
     for fault, row in rows.items():
@@ -277,7 +278,7 @@ def test_the_image_itself_has_no_finding(tmp_path: Path) -> None:
 
 def test_an_image_that_is_linked_again_has_no_finding(tmp_path: Path, program: Program) -> None:
     """Verifies that the change causes the finding, and that the method of applying the change does
-    not cause it."""
+    not cause the finding."""
     run = driven(program.seeded(tmp_path, ()), tmp_path)
     assert (run.code, run.finding) == (0, ""), run.text
 

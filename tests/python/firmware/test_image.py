@@ -1,4 +1,4 @@
-"""The image of the K64 contains all parts that the chip needs. It contains no forbidden part."""
+"""The firmware image of the K64 contains all parts that the chip needs, and no forbidden part."""
 
 from __future__ import annotations
 
@@ -91,7 +91,8 @@ def test_the_vectors_lead_to_code_and_the_stack_is_in_the_lower_memory(image: by
     address = {symbol.name: symbol.address for symbol in symbols(ELF)}
     stack, reset = struct.unpack_from("<2I", image)
     assert stack == address["stackTop"]
-    assert address["stackBottom"] == SRAM_LOWER  # If the stack overflows, it leaves the memory.
+    # A stack that overflows leaves the memory, which causes a fault.
+    assert address["stackBottom"] == SRAM_LOWER
     assert reset & ~1 == address["resetHandler"] & ~1
 
 
@@ -139,7 +140,7 @@ def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Pa
     expected = bytes(map(int, version.groups())) + build_id.encode()
     expected += bytes(1) + SCHEMA_HASH.to_bytes(4, "little")
     at = place_in_binary(ELF, place.address)
-    assert BIN.read_bytes()[at:][: len(expected)] == expected, "build it again"
+    assert BIN.read_bytes()[at:][: len(expected)] == expected, "the image is old: build it again"
 
 
 def test_the_binary_holds_what_the_program_does(image: bytes, tmp_path: Path) -> None:

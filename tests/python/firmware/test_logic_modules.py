@@ -1,4 +1,5 @@
-"""The libraries of the logic modules. The build fails if the design does not allow a use."""
+"""The libraries of the logic modules. The build fails if a module uses another module without
+permission in the design."""
 
 from __future__ import annotations
 
@@ -37,7 +38,8 @@ REFUSED = "module switch does not depend on a module exporting 'bulb/Bulb.hpp'"
 
 
 def build(root: Path, file: str, before: str, after: str) -> str:
-    """Builds the lamp after one change of a file. Returns the messages of the build."""
+    """Builds the small project of a lamp after one change of a file. Returns the messages of the
+    build."""
     for name, text in TREE.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")
@@ -77,8 +79,8 @@ def test_a_forbidden_use_fails_the_build(
 
 
 def test_cmake_reads_each_use() -> None:
-    """CMake reads lines, and Python reads TOML. Each use must therefore be in a line that CMake can
-    read."""
+    """CMake reads design/uses.toml line by line, and Python reads this file as TOML. Each permitted
+    use must therefore be on one line that CMake can read."""
     lines = (ROOT / "design" / "uses.toml").read_text(encoding="utf-8").splitlines()
     allowed = read_declared(ROOT).allowed
     assert allowed

@@ -1,4 +1,5 @@
-"""The image of each product contains all parts that the product needs, and no other parts."""
+"""The firmware image of each robot variant contains all parts that the variant needs, and no other
+parts."""
 
 from __future__ import annotations
 
@@ -28,7 +29,8 @@ from traceability.reading.products import (
 )
 
 ROOT = Path(__file__).parents[3]
-# If only the remote control calls a method of a template, the method must not be in other images.
+# If only the remote control calls a method of a template, the method must not be in the firmware
+# images of other variants.
 INLINED = {"Pipe"}
 
 
@@ -67,7 +69,8 @@ def test_all_else_is_the_same_in_all_products(product: str) -> None:
 
 @pytest.mark.parametrize("product", PRODUCTS)
 def test_an_intruder_is_found(product: str) -> None:
-    """If a product contained a part that it must not have, the check would find the part."""
+    """If the image of a variant contained a part that it must not have, the check would find this
+    part."""
     for module in HAS[product]:
         assert intruders(held(product), HAS[product] - {module}) == {module}
 

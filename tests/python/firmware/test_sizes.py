@@ -1,4 +1,5 @@
-"""The sizes of the parts of the image. Each byte belongs to one part."""
+"""The sizes of the parts of the firmware image. Each byte of the image is counted in exactly one
+part."""
 
 from pathlib import Path
 

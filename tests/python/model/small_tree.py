@@ -1,5 +1,5 @@
-"""A small tree of sources with the structure of the real tree. It has two modes, two states and one
-test."""
+"""A small folder of sources with the same structure as the real sources. It has two modes, two
+states and one test."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from traceability.model.report import Report
 
 
 def reachable(kind: Any, known: set[type]) -> Iterator[type]:
-    """Returns the record classes that a type names, and the record classes of their fields."""
+    """Returns the record classes in a type annotation, and the record classes of their fields."""
     hints = get_args(kind)
     if dataclasses.is_dataclass(kind) and isinstance(kind, type) and kind not in known:
         known.add(kind)

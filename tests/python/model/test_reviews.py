@@ -78,7 +78,7 @@ def tree(sound: Path, tmp_path: Path) -> Path:
 
 @pytest.fixture
 def answers(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Types the answers of the person. They are yes to each question, and a remark."""
+    """Simulates the answers of the person: yes to each question, and a remark."""
     typed = [*("yes" for _ in QUESTIONS), REMARK]
     rest: Iterator[str] = iter(typed)
 

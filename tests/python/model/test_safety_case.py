@@ -49,7 +49,7 @@ def test_a_case_is_read_with_its_links_both_ways(tmp_path: Path) -> None:
 
 
 def test_the_risk_graph_of_the_project_follows_the_sum_of_its_three_estimates() -> None:
-    """Each step of an estimate raises the level by one, as in the standard."""
+    """Each step of one of the three estimates raises the level by one, as in the standard."""
     case = read_safety_case(ROOT, Entries(ROOT))
     for s, e, c in product(range(4), range(5), range(4)):
         rises = s > 0 and c > 0
@@ -170,7 +170,7 @@ def test_what_was_not_measured_is_null(tmp_path: Path) -> None:
         "safety.goals_verified": 1,
         "safety.fault_scenarios": 1,
         "safety.fault_scenarios_passed": 1,
-        "safety.existing_lines_touched": None,  # There is no history.
+        "safety.existing_lines_touched": None,  # There is no git history.
     }
     stale = safety(model.safety, report, fresh=False)
     assert stale["safety.goals_verified"] is None

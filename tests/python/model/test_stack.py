@@ -1,4 +1,4 @@
-"""The largest use of the stack, computed from frames and calls."""
+"""The largest use of the stack, computed from stack frames and calls."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ CALLED = Place("src/robot.cpp", 7)
 
 
 class Targets:
-    """The expected targets of calls. Each call reaches the methods that its argument names."""
+    """The expected targets of calls. A call reaches the methods in its field ``on``."""
 
     def targets(self, call: CallFact) -> list[str]:
         return call.on

@@ -1,4 +1,4 @@
-"""State machines: the changes that recorded calls show."""
+"""State machines: the transitions that recorded calls show."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ STAYS_OFF = Seen("Off", "press", "Off")
 
 
 def watched(calls: str) -> list[Seen]:
-    """Returns the changes in some calls. Each word enters a call, and ``/`` leaves the last
-    call."""
+    """Returns the transitions in recorded calls. In the text of the calls, each word enters a call,
+    and ``/`` leaves the last call."""
     events: list[tuple[str, bool]] = []
     stack: list[str] = []
     for word in calls.split():

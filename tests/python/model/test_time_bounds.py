@@ -61,7 +61,8 @@ ENTERED_TWICE = """
     bne 1b
     bx lr
 """
-# The condition is between two parts of an iteration. The first part can skip an addition.
+# The condition of the loop is between two parts of an iteration. The first part can skip an
+# addition.
 MIDDLE = """
     movs r0, #10
 1:  cbnz r2, 2f
@@ -83,7 +84,7 @@ ASSERTED = """
 2:  udf #0
     bx lr
 """
-# A copy of four registers, and a load and a store of one register.
+# Copies four registers, and loads and stores one register.
 MEMORY = """
     ldm r0, {r1, r2, r3, r4}
     ldr r5, [r0]
@@ -264,8 +265,9 @@ def context(name: str, cycles: int, priority: int, entries: int | None = None) -
 
 def test_an_interrupt_comes_once_before_the_cycle_and_once_in_each_tick_of_it() -> None:
     contexts = [context("thread", CLOCK, 12), context("edge", 1_000, 1, entries=2)]
-    # The cycle lasts longer than a tick. The requests that wait at its beginning are not older than
-    # the greatest response time. All these requests are therefore in two windows of a tick.
+    # The cycle lasts longer than a tick. A request that already waits when the cycle begins came at
+    # most one greatest response time earlier. All these requests therefore came within two time
+    # windows, each as long as a tick.
     assert cycle_response(contexts, noise=False) == CLOCK + 2 * 2 * (1_000 + RETRY)
     # With noise, the handler of the first tick may be late.
     assert cycle_response(contexts, noise=True) == CLOCK + 4 * 4 * (1_000 + RETRY)
@@ -287,8 +289,8 @@ def test_only_higher_and_equal_priorities_delay_an_interrupt() -> None:
 
 
 def test_a_request_that_waits_counts_when_it_falls_into_one_more_window() -> None:
-    """A cycle is shorter than a tick. Together with the waiting time, it may be longer than a
-    tick."""
+    """The cycle is shorter than a tick. The sum of the cycle and the waiting time may be longer
+    than a tick."""
     waits = context("edge", 20_000, 1, entries=1)
     alone = [context("thread", 70_000, 12), waits]
     assert cycle_response(alone, noise=False) == 70_000 + 2 * (20_000 + RETRY)

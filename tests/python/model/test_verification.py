@@ -1,4 +1,4 @@
-"""Code verifies a requirement only if tests of this requirement executed the code."""
+"""A requirement is verified only if its tests passed and executed the code of the requirement."""
 
 from __future__ import annotations
 

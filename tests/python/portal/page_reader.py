@@ -21,7 +21,7 @@ class Shown:
 
 
 class Reader(HTMLParser):
-    """Reads a page. If an element is needed, its text is stored at the end of the element."""
+    """A reader of a page. The text of a wanted element is stored when the element ends."""
 
     WANTED = ("h1", "h2", "h3", "a", "td")
 

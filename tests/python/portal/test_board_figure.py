@@ -1,4 +1,4 @@
-"""The drawing of the headers shows each pin of the firmware at its place."""
+"""The drawing of the board's pin headers shows each pin of the firmware at its position."""
 
 from __future__ import annotations
 

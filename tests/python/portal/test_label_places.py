@@ -1,4 +1,4 @@
-"""The labels of state diagrams are not on the lines of other edges."""
+"""The labels of state diagrams do not cover the arrows of other transitions."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def test_a_label_without_a_line_stays() -> None:
 
 
 def test_a_label_leaves_the_line_of_another_edge() -> None:
-    """The line is at 103. The nearest free place is 8 units higher."""
+    """The arrow is at y = 103. The nearest free position of the label is 8 units higher."""
     line = "M50,103 C100,103 200,103 250,103 "
     assert best_move([LABEL], [line], []) == -8
 

@@ -1,4 +1,4 @@
-"""The page finds declared trees in recorded calls by the same rule as the checks."""
+"""The page finds invocation trees in recorded calls by the same rule as the checks."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Node:
 
 
 class Recorded(Traces):
-    """Generated recorded calls."""
+    """Recorded calls that are generated at random."""
 
     def __init__(self, calls: list[int]) -> None:
         names = {16 * (number + 1): f"M{number}" for number in range(METHODS)}

@@ -1,4 +1,4 @@
-"""The facts of a module, such as its share of the stack."""
+"""The facts on the page of a module, for example its share of the stack."""
 
 from __future__ import annotations
 

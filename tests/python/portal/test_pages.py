@@ -140,7 +140,7 @@ def test_the_search_has_every_kind(portal: Portal) -> None:
 
 
 def test_a_check_that_needs_fresh_results_does_not_hold_without_them(portal: Portal) -> None:
-    assert portal.early == 1, "the links are checked on the finished site"
+    assert portal.early == 1, "only the links are checked later, on the finished site"
     assert "holds" in portal.verdict_of("tree-dynamic")
     stale = Portal(portal.root, replace(portal.model, results_hashes={HOST: None}), REPORT, CHECKS)
     assert "no fresh results" in stale.verdict_of("tree-dynamic")
@@ -274,7 +274,7 @@ def test_a_cell_of_the_matrix_of_uses_leads_to_the_row_with_its_reason(
     assert list(found["labels"]) == ["main_control", MODES]
     assert list(found["cells"]) == [("main_control", MODES)]
     row = f"#use-{slug(f'main_control--{MODES}')}"
-    assert pages["uses"].links[row] == "1"  # number of places in the code
+    assert pages["uses"].links[row] == "1"  # number of source lines with this use
     assert pages["uses"].rows[-1][2] == "it reads"
 
 
@@ -283,7 +283,7 @@ def test_the_index_of_the_trees_leads_to_each_tree(portal: Portal, pages: dict[s
     assert declared
     for requirement in declared:
         assert pages["trees"].links[f"#tree-{requirement.id}"] == requirement.id
-    assert "Reading1 tree" in pages["trees"].headings  # the section and its size
+    assert "Reading1 tree" in pages["trees"].headings  # the heading of a section with one tree
 
 
 def test_a_tree_has_the_modules_of_its_nodes_as_filter(portal: Portal) -> None:

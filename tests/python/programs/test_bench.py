@@ -1,5 +1,5 @@
-"""The bench with the image. The row of a slowed module shows the slowdown. A board is measured
-through its serial line."""
+"""The bench with the firmware image. If a module is slowed down, its row shows this. A board is
+measured through its serial line."""
 
 import json
 import shlex
@@ -27,7 +27,7 @@ FEW = "at 50 arm\nfrom 1550 to 101050 every 100 order velocity 500\nat 101150 en
 
 
 def slowed(folder: Path) -> Path:
-    """Returns the image with a busy loop in an algorithm. The name of the image has no suffix."""
+    """Returns the path, without suffix, of a firmware image with a busy loop in an algorithm."""
     source = folder / ALGORITHM.name
     begin = "  setPoint_.fill(setPoint);\n"
     text = ALGORITHM.read_text(encoding="utf-8")
@@ -53,7 +53,7 @@ def slowed(folder: Path) -> Path:
 
 
 def rows(image: Path, folder: Path) -> dict[str, float]:
-    """Returns the instructions of each module in a cycle."""
+    """Returns the number of instructions of each module in a cycle."""
     scenario, output = folder / "few.scenario", folder / "bench.json"
     scenario.write_text(FEW, encoding="utf-8")
     words: list[str | Path] = [BOARD, "--image", f"{image}.bin", "--scenario", scenario]

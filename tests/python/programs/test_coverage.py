@@ -72,10 +72,11 @@ def test_both_saw_the_same_lines_executed(counted: dict[str, Lines], recorded: C
 
 
 def test_both_saw_the_same_branches_taken(counted: dict[str, Lines], recorded: Coverage) -> None:
-    """The test compares only source files. Functions of headers are in several objects, and gcov
-    counts their branches separately.
+    """The test compares only source files. Functions of headers are in several object files, and
+    gcov counts their branches separately.
 
-    If several functions share a line, gcov reports the branches of each function, or no branches.
+    If several functions share a source line, gcov reports the branches of each function, or no
+    branches.
     """
     taken = recorded.all
     compared = 0

@@ -1,4 +1,4 @@
-"""GDB at the virtual board. The image runs, stops, and goes back in time."""
+"""GDB with the virtual board. The firmware runs, stops, and goes back in time."""
 
 import re
 import shutil

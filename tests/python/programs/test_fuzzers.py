@@ -104,7 +104,8 @@ def faulty(fault: Fault, folder: Path) -> Path:
     link[link.index("-o") + 1] = str(program)
     if replaced in link:
         link[link.index(replaced)] = str(changed_object)
-    else:  # The linker takes this object before the object of the same name in a library.
+    else:
+        # The linker uses this object file instead of the object file of the same name in a library.
         link.insert(link.index("-o"), str(changed_object))
     subprocess.run(link, cwd=BUILD, check=True)
     return program

@@ -1,5 +1,5 @@
-"""The programs that run the firmware: the program for this machine, and the image on the virtual
-K64."""
+"""The programs that run the firmware: the program for the host, and the firmware image on the
+virtual K64."""
 
 import csv
 import json
@@ -44,12 +44,12 @@ def program(request: pytest.FixtureRequest) -> Words:
 
 
 Row = dict[str, str]
-# Columns that depend on the time of a measurement, or on the run time of the image. The firmware
+# Columns that depend on the time of a measurement, or on the run time of the firmware. The firmware
 # decides all other columns of a report.
 MEASURED = {"time_ms", "steering", "velocity", "current", "position", "tension"}
 MEASURED |= {"report_cycles", "awake_cycles", "start_cycles", "rejected_edges"}
 # Orders of the remote control are also measured. Each order is the width of a pulse. The steering
-# follows these orders, so in one of the two runs it may turn by one more step.
+# follows these orders. In one of the two runs, the steering may therefore turn by one more step.
 REMOTE_CONTROL = "0"
 SET_POINTS = {"set_point", "steering_set_point", "turn", "steering_state"}
 # For each column, the greatest value that can be ordered, in the unit of the report.
@@ -90,12 +90,12 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
     example: Path, tmp_path: Path
 ) -> None:
     """Both runs make the same decisions. If a decision depends on a measured value, one run may
-    make it one cycle later.
+    make this decision one cycle later.
 
-    Measured and applied values differ by at most 1.3 % of the range in 94 of 100 cycles. They
-    differ by more than 8 % only in a cycle next to such a decision. While pulses of the remote
-    control are the orders, they differ by at most 8 %. At the end of a connection and of the
-    scenario, one program may have sent one more report.
+    Measured and applied values differ by at most 1.3 % of the range in 94 of 100 cycles. The values
+    differ by more than 8 % only in a cycle next to a decision that one run makes later. While
+    pulses of the remote control are the orders, the values differ by at most 8 %. At the end of a
+    connection and of the scenario, one program may have sent one more report.
     """
     reports = []
     for binding in ("host", "board"):
@@ -122,7 +122,7 @@ def test_the_image_does_what_the_firmware_on_this_machine_does(
 
 
 def shifted_decisions(common: list[tuple[Row, Row]]) -> list[int]:
-    """Returns the cycles in which the two runs decide differently. In such a cycle, one run makes
+    """Returns the cycles in which the two runs decide differently. In these cases, one run makes
     the decision one cycle later.
     """
     found = []

@@ -1,7 +1,7 @@
 """The steps of the page "Values to tune" find the parameters of the simulated robot.
 
-The expected values are the values of the plant in docs/plant.rst. The assumptions of the firmware
-are not used.
+The expected values are the values of the simulated robot in docs/plant.rst. The assumptions of the
+firmware are not used.
 """
 
 import csv

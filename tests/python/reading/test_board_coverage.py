@@ -1,4 +1,4 @@
-"""The lines of the drivers that were executed on the virtual K64."""
+"""The source lines of the drivers that were executed on the virtual K64."""
 
 from traceability.reading.board_coverage import lines_executed, stretches
 

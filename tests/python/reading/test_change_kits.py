@@ -1,5 +1,5 @@
-"""The folders of likely changes: their lines, classes and tests, and the conditions of a proven
-change."""
+"""The folders of likely changes: their changed lines, classes and tests, and the conditions of a
+proven change."""
 
 from __future__ import annotations
 

@@ -129,6 +129,7 @@ def test_a_comment_belongs_to_its_declaration(tmp_path: Path) -> None:
 
 def test_declarations_without_a_comment_are_silent(tmp_path: Path) -> None:
     names = {one.name for one in facts_of(tmp_path).syntax.silent}
-    # The comment of ``count`` follows its last line. The check finds this comment later.
+    # The comment of ``count`` is behind the value. Only a later step of the check finds this
+    # comment.
     wanted = {"silent", "count", "Kind", "Kind::kTwo", "operator=="}
     assert names == {f"Speed::{name}" for name in wanted}

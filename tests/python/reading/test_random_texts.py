@@ -1,5 +1,5 @@
-"""Damaged files of the design never end a tool. The reader returns the content, or a problem with
-its place."""
+"""Damaged files of the design never crash a tool. The reader returns the content, or a problem with
+its file and line."""
 
 from __future__ import annotations
 
@@ -89,8 +89,8 @@ def test_each_line_of_a_damaged_tree_is_a_node_or_an_error(copy: Path, data: st.
 
 
 def below_doubled(text: str, name: str, declared: Declared) -> int:
-    """Returns the number of lines in trees whose requirement has another tree. The error is at the
-    first line of such a tree."""
+    """Returns the number of text lines in invocation trees whose requirement already has another
+    tree. For these trees, the error is reported at the first line."""
     doubled = any(
         "already" in said for place, said, _ in declared.tree_errors if place.file == name
     )

@@ -1,4 +1,4 @@
-"""Recorded calls, and the embedding of trees in them."""
+"""Recorded calls, and the invocation trees that are found in them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""In a browser, the pages have no error and no sideways scroll. The search and the theme work."""
+"""In a browser, the pages have no error and do not scroll sideways. The search and the theme
+work."""
 
 from __future__ import annotations
 
@@ -150,7 +151,7 @@ def test_a_wide_diagram_fits_a_narrow_window_and_is_enlarged_in_a_window(
         "let place = null;"
         "for (let tries = 0; tries < 100 && !place; tries++) {"
         "  await new Promise((done) => view.setTimeout(done, 20));"
-        "  await view.fetch('');"  # The virtual time stops, so even a slow machine draws the page.
+        "  await view.fetch('');"  # The virtual time stops, so even a slow computer draws the page.
         "  place = doc.querySelector('.scroll.wide');"
         "}"
         "const svg = place.querySelector('svg');"
@@ -218,7 +219,7 @@ def test_a_label_of_a_diagram_has_the_width_that_was_measured(server: tuple[str,
     seen, _ = look(server, ["patterns/reading-modes"], probe)
     labels = seen["patterns/reading-modes"]
     assert {"MainController", "read()"} <= {label for label, *_ in labels}
-    # Java rounds the width of each letter. The difference is up to a tenth of a label.
+    # Java rounds the width of each letter. The difference is up to a tenth of the width of a label.
     assert [one for one in labels if abs(one[1] - one[2]) > 2 + 0.1 * one[2]] == []
 
 

@@ -1,5 +1,5 @@
 """The built pages are accessible and do not scroll sideways. On a narrow screen, they are at most
-twice as tall."""
+twice as tall as on a wide screen."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ PAGES = [
     "docs/glossary", "source/index", "source/src/main_control/operation_modes/RC.cpp", "exports",
     "modules/RC", "modules/MainController", "plot",
 ]  # fmt: skip
-# The pages that axe checks. Together they contain all parts of pages.
+# The pages that axe checks. Together they contain all kinds of elements.
 LOOKED_AT = [
     "index", "answers/index", "answers/is-rc-a-state-or-a-decorator", "architecture", "structure",
     "patterns/index", "patterns/reading-modes", "machines", "changes/reading-modes", "products",
@@ -64,7 +64,8 @@ const found = [];
 async function run(width, theme, runOnly) {
   frame.style.width = `${width}px`;
   doc.documentElement.dataset.theme = theme;
-  view.dispatchEvent(new view.Event("resize")); // without a window no frame is drawn that sends it
+  // A browser without a visible window does not send this event.
+  view.dispatchEvent(new view.Event("resize"));
   const result = await view.axe.run(doc, { runOnly, resultTypes: ["violations"] });
   for (const { id, nodes } of result.violations)
     found.push(`${width} ${theme} ${id}: ${nodes.length} x ${nodes[0].target.join(" ")}`);

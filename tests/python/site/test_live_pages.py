@@ -1,4 +1,5 @@
-"""The robot on other pages. The real image drives the robot, and the page marks its calls."""
+"""The robot on the pages of the portal besides "Run the robot". The firmware image drives the
+robot, and the page highlights its calls."""
 
 from __future__ import annotations
 
@@ -47,8 +48,8 @@ vm.runInContext(fs.readFileSync(path.join(scripts, "worker.js"), "utf8"), contex
   process.stdout.write(JSON.stringify(sent.filter((message) => message.kind !== "loaded")));
 })();
 """
-# In a page, the drive is started. After ten cycles it is paused, and the marked parts are
-# collected.
+# The drive is started in a page. After ten cycles, the drive is paused, and the highlighted
+# elements are collected.
 PROBE = """<!doctype html><meta charset="utf-8">
 <iframe style="width:1200px;height:900px"></iframe>
 <script>
@@ -149,7 +150,7 @@ def test_a_drive_shows_the_calls_and_the_present_state_of_each_cycle() -> None:
         one["module"] for beat in beats for one in beat["states"] if one["id"] == "operation-states"
     ]
     assert {"Working", "Waiting", "WaitingN", "Reconnecting"} <= set(states)
-    # A module is marked only in the cycles in which the number of its calls rises.
+    # A module is highlighted only in the cycles in which the number of its calls rises.
     for before, beat in pairwise(beats):
         risen = {name for name in STATES if beat["counts"][name] > before["counts"][name]}
         assert set(beat["active"]) == risen
@@ -170,7 +171,7 @@ def test_each_node_of_a_tree_has_the_time_and_the_arguments_of_its_last_call() -
     assert change["at"] <= found["at"] + 100
     (argument,) = change["values"]
     assert re.fullmatch(r"\w+ at 0x[12]f?f?[0-9a-f]{5,7}", argument), (
-        "the value is an object in RAM"
+        "the value must be an object in RAM"
     )
 
 
@@ -207,7 +208,8 @@ def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
     assert states(after) - states(before) == {"WaitingK"}
     assert states(before) <= states(after)
     assert "WaitingK" in set(after["modules"]) - set(before["modules"])
-    assert set(before["modules"]) - set(after["modules"]) == {"RobotDirector"}  # the composition
+    # The module that composes the robot differs.
+    assert set(before["modules"]) - set(after["modules"]) == {"RobotDirector"}
 
 
 def from_bytes(part: bytes, signed: bool = False) -> int:

@@ -1,4 +1,4 @@
-"""Facts of the project in the exported model. Readers of the code computed these facts."""
+"""Facts in the exported model of this project. The tools compute these facts from the code."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_a_context_reaches_the_objects_that_the_composition_connects(
 
 @pytest.mark.parametrize(
     ("pipe", "kind", "writer", "reader"),
-    [  # the places of a member and of an object outside classes
+    [  # the source lines of a member and of an object outside classes
         (
             "WheelSystemBuilder::velocities_",
             "Pipe<Velocity>",

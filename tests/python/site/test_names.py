@@ -1,4 +1,4 @@
-"""Names of elements in the pages are links to the elements."""
+"""In the pages, the names of modules, methods and requirements are links."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_a_name_set_as_code_is_a_link(page: str, model: dict[str, Any]) -> None:
 
 def test_types_in_a_signature_are_links() -> None:
     links = content("modules/Wheel.html").links
-    # links to setTension, in the interface and in the guide
+    # two links to the type Tension: in the interface, and in the module guide
     assert links.count("datatypes.html#Tension") == 2
 
 

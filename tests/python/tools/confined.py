@@ -1,6 +1,6 @@
 """Environments in which ./wr must end with a message: a full disk, a folder that cannot be written,
 no network, and a user without rights. The environments are Linux namespaces, so no test changes the
-machine.
+computer.
 """
 
 from __future__ import annotations
@@ -40,13 +40,14 @@ def confined(*options: str, first: str, then: list[str | Path]) -> list[str]:
 
 
 def with_disk(folder: Path, size: str, then: list[str | Path]) -> list[str]:
-    """Returns the command with a small disk that is mounted at the folder."""
+    """Returns a command that executes ``then`` with a small disk, which is mounted at the
+    folder."""
     first = f"mount -t tmpfs -o size={size} none {shlex.quote(str(folder))}"
     return confined("--mount", first=first, then=then)
 
 
 def read_only(folder: Path, then: list[str | Path]) -> list[str]:
-    """Returns the command with a folder that cannot be written."""
+    """Returns a command that executes ``then`` with a folder that cannot be written."""
     name = shlex.quote(str(folder))
     first = f"mount --bind {name} {name}\nmount -o remount,ro,bind {name}"
     return confined("--mount", first=first, then=then)
@@ -57,7 +58,7 @@ def without_network(then: list[str | Path]) -> list[str]:
 
 
 def without_rights(then: list[str | Path]) -> list[str]:
-    """Returns the command without the rights of root."""
+    """Returns a command that executes ``then`` without the rights of root."""
     if os.geteuid() != 0:
         return [str(word) for word in then]
     group = str(NOBODY)

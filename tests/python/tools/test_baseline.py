@@ -1,4 +1,4 @@
-"""The measurement of the two designs: the counts from runs, images and sources."""
+"""The measurement of the two designs: the counts from runs, firmware images and sources."""
 
 import sys
 from pathlib import Path

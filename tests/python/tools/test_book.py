@@ -1,5 +1,5 @@
-"""The book. It contains all pages in their order, its links stay inside, and its bytes are the same
-each time."""
+"""The book. It contains all pages in their order, its links lead only to pages of the book, and
+each build gives the same bytes."""
 
 from __future__ import annotations
 

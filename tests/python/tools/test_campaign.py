@@ -42,7 +42,7 @@ root = Path(sys.argv[1])
 sys.exit(run(root, *sys.argv[2:]))
 """
 SOURCE = Path(__file__).resolve().parents[3]
-SLOW = 60  # time limit of a whole test on a busy machine [s]
+SLOW = 60  # time limit of a whole test on a busy computer [s]
 
 
 def small(root: Path) -> Kind:

@@ -1,5 +1,5 @@
 """./wr when space on the disk, a writable folder, the network or rights are missing. Each message
-shows the fault, its place and the next action. The run after the correction succeeds.
+names the fault, the file or folder, and the next action. The run after the correction succeeds.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ def command(root: Path) -> list[str | Path]:
 
 @pytest.fixture
 def copy() -> Iterator[Path]:
-    """Returns a copy of ./wr without its Python packages. Each user can read its folder. The name
-    of the folder has a blank.
+    """Returns a copy of ./wr without its Python packages. Each user can read the folder of the
+    copy. The name of this folder has a blank.
     """
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder) / "a copy"
@@ -150,7 +150,7 @@ def test_set_up_without_network_says_so_and_begins_anew(copy: Path) -> None:
         assert not (copy / ".venv/stamp").exists()
 
 
-# ---- set-up at once and after an end by force --------------------------------------
+# ---- two set-ups at once, and a set-up after a killed one ---------------------------
 
 
 def test_a_set_up_waits_for_another_and_does_not_repeat_it(copy: Path) -> None:

@@ -66,8 +66,8 @@ def test_the_sources_of_two_commits_are_compared(
 def test_changed_files_that_are_not_followed_are_listed(
     root: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Returns the project with changed files. They are a Python test, the tool that it imports, a
-    page and a scenario."""
+    """The changed files are a Python test, the tool that this test imports, a page and a
+    scenario."""
     for name, text in OTHERS.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text)

@@ -1,4 +1,4 @@
-"""All commands explain themselves. They end with the exit codes of one table."""
+"""All commands have a help text. Their exit codes are the exit codes of one table."""
 
 import re
 import subprocess
@@ -17,8 +17,7 @@ assert COMMANDS is not None
 NEEDED = {"review": ["FR-15"], "diff": ["HEAD"], "impact": ["FR-15"], "plot": ["a.csv"]}
 NEEDED["campaign"] = ["faults"]
 NONE = "/no-folder/none"
-# A command that names an input file that does not exist -> a part of the next action in its
-# message.
+# A command with a missing input file -> a part of its message, which names the next action.
 WITHOUT_FILE = {
     f"plot {NONE}.mcap": "./wr monitor",
     f"debug {NONE}.scenario": "sim/scenario/examples",

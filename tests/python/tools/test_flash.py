@@ -1,4 +1,4 @@
-"""./wr flash: the ways to write to a board, and images that are not written."""
+"""./wr flash: the ways to write a firmware image to a board, and images that are not written."""
 
 import contextlib
 import threading
@@ -19,12 +19,12 @@ CODE = bytes(0x400) + WANTED + bytes(100)
 
 
 class Desk:
-    """A machine without tools, probes and drives. A test can add some of them."""
+    """A computer without tools, probes and drives. A test can add some of them."""
 
     def __init__(self, root: Path, capsys: pytest.CaptureFixture[str]) -> None:
         self.root = root
         self.capsys = capsys
-        self.tools = root / "tools"  # the whole PATH of the machine
+        self.tools = root / "tools"  # the whole PATH of the computer
         self.image = root / "image.bin"
         self.tools.mkdir()
         (root / "usb").mkdir()
@@ -95,7 +95,8 @@ def desk(
 
 @contextlib.contextmanager
 def board(drive: Path, failure: str = "", comes: bool = True) -> Iterator[None]:
-    """Acts as a debug probe. After a copy, its drive disappears, and returns with the outcome."""
+    """Acts as a debug probe. After a firmware image was copied to the drive of the probe, the drive
+    disappears, and then returns with the outcome."""
     end = threading.Event()
 
     def take() -> None:
@@ -166,7 +167,7 @@ def test_the_way_can_be_chosen(desk: Desk, way: str) -> None:
     ],
 )
 def test_pyocd_reads_the_flash_back(desk: Desk, content: bytes | None, words: str) -> None:
-    """pyOCD itself does not compare the flash with the image."""
+    """pyOCD itself does not compare the flash with the firmware image."""
     desk.add_probe()
     if content is None:
         desk.add_tool("pyocd")

@@ -1,4 +1,4 @@
-"""The packages import each other in one direction. A wrong import is found."""
+"""The imports between the packages have only one direction. A wrong import is found."""
 
 import shutil
 from pathlib import Path

@@ -1,5 +1,5 @@
-"""A command that is ended at any time. The next run has the right results, and repeats no completed
-task.
+"""A command that is killed at any time. The next run has the right results, and repeats no
+completed task.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from tools.lock import HOLDER, only_one, outliving, programs_of
 from weeding_robot_client.exit_codes import BUSY, INTERRUPTED
 
 SOURCE = Path(__file__).resolve().parents[3]
-# The command, as ./wr begins it. The program prints a line as soon as it can handle interrupts.
+# The command, as ./wr starts it. The program prints a line as soon as it can handle interrupts.
 COMMAND = """
 import sys
 from pathlib import Path

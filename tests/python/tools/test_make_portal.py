@@ -22,7 +22,8 @@ import pytest
 from tools.documents import METRICS
 from tools.lock import HOLDER
 
-# A project whose tests wait for a permission to continue. Its page shows whether the tests ended.
+# A project whose tests wait for a permission to continue. The page of the project shows if the
+# tests ended.
 PORTAL = """
 import sys, time
 from pathlib import Path

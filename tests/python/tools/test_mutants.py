@@ -1,4 +1,5 @@
-"""Mutants of a small class, with their places, the compiled copy, and the tests that find them."""
+"""Mutants of a small class, with their positions in the source, the compiled copy, and the tests
+that find them."""
 
 from __future__ import annotations
 
@@ -96,7 +97,9 @@ def test_a_mutant_that_does_not_compile_is_left_out(tree: Path, tmp_path: Path) 
     found = find_points(tree, FILES[0], FILES, {"Limiter::limited"})
     with (tmp_path / "log").open("w") as log:
         _, held = compiling(tree, FILES[0], found, 1, log)
-    assert not any("3" in one.change or "4" in one.change for one in held), "a narrow constant"
+    assert not any("3" in one.change or "4" in one.change for one in held), (
+        "this change does not fit into the narrow type, so it must not compile"
+    )
     assert [one.change for one in held if one.kind == "constant"] == ["1 + 1", "1 - 1"]
     assert "Limiter.cpp:5" in (tmp_path / "log").read_text()
 
@@ -134,7 +137,7 @@ def test_each_number_switches_its_own_mutant_on(tree: Path) -> None:
     printed = {one.change: said(number) for number, one in enumerate(held, 1)}
     assert said(0) == "3 9 9"
     assert printed["return {} at once"] == "0 0 0"
-    assert printed["without count()"] == "3 9 9", "the output does not depend on this mutant"
+    assert printed["without count()"] == "3 9 9", "this mutant must not change the output"
     assert printed["not value < kMost && value != narrow"] == "9 8 10"
     assert printed["<= for < in value < kMost"] == "3 9 10"
     assert printed[">= for < in value < kMost"] == "9 9 10"
@@ -158,8 +161,9 @@ def test_results_are_read_from_what_the_program_prints() -> None:
     assert outcome.passed == {"A.One", "B.Two"}
 
 
-# With mutant 1, test One fails. With mutant 2, Two ends the program. With mutant 3, Three sleeps.
-# With mutant 4, Two never ends. With mutant 5, the set-up of the suite ends the program.
+# With mutant 1, test One fails. With mutant 2, test Two ends the program. With mutant 3, test Three
+# sleeps. With mutant 4, test Two never ends. With mutant 5, the set-up of the suite ends the
+# program.
 PROGRAM = """\
 #!/bin/sh
 echo "[----------] 3 tests from A"

@@ -170,7 +170,7 @@ def test_a_resumed_run_tries_only_what_no_test_found(
         file.write("// changed\n")
     asked.clear()
     assert run(root, "--resume") == 0
-    assert sorted(asked) == [1, 2], "the file has changed"
+    assert sorted(asked) == [1, 2], "the mutants of a changed file must be tested again"
 
 
 def test_an_ended_run_leaves_the_results_until_then(

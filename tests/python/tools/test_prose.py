@@ -1,4 +1,4 @@
-"""The linter of prose, with the words that it finds and their places."""
+"""The linter of prose, with the words that it finds and the positions of these words."""
 
 from __future__ import annotations
 

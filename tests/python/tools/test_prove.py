@@ -46,7 +46,7 @@ def design(tmp_path: Path) -> Path:
 def change(path: Path, find: str, put: str) -> None:
     text = path.read_text(encoding="utf-8")
     changed, count = re.subn(find, put, text)
-    assert count == 1, f"{path} has {count} times {find}"
+    assert count == 1, f"{path} must contain this text once, not {count} times: {find}"
     path.write_text(changed, encoding="utf-8")
 
 

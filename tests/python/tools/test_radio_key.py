@@ -1,4 +1,4 @@
-"""The key of the Bluetooth device, which is in the image that is flashed."""
+"""The key of the Bluetooth device, which is in the firmware image that is flashed."""
 
 from pathlib import Path
 

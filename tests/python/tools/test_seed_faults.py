@@ -1,5 +1,5 @@
-"""Each check has a seeded fault, and each fault can be inserted. The record is valid only for this
-state.
+"""Each check has a seeded fault, and each fault can be inserted. The record is valid only for the
+present state of the sources.
 
 ``./wr check --drift`` tests whether the checks find the faults. ``./wr test`` runs this command.
 """

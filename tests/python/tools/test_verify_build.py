@@ -17,7 +17,7 @@ ROW = {"id": "FR-1", "state": "verified", "tests": {"A.B": {"host": "passed"}}}
 
 @pytest.fixture
 def built(tmp_path: Path) -> Path:
-    """Returns a project with a commit, its images and its verdicts."""
+    """Returns a project with a commit, its firmware images and its verdicts."""
     root = tmp_path / "project"
     root.mkdir()
     (root / ".gitignore").write_text("/build/\n/.venv\n")

@@ -30,7 +30,8 @@ class CurrentTest : public testing::Test {
  protected:
   CurrentTest() { timer.add(readCnt); }
 
-  /// Runs one tick. At this tick, the conversion of the previous tick has a result.
+  /// Runs one tick. If a sample is given, the conversion that the previous tick requested has ended
+  /// with this sample.
   void tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -45,7 +46,7 @@ class CurrentTest : public testing::Test {
     }
   }
 
-  /// Measures after some ticks with the same sample.
+  /// Measures, and returns the value in the pipe.
   std::optional<Stamped<Current>> measured() {
     sensor.measure();
     return pipe.read();
@@ -184,8 +185,8 @@ TEST_F(CurrentTest, FR125_NothingWithoutSamples) {
   EXPECT_EQ(after.value, before.value);
 }
 
-/// @brief The mean reduces the noise of the sensor. Of 50 mA rms, 5 mA remain in the zero, and 5 mA
-/// remain in the mean of a cycle.
+/// @brief The mean reduces the noise of the sensor. Of a noise of 50 mA rms, 5 mA remain in the
+/// zero point of the sensor, and 5 mA remain in the mean of a cycle.
 /// @verifies FR-125
 /// @verifies FR-126
 TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
@@ -203,8 +204,8 @@ TEST_F(CurrentTest, FR125_NoiseAveragesOut) {
   EXPECT_NEAR(measured()->value.count(), 4000, 50);
 }
 
-/// @brief The mean of the first 64 samples is the zero, if its distance from the middle is at most
-/// 5 % of the range.
+/// @brief The mean of the first 64 samples becomes the zero point of the sensor, if its distance
+/// from the middle is at most 5 % of the range.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   for (const int zero : {2048 - 204, 2000, 2048 + 204}) {
@@ -217,7 +218,7 @@ TEST_F(CurrentTest, FR126_ZeroIsLearned) {
   }
 }
 
-/// @brief A zero that is farther from the middle shows a broken sensor. All later samples are
+/// @brief A zero point that is farther from the middle shows a broken sensor. All later samples are
 /// ignored.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ImplausibleZero) {
@@ -235,7 +236,7 @@ TEST_F(CurrentTest, FR126_ImplausibleZero) {
   }
 }
 
-/// @brief The zero is the mean of its samples, rounded to the nearest number.
+/// @brief The zero point is the mean of its samples, rounded to the nearest number.
 /// @verifies FR-126
 TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
   ticks(32, 2040);
@@ -246,8 +247,8 @@ TEST_F(CurrentTest, FR126_ZeroIsTheMean) {
 }
 
 /// @brief Five successive samples beyond 15 A switch the driver off, in both directions. The
-/// command is executed in the interrupt of the fifth sample, and in the interrupt of each following
-/// sample that is too high.
+/// command that switches the driver off is executed in the interrupt of the fifth sample, and in
+/// the interrupt of each following sample that is too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_FiveInARow) {
   ticks(64, 2048);
@@ -276,7 +277,7 @@ TEST_F(CurrentTest, FR128_NotInARow) {
 }
 
 /// @brief A value at an end of the sensor's range counts as too high, even when it is less than 15
-/// A from the zero.
+/// A from the zero point.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_EndOfTheRange) {
   struct Sensor {
@@ -298,8 +299,8 @@ TEST_F(CurrentTest, FR128_EndOfTheRange) {
   }
 }
 
-/// @brief If the zero is less than 15 A from an end of the range, only the last value of the range
-/// is too high.
+/// @brief If the zero point is less than 15 A from an end of the range, only the last value of the
+/// range is too high.
 /// @verifies FR-128
 TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   struct Sensor {
@@ -324,8 +325,8 @@ TEST_F(CurrentTest, FR128_OnlyTheVeryEnd) {
   }
 }
 
-/// @brief If the mean of a cycle is beyond 16 A, up to the end of the range, the cycle has no
-/// current. The value of a broken sensor is not reported.
+/// @brief If the mean of a cycle is beyond 16 A, up to the end of the range, the current of the
+/// cycle is missing. The value of a broken sensor is not reported.
 /// @verifies FR-125
 TEST_F(CurrentTest, FR125_EndOfTheRangeIsNoMeasurement) {
   ticks(64, 2048);

@@ -97,7 +97,7 @@ TEST(InstantCollector, FR121_CountIsTheSumOfDirections) {
   EXPECT_EQ(known(count).last, Instant(1));
 }
 
-/// @brief Decorators can be combined. Each value is available in any order of the decorators.
+/// @brief Decorators can be combined in any sequence. Each value is then available.
 /// @verifies FR-52
 /// @verifies FR-55
 /// @verifies FR-121

@@ -15,8 +15,8 @@ namespace {
 
 class DirSensorTest : public testing::Test {
  protected:
-  /// Runs one tick. At this tick, the conversion of the previous tick has a result. Returns true
-  /// when the tick has ended a measurement.
+  /// Runs one tick. If a sample is given, the conversion that the previous tick requested has ended
+  /// with this sample. Returns true when the tick has ended a measurement.
   bool tick(std::optional<int> sample) {
     time.advance(milliseconds(1));
     if (sample) {
@@ -49,8 +49,8 @@ TEST_F(DirSensorTest, FR129_SamplesAtEachTick) {
   EXPECT_FALSE(input.result);
 }
 
-/// @brief There is no angle before the first 8 samples. Then there is a new angle with its time at
-/// each 8th tick, and the sensor reports this.
+/// @brief There is no angle before the first 8 samples. Then each 8th tick writes a new angle with
+/// its time, and the sensor returns true at this tick.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_OneAngleInEightTicks) {
   for (int measurement = 1; measurement <= 3; ++measurement) {
@@ -90,8 +90,8 @@ TEST_F(DirSensorTest, FR129_ArgumentsOfTheFunction) {
   EXPECT_EQ(recorded.values[ArgumentId::Offset], 8 * 2048);
 }
 
-/// @brief The whole range is 80 degrees. The middle of the range is straight ahead, and a higher
-/// value is farther to the left.
+/// @brief The range of the sensor is 80 degrees. The middle of the range is straight ahead, and a
+/// higher value is farther to the left.
 /// @verifies FR-129
 TEST_F(DirSensorTest, FR129_ScaleOfTheSensor) {
   for (const int sample : {82, 512, 1024, 2047, 2048, 2049, 3000, 3686, 4013}) {

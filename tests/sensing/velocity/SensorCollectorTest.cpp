@@ -63,7 +63,8 @@ TEST_F(SensorCollectorTest, FR121_TellsTheDirection) {
   EXPECT_EQ(unclear(), 0U);
 }
 
-/// @brief An edge rises when the level of its sensor becomes high, in both directions.
+/// @brief An edge counts as rising when the level of its sensor becomes high, in both directions of
+/// the wheel.
 /// @verifies FR-121
 TEST(HallEdges, FR121_EdgeRisesWithItsLevel) {
   // Records whether each edge rises.
@@ -139,7 +140,7 @@ TEST_F(SensorCollectorTest, FR123_CountsFastReversals) {
   EXPECT_EQ(reversals(), 1U) << "the same direction as before";
 }
 
-/// @brief A short disturbance on one line does not change the position.
+/// @brief A short disturbance on the wire of one sensor does not change the position.
 /// @verifies FR-121
 /// @verifies FR-123
 TEST_F(SensorCollectorTest, FR123_DisturbanceLeavesThePosition) {

@@ -31,7 +31,7 @@ class VelSensorTest : public testing::Test {
 class VelocityAccuracy : public VelSensorTest, public testing::WithParamInterface<double> {};
 
 /// @brief At a constant velocity, the error of each measurement is at most 0.2 % plus the rounding
-/// to the unit.
+/// to 0.1 rpm.
 /// @verifies FR-120
 TEST_P(VelocityAccuracy, FR120_EvenEdges) {
   const double rpm = GetParam();
@@ -67,8 +67,8 @@ TEST_F(VelSensorTest, FR122_StandsAtStart) {
   EXPECT_EQ(measured, 0);
 }
 
-/// @brief For the first edges after a standstill, the time begins at the previous measurement. It
-/// does not begin at the last edge of an earlier movement.
+/// @brief The velocity of the first edges after a standstill is computed over the time since the
+/// previous measurement, not since the last edge of an earlier movement.
 /// @verifies FR-120
 TEST_F(VelSensorTest, FR120_StartsFromStandstill) {
   cycles(100, 3);
@@ -267,8 +267,8 @@ TEST_F(VelSensorTest, FR220_DeadSensorMakesTheVelocityMissing) {
   }
 }
 
-/// @brief A short disturbance of one line causes two implausible edges. The velocity stays valid.
-/// Two disturbances in one cycle make the velocity invalid for this cycle.
+/// @brief A short disturbance on the wire of one sensor causes two implausible edges. The velocity
+/// stays valid. Two disturbances in one cycle make the velocity invalid for this cycle.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_OneDisturbanceInACycleLeavesTheVelocity) {
   const auto disturb = [this](int times) {
@@ -333,7 +333,8 @@ TEST_F(VelSensorTest, FR220_JitterAtRestIsNoDisturbance) {
   }
 }
 
-/// @brief Four simultaneous changes of both levels make the velocity invalid, also at rest.
+/// @brief If both levels change at the same time, the direction is unknown. Four events of this
+/// kind make the velocity invalid, also at rest.
 /// @verifies FR-220
 TEST_F(VelSensorTest, FR220_UnclearEdgesMakeTheVelocityMissing) {
   cycles(0, 3);

@@ -1,5 +1,5 @@
-// A raw image that is not part of the firmware. It runs on the virtual board without a robot and
-// without symbols.
+// A raw program file that is not part of the firmware. The program runs on the virtual board
+// without a robot and without symbols.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,7 +68,8 @@ TEST(AloneTest, UnmodelledRegisterIsNamed) {
   EXPECT_THAT(text, testing::ContainsRegex("at pc 0x[0-9A-F]+, 1[0-9][.][0-9]{3} ms"));
 }
 
-/// @brief When such accesses are warnings, the same access has no effect, and is reported once.
+/// @brief With an option, an access to a register without a model is only a warning. The access has
+/// no effect, and is reported once.
 TEST(AloneTest, UnmodelledRegisterCanBeAWarning) {
   emulator::VirtualBoard board = switchedOn({.unmodelledIsFinding = false});
   ASSERT_TRUE(board.runUntil(10ms));

@@ -49,7 +49,8 @@ TEST(ClockOfBoard, CoreStandsWithoutItsClock) {
   EXPECT_EQ(board.now(), 1s);
 }
 
-/// @brief A timer of N clocks interrupts every N clocks. The duration of the handler has no effect.
+/// @brief A timer with a period of N clock cycles causes an interrupt every N clock cycles. The
+/// duration of the handler has no effect.
 TEST(TimerOfBoard, PulsesExactly) {
   Guest guest("runsTimers");
   guest.handleLine(48, "countsTimer");
@@ -69,7 +70,7 @@ TEST(TimerOfBoard, PulsesExactly) {
   EXPECT_NEAR(static_cast<double>((pulses[598] - pulses[0]).count()), 598e8, 50);
 }
 
-/// @brief A free-running timer counts the clocks that have passed.
+/// @brief A free-running timer counts the clock cycles that have passed.
 TEST(TimerOfBoard, CounterTellsTheTime) {
   Guest guest("runsTimers");
   guest.handleLine(48, "countsTimer");

@@ -47,8 +47,8 @@ double clocksBetween(nanoseconds from, nanoseconds to) {
   return static_cast<double>((to - from).count()) / kBusClock;
 }
 
-/// @brief A pin is high for the fraction of the period that its channel sets. The event contains
-/// this fraction. For a channel without a pin, the fraction is 0.
+/// @brief A pin is high for the fraction of the period that its channel sets. The event of a change
+/// contains this fraction. For a channel without a pin, the fraction is 0.
 TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   VirtualBoard board(Guest("pulses").image());
   EXPECT_EQ(board.pwmDuty(0, 0), 0.0);
@@ -61,22 +61,22 @@ TEST(PulsesOfBoard, PinIsHighForTheShareOfItsValue) {
   EXPECT_EQ(pulses[0].share, 250'000U);
 }
 
-/// @brief Low-true pulses are low for the fraction of the channel.
+/// @brief Low-true pulses are low for the fraction of the period that the channel sets.
 TEST(PulsesOfBoard, LowTruthTurnsTheShareRound) {
   VirtualBoard board(Guest("pulsesWithLowTruth").image());
   ASSERT_TRUE(board.runUntil(1ms));
   EXPECT_EQ(board.pwmDuty(0, 0), 0.75);
 }
 
-/// @brief A value of MOD + 1 keeps the pin high.
+/// @brief If the value of a channel is MOD + 1, the pin stays high during the whole period.
 TEST(PulsesOfBoard, ValueOfThePeriodKeepsThePinHigh) {
   VirtualBoard board(Guest("pulsesWithoutEnd").image());
   ASSERT_TRUE(board.runUntil(1ms));
   EXPECT_EQ(board.pwmDuty(0, 0), 1.0);
 }
 
-/// @brief A new value takes effect at the end of the period, so that each pulse has either the old
-/// or the new width.
+/// @brief A new value takes effect at the end of the period. Each pulse therefore has either the
+/// old or the new width.
 TEST(PulsesOfBoard, NewValueWaitsForTheEndOfThePeriod) {
   VirtualBoard board(Guest("changesWidthInThePeriod").image());
   const auto pulses = pulsesOf(board, 1ms);
@@ -127,7 +127,7 @@ TEST(PulsesOfBoard, ResetEndsThem) {
 }
 
 /// @brief The counter counts prescaled clocks. Its overflow flag stays set until the program has
-/// read and cleared it. Any write sets the counter to 0.
+/// read and cleared it. Any write to the counter sets it to 0.
 TEST(PulsesOfBoard, CounterAndItsFlagCanBeRead) {
   VirtualBoard board(Guest("countsPeriods").image());
   ASSERT_TRUE(board.runUntil(1ms));
@@ -151,8 +151,8 @@ TEST(PulsesOfBoard, ProtectionIsTakenAwayAfterItWasRead) {
   EXPECT_EQ(reported(board, 3), 0x28U);
 }
 
-/// @brief The result is the nearest step of the voltage range. This is true for each number of
-/// bits.
+/// @brief The result of a conversion is the nearest step of the voltage range. This is true for
+/// each number of bits.
 TEST(ConverterOfBoard, ResultIsTheVoltageInSteps) {
   VirtualBoard board(Guest("convertsInputs").image());
   board.setAnalog(0, 12, 1.2345);
@@ -187,14 +187,15 @@ TEST(ConverterOfBoard, FailedCalibrationIsFlagged) {
   EXPECT_NE(board.finding()->what.find("without the gains"), std::string::npos);
 }
 
-/// @brief Each kind of conversion needs its number of clocks, and then raises the interrupt.
-/// Reading the result clears the flag.
+/// @brief Each kind of conversion takes its own number of clock cycles, and then causes the
+/// interrupt. Reading the result clears the flag.
 TEST(ConverterOfBoard, ConversionTakesItsTimeAndInterrupts) {
   struct Kind {
     const char* program;
     double clocks;
   };
-  // A conversion takes 5 bus clocks and some converter clocks. A converter clock has 8 bus clocks.
+  // A conversion takes 5 cycles of the bus clock and some cycles of the converter clock. A cycle of
+  // the converter clock takes 8 cycles of the bus clock.
   for (const Kind& kind : {Kind{"convertsOnce", 5 + 8.0 * (5 + 20)},
                            Kind{"convertsWithLongSample", 5 + 8.0 * (3 + 20 + 20 + 2)},
                            Kind{"convertsFourTimes", 5 + 8.0 * (5 + 4 * 20)}}) {
@@ -250,7 +251,7 @@ TEST(SecondSerialPortOfBoard, HasALineOfItsOwn) {
   EXPECT_THROW(board.receiveOn(2, Bytes{1}), std::invalid_argument);
 }
 
-/// @brief The line of the second serial port has a separate speed.
+/// @brief The serial line of the second port has its own baud rate.
 TEST(SecondSerialPortOfBoard, IsHeldAgainstItsOwnLine) {
   Guest guest("echoesAtSecondUart");
   guest.handleLine(66, "echoesByteOfSecondUart");

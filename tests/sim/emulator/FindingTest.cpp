@@ -127,7 +127,8 @@ TEST(FindingOfBoardAlone, MemoryUpToTheBorderGivesNone) {
   EXPECT_EQ(reported(board, 2), 0x12U);
 }
 
-/// @brief A finding contains the time, and the function and the line of its instruction.
+/// @brief A finding contains the time, the function, and the source line of the instruction that
+/// caused it.
 TEST(FindingOfBoardAlone, NamesFunctionLineAndTime) {
   VirtualBoard board(Guest("usesPortBehindClosedGate").image(), {.elf = Guest::elf()});
   EXPECT_FALSE(board.runUntil(1s));

@@ -110,7 +110,7 @@ TEST_F(CanOfTheBoard, ReceivesTheFramesOfItsIdentifier) {
 }
 
 /// @brief A frame that arrives before the previous frame was read overwrites the previous frame.
-/// The code of the buffer shows this.
+/// The status code of the buffer shows this.
 TEST_F(CanOfTheBoard, ShowsALostFrame) {
   bringUp();
   can.arrive({.identifier = 0x101, .data = {1}});
@@ -145,15 +145,16 @@ TEST_F(CanOfTheBoard, TheSmallerIdentifierWinsTheBus) {
 /// while the controller is disabled, and sending a frame without pins.
 TEST_F(CanOfTheBoard, FindsWhatTheManualForbids) {
   can.write(kBuffer1, 4, 0x04000000);
-  EXPECT_EQ(now.findings.size(), 1U) << "buffer while disabled";
+  EXPECT_EQ(now.findings.size(), 1U) << "the buffer was written while the controller is disabled";
   bringUp();
   can.write(kCtrl1, 4, kTiming + 1);
-  EXPECT_EQ(now.findings.size(), 2U) << "timing while running";
+  EXPECT_EQ(now.findings.size(), 2U) << "the timing was written outside of the freeze mode";
   can.write(kCtrl1, 4, kTiming & ~0x2000U);
-  EXPECT_EQ(now.findings.size(), 3U) << "source of the clock while enabled";
+  EXPECT_EQ(now.findings.size(), 3U)
+      << "the clock source was written while the controller is enabled";
   connected = false;
   can.write(kBuffer2, 4, 0x0C010000);
-  EXPECT_EQ(now.findings.size(), 4U) << "no pins";
+  EXPECT_EQ(now.findings.size(), 4U) << "a frame was sent without pins";
 }
 
 }  // namespace

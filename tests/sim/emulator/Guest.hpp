@@ -14,7 +14,8 @@
 
 namespace wr::test {
 
-/// The image of one of the programs in the folder guest, with its vectors.
+/// The flash content with one of the programs in the folder guest, and with the vectors of this
+/// program.
 class Guest {
  public:
   /// @param program name of the function that starts at reset

@@ -42,12 +42,13 @@ TEST(ProcessorOfBoard, EqualPriorityFollowsByTailChaining) {
   ASSERT_EQ(events.size(), 4U);
   EXPECT_EQ(events[1].kind, Event::Kind::ExceptionLeft);
   EXPECT_EQ(events[2].kind, Event::Kind::ExceptionEntered);
-  // The change takes 6 cycles. A return and an entry would take 22 cycles.
+  // The change to the second handler takes 6 cycles. A return and an entry would take 22 cycles.
   EXPECT_LE(events[2].at - events[1].at, 6 * 48ns);
 }
 
-/// @brief Masked interrupts wait. They are entered in the order of their priorities and numbers. An
-/// interrupt that PRIMASK masks ends the sleep. It is entered when the mask is removed.
+/// @brief Masked interrupts wait, and are later entered in the order of their priorities and
+/// numbers. An interrupt that PRIMASK masks ends the sleep. This interrupt is entered when the mask
+/// is removed.
 TEST(ProcessorOfBoard, MasksKeepInterruptsWaiting) {
   Guest guest("pendsTwoBehindMask");
   guest.handleLine(1, "notesOne").handleLine(2, "notesTwo").handleLine(3, "notesThree");
@@ -123,7 +124,7 @@ TEST(ProcessorOfBoard, CycleCounterCountsInstructions) {
   EXPECT_EQ(board.clockHz(), kStartHz);
 }
 
-/// @brief SysTick counts core clocks. During sleep, no instruction is executed.
+/// @brief SysTick counts cycles of the core clock. During sleep, no instruction is executed.
 TEST(ProcessorOfBoard, SysTickEndsSleep) {
   Guest guest("startsSysTick");
   guest.handle(15, "countsTicks");
@@ -133,8 +134,8 @@ TEST(ProcessorOfBoard, SysTickEndsSleep) {
   EXPECT_LT(board.instructions(), 20'000U);
 }
 
-/// @brief An interrupt may occur inside an IT block. Its handler is not conditional. After the
-/// handler, the rest of the block continues.
+/// @brief An interrupt may occur inside an IT block. The handler is executed unconditionally. After
+/// the handler, the rest of the block continues.
 TEST(ProcessorOfBoard, InterruptsComeInsideConditionalBlocks) {
   Guest guest("runsConditionalBlocks");
   guest.handle(15, "countsTicksBetweenConditions");

@@ -1,4 +1,4 @@
-# A raw image without symbols for the virtual K64. The program is not part of the firmware.
+# Builds a raw program file without symbols for the virtual K64. The program is not part of the firmware.
 set(alone_program ${CMAKE_BINARY_DIR}/guest/alone.bin)
 set(alone_folder ${CMAKE_CURRENT_SOURCE_DIR}/sim/emulator/alone)
 find_program(alone_compiler arm-none-eabi-gcc REQUIRED)
@@ -10,6 +10,6 @@ add_custom_command(OUTPUT ${alone_program}
     ${alone_folder}/alone.c -o ${CMAKE_BINARY_DIR}/guest/alone.elf
   COMMAND ${guest_objcopy} -O binary ${CMAKE_BINARY_DIR}/guest/alone.elf ${alone_program}
   DEPENDS ${alone_folder}/alone.c ${alone_folder}/alone.ld
-  COMMENT "A program for the virtual K64 alone"
+  COMMENT "Program without symbols for the virtual K64"
   VERBATIM)
 add_custom_target(alone_program DEPENDS ${alone_program})

@@ -147,7 +147,8 @@ TEST_F(FaultRunTest, ARandomCampaignHasMoreThanOneClassAndKind) {
   EXPECT_GT(outcomes.size(), 1U);
 }
 
-// The handler returns without clearing the flag of its timer, so the interrupt repeats without end.
+// The handler returns without clearing the flag of its timer, and therefore the interrupt repeats
+// without end.
 TEST_F(FaultRunTest, AnInterruptThatForgetsItsFlagIsFoundWithoutAFault) {
   const Code forgets{0x4770};  // bx lr
   EXPECT_THROW(FaultRun(withHandler(image(), kPulseException, forgets), elf(), kSeed),

@@ -98,7 +98,8 @@ class HostWiresTest : public testing::Test {
   host_robot::HostWires binding{pins, robot};
 };
 
-/// @brief At rest, the currents and the steering are in the middle, and no end stop is reached.
+/// @brief At rest, the inputs of the currents and of the steering angle are in the middle of their
+/// ranges, and no end stop is reached.
 TEST_F(HostWiresTest, AtRestAllIsInTheMiddle) {
   binding.measure();
   for (host::HostWheelPins& wheel : pins.wheels) {

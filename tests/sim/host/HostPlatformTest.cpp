@@ -70,7 +70,7 @@ TEST_F(HostSchedulerTest, OthersRunAfterTheRunningOne) {
   EXPECT_EQ(log, (Log{"high ends", "also high", "low"}));
 }
 
-/// @brief A thread that an interrupt posts runs after the interrupt.
+/// @brief If an interrupt posts a thread, the thread runs after the interrupt.
 TEST_F(HostSchedulerTest, ThreadRunsAfterTheInterrupt) {
   Body highBody([&] { log.emplace_back("high"); });
   high.start(highBody);
@@ -116,7 +116,7 @@ TEST_F(HostSchedulerTest, TimerRaisesItsInterruptWhileItRuns) {
   EXPECT_EQ(pulses, 1);
 }
 
-/// @brief Stepped time passes only when it is advanced.
+/// @brief Stepped time passes only when the test advances it.
 TEST(HostTimebaseTest, SteppedTimePassesByHand) {
   host::HostTimebase time;
   EXPECT_EQ(time.now(), Instant(0));

@@ -13,8 +13,8 @@
 namespace wr::test {
 namespace {
 
-// Returns all examples except the longest example. ScenariosOnBoard repeats the longest example on
-// the virtual board.
+// Returns the names of all example scenarios except the longest. ScenariosOnBoard repeats the
+// longest example on the virtual board.
 std::vector<std::string> examples() {
   std::vector<std::string> names;
   const auto folder = std::filesystem::path(WR_SOURCE_DIR) / "sim/scenario/examples";
@@ -26,7 +26,7 @@ std::vector<std::string> examples() {
   return names;
 }
 
-// Returns all reports of a run, with the true values at their times.
+// Returns all reports of a run, each with the true values of the robot at the time of the report.
 std::string reportsOf(const scenario::Scenario& scenario) {
   host_robot::HostSession robot;
   robot.start();
@@ -37,7 +37,8 @@ std::string reportsOf(const scenario::Scenario& scenario) {
 
 class Repeatability : public testing::TestWithParam<std::string> {};
 
-/// @brief If an example is played twice, the reports and the movements of the robot are the same.
+/// @brief If an example scenario is played twice, the reports and the movements of the robot are
+/// the same.
 /// @verifies NFR-6
 TEST_P(Repeatability, NFR6_SameScenarioGivesTheSameRun) {
   const scenario::Scenario scenario = scenario::Scenario::load(

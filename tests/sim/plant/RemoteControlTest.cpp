@@ -145,7 +145,7 @@ TEST_F(RemoteControlTest, ReceiverThatHoldsRepeatsTheLastPulses) {
   }
 }
 
-/// @brief A receiver with neutral fail-safe sends 1.5 ms on each channel.
+/// @brief A receiver with neutral fail-safe sends pulses of 1.5 ms on each channel.
 TEST_F(RemoteControlTest, ReceiverWithNeutralFailSafeSendsTheMiddle) {
   remote.setFailSafe(plant::FailSafe::Neutral);
   remote.set(plant::Sticks{.velocity = 0.8, .steering = 0.3});

@@ -143,8 +143,8 @@ TEST_F(RobotTest, OrientationTurnsEverything) {
   EXPECT_NEAR(other.currentVolts(3) - Robot::kMiddle, Robot::kMiddle - robot.currentVolts(3), 0.01);
 }
 
-/// @brief Energy is conserved. In a run uphill and downhill, the supply delivers more than the
-/// kinetic energy of the robot. While the robot coasts, the kinetic energy only falls.
+/// @brief The simulation creates no energy. In a run uphill and downhill, the supply delivers more
+/// than the kinetic energy of the robot. While the robot coasts, the kinetic energy only falls.
 TEST_F(RobotTest, EnergyIsOnlyLost) {
   double supplied = 0;
   drive({.duty = 0.8, .backwards = false, .enabled = true});
@@ -229,7 +229,8 @@ TEST_F(RobotTest, ASlopeBeginsAxleByAxle) {
   EXPECT_EQ(robot.slope(), -2);
 }
 
-/// @brief A turn of the motor causes 60 edges, in the sequence of its direction.
+/// @brief A turn of the motor causes 60 edges, in the sequence that belongs to the direction of the
+/// turn.
 TEST_F(RobotTest, SixtyEdgesInATurn) {
   drive({.duty = 0.5, .backwards = false, .enabled = true});
   run(4000);
@@ -317,8 +318,8 @@ TEST_F(RobotTest, NoiseHasTheSizeOfTheSensors) {
   EXPECT_NEAR(std::sqrt(angleSquares / kSamples), 0.05, 0.003);
 }
 
-/// @brief Each step turns the steering by 0.05 degree, up to its ends. At the ends, the switches
-/// operate.
+/// @brief Each step turns the steering by 0.05 degree, up to the ends of its range. At each end,
+/// the end stop is reached.
 TEST_F(RobotTest, SteeringTurnsByStepsToItsEnds) {
   robot.setSteeringEnabled(true);
   for (int i = 0; i < 200; ++i) {
@@ -388,7 +389,7 @@ TEST_F(RobotTest, BrokenCables) {
   EXPECT_EQ(robot.steeringVolts(), 0.0);
 }
 
-/// @brief Only its resistance limits the current of a blocked wheel.
+/// @brief The current of a blocked wheel is limited only by the resistance of its motor.
 TEST_F(RobotTest, BlockedWheelDrawsAllCurrent) {
   robot.setFault(Fault::Block, 1, true);
   drive({.duty = 1.0, .backwards = false, .enabled = true});
@@ -397,8 +398,9 @@ TEST_F(RobotTest, BlockedWheelDrawsAllCurrent) {
   EXPECT_NEAR(robot.currentAmperes(1), 24.0 / 1.42, 0.1);
 }
 
-/// @brief Each of four blocked wheels draws 15.6 A. With its resistance of 0.03 ohm, the voltage of
-/// the battery falls from 24 V to less than 22.2 V. Without load, it is 24 V again.
+/// @brief Each of four blocked wheels draws 15.6 A. The battery has a resistance of 0.03 ohm, and
+/// therefore its voltage falls from 24 V to less than 22.2 V. Without load, its voltage is 24 V
+/// again.
 TEST_F(RobotTest, BatterySagsUnderLoad) {
   robot.setParameter(plant::Parameter::Battery, 0.03);
   for (std::size_t wheel = 0; wheel < plant::kWheels; ++wheel) {
@@ -443,9 +445,9 @@ TEST_F(RobotTest, VariedRobotsLieInTheirBands) {
   EXPECT_GT(highest, 28.5);
 }
 
-/// @brief Both front wheels move on circles around the same centre. At 32 degrees, the inner wheel
-/// is turned by 38.2 degrees, and the outer wheel is turned by 27.4 degrees (cot outer - cot inner
-/// = track / wheelbase).
+/// @brief Both front wheels move on circles around the same centre. At a steering angle of 32
+/// degrees, the inner wheel is turned by 38.2 degrees, and the outer wheel is turned by 27.4
+/// degrees (cot outer - cot inner = track / wheelbase).
 TEST_F(RobotTest, FrontWheelsTurnAboutOnePoint) {
   plant::SteeringLinkage linkage;
   linkage.turn(32);
@@ -592,8 +594,8 @@ TEST_F(RobotTest, MisplacedSensorMakesShortGaps) {
   }
 }
 
-/// @brief Glitches are pulses of 30 us on sensor a, at the given rate. The robot does not report
-/// lost edges.
+/// @brief The fault "glitches" adds pulses of 30 us to sensor a, at the given rate. The fault "lost
+/// edges" removes edges at the given rate.
 TEST_F(RobotTest, GlitchesAndLostEdges) {
   robot.setFault(Fault::HallGlitches, 0, true, 50);
   run(10'000);
@@ -672,7 +674,8 @@ TEST_F(RobotTest, AngleThatIsOpenStuckOrDrifts) {
   EXPECT_NEAR(robot.steeringVolts(), 2.45, 0.01);
 }
 
-/// @brief The contact of an end stop is open at its end and when its wire is broken.
+/// @brief The contact of an end stop is open when the end stop is reached, and when its wire is
+/// broken.
 TEST_F(RobotTest, BrokenWireOfAnEndStopIsOpen) {
   EXPECT_FALSE(robot.leftEnd());
   robot.setFault(Fault::LeftEnd, 0, true);

@@ -10,7 +10,7 @@ namespace {
 using programs::Pace;
 using std::chrono::milliseconds;
 
-/// A clock that advances only by the test and by a sleep.
+/// A clock that advances only when the test advances it, or when the pace sleeps.
 class PaceOfTheRobot : public testing::Test {
  protected:
   Pace::Clock::time_point clock;
@@ -25,7 +25,7 @@ TEST_F(PaceOfTheRobot, WaitsForTheClock) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(6));
 }
 
-/// @brief The robot's time catches up after a delay of the machine of 20 ms.
+/// @brief If the computer is late by 20 ms, the time of the robot catches up.
 TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   clock += milliseconds(25);
   pace.waitFor(milliseconds(5));
@@ -35,7 +35,8 @@ TEST_F(PaceOfTheRobot, MakesUpForAShortDelay) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(30));
 }
 
-/// @brief After a longer delay, the robot's time continues without catching up.
+/// @brief If the computer is late by more than 20 ms, the time of the robot continues without
+/// catching up.
 TEST_F(PaceOfTheRobot, StandsStillWhileTheMachineIsLate) {
   clock += milliseconds(1005);
   pace.waitFor(milliseconds(5));
@@ -44,7 +45,7 @@ TEST_F(PaceOfTheRobot, StandsStillWhileTheMachineIsLate) {
   EXPECT_EQ(clock.time_since_epoch(), milliseconds(1006));
 }
 
-/// @brief By default, the clock of the machine is used.
+/// @brief By default, the clock of the computer is used.
 TEST_F(PaceOfTheRobot, FollowsTheMachine) {
   const auto before = Pace::Clock::now();
   Pace real;

@@ -34,7 +34,7 @@ Bytes readAll(programs::SerialLine& line, std::size_t count) {
   return all;
 }
 
-// A program at the other end of a line.
+// A program at the other end of a serial line.
 class Client {
  public:
   explicit Client(const std::string& path) : file_(open(path.c_str(), O_RDWR | O_NOCTTY)) {}
@@ -149,7 +149,7 @@ TEST(TcpLineTest, NamesAPortThatIsInUse) {
   }
 }
 
-/// @brief The kinds of lines are pty, stdout and tcp with a port from 0 to 65535.
+/// @brief The kinds of serial lines are pty, stdout and tcp with a port from 0 to 65535.
 TEST(SerialLineTest, HasThreeKinds) {
   for (const char* kind : {"pty", "stdout", "tcp:0", "tcp:65535"}) {
     EXPECT_TRUE(programs::isLineKind(kind)) << kind;
@@ -160,7 +160,7 @@ TEST(SerialLineTest, HasThreeKinds) {
 }
 
 /// @brief The text of a voltage contains the converter, the input and the volts. Each of these
-/// parts has a range.
+/// parts is limited to a range.
 TEST(SignalsTest, ReadsVoltages) {
   const programs::AnalogSignal signal = programs::analogSignalOf("ADC1_SE23=3.3");
   EXPECT_EQ(signal.converter, 1);
@@ -172,8 +172,8 @@ TEST(SignalsTest, ReadsVoltages) {
   }
 }
 
-/// @brief The text of a level contains the port, the pin and the level. Each of these parts has a
-/// range.
+/// @brief The text of a level contains the port, the pin and the level. Each of these parts is
+/// limited to a range.
 TEST(SignalsTest, ReadsLevels) {
   const programs::DigitalSignal signal = programs::digitalSignalOf("PTE31=1");
   EXPECT_EQ(signal.port, 'E');

@@ -73,8 +73,8 @@ class ControlChannelTest : public testing::Test {
   const bool made = std::filesystem::create_directory(folder);
 };
 
-/// @brief An action of the world has its effect. A second action replaces the first action. A slope
-/// is complete after 2 s.
+/// @brief An action changes the simulated robot or the ground. A second action of the same kind
+/// replaces the first action. A slope has its full value after 2 s.
 TEST_F(ControlChannelTest, ActionsActOnTheRobotThatRuns) {
   scenario::ControlChannel channel("", robot);
   EXPECT_EQ(channel.perform("slope 10"), "ok");
@@ -86,7 +86,7 @@ TEST_F(ControlChannelTest, ActionsActOnTheRobotThatRuns) {
   EXPECT_DOUBLE_EQ(robot.robot().slope(), -5);
 }
 
-/// @brief No time of the robot passes during an action.
+/// @brief The time of the robot does not advance during an action.
 TEST_F(ControlChannelTest, AnActionTakesNoTime) {
   scenario::ControlChannel channel("", robot);
   const scenario::RobotSession::Time before = robot.now();
@@ -119,7 +119,8 @@ TEST_F(ControlChannelTest, ActionsOfThePcAreRefused) {
   EXPECT_EQ(robot.takeSent().size(), 0U);
 }
 
-/// @brief The sender of each datagram gets an answer. The socket is removed with the channel.
+/// @brief The sender of each datagram gets an answer. When the channel is destroyed, its socket is
+/// removed.
 TEST_F(ControlChannelTest, TheSocketAnswersItsSender) {
   {
     scenario::ControlChannel channel(path, robot);
@@ -137,8 +138,8 @@ TEST_F(ControlChannelTest, TheSocketAnswersItsSender) {
   EXPECT_FALSE(std::filesystem::exists(path));
 }
 
-/// @brief A socket of a simulator that has ended is replaced. A file of another kind is not
-/// replaced.
+/// @brief The channel replaces a socket that an earlier simulator has left behind. A file of
+/// another kind is not replaced.
 TEST_F(ControlChannelTest, AnOldSocketIsReplacedAndAnotherFileIsNot) {
   const int old = socket(AF_UNIX, SOCK_DGRAM, 0);
   sockaddr_un address{};

@@ -93,9 +93,9 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"at 0 hello there\n", "text:1: 'there' is a superfluous word"},
       {"from 9 to 8 every 1 hello\n", "text:1: there are no times between these limits"},
       {"from 0 to 8 every 0 hello\n", "text:1: there are no times between these limits"},
-      {"from 0 to 100000 every 1 hello\n", "text:1: the line acts more than 100000 times"},
+      {"from 0 to 100000 every 1 hello\n", "text:1: this line is executed more than 100000 times"},
       {"from 0 until 8 every 1 hello\n", "text:1: 'to' is expected here, not 'until'"},
-      {"at 0 order speed 3\n", "text:1: an order has no part 'speed'"},
+      {"at 0 order speed 3\n", "text:1: an order has no field 'speed'"},
       {"at 0 order velocity\n", "text:1: a number is missing"},
       {"at 0 order velocity 40000\n", "text:1: '40000' is not a number from -32768 to 32767"},
       {"at 0 order velocity 1 2\n", "text:1: a number is missing"},
@@ -113,27 +113,31 @@ TEST(ScenarioTest, ErrorsNameFileAndLine) {
       {"at 0 expect way\n", "text:1: the value of way is missing"},
       {"at 0 rc on\n", "text:1: 'velocity' is expected here, not 'on'"},
       {"at 0 rc velocity 1\n", "text:1: 'steering' is missing"},
-      {"at 0 noise maybe\n", "text:1: 'maybe' is not on or off: on, off"},
+      {"at 0 noise maybe\n", "text:1: 'maybe' is not on or off; choose from: on, off"},
       {"at 0 slope steep\n", "text:1: 'steep' is not a slope in percent"},
       {"at 0 fault\n", "text:1: a fault is missing"},
       {"at 0 fault brain\n",
-       "text:1: 'brain' is not a fault: hall, hall-a, hall-b, hall-swapped, hall-misplaced, "
-       "hall-glitches, hall-losses, leads, block, current, current-open, current-stuck, "
+       "text:1: 'brain' is not a fault; choose from: hall, hall-a, hall-b, hall-swapped, "
+       "hall-misplaced, hall-glitches, hall-losses, leads, block, current, current-open, "
+       "current-stuck, "
        "current-offset, angle, angle-open, angle-stuck, angle-drift, stall, left-end, right-end"},
       {"at 0 fault hall-misplaced 1\n", "text:1: the size of the fault is missing"},
       {"at 0 rc enable on\n",
-       "text:1: 'on' is not a position of the enable switch: stop, pc, drive, stop-pc, pc-drive"},
+       "text:1: 'on' is not a position of the enable switch; choose from: stop, pc, drive, "
+       "stop-pc, "
+       "pc-drive"},
       {"at 0 estop pull\n", "text:1: 'press' is expected here, not 'pull'"},
       {"plant big\nat 0 end\n",
-       "text:1: 'big' is not a parameter of the robot: supply, battery, mass, inertia, resistance, "
-       "motor-constant, friction, rolling, current-gain, angle-gain"},
+       "text:1: 'big' is not a parameter of the robot; choose from: supply, battery, mass, "
+       "inertia, "
+       "resistance, motor-constant, friction, rolling, current-gain, angle-gain"},
       {"plant supply 0\n", "text:1: a parameter of the robot must be greater than 0"},
       {"at 0 hello\nplant nominal\n",
        "text:2: a line with plant must be before all lines that have a time"},
       {"at 0 expect way 1 within 5\n", "text:1: 'ms' is missing"},
       {"at 0 repair hall 4\n", "text:1: '4' is not a wheel from 0 to 3"},
       {"at 0 fault angle 1\n", "text:1: '1' is a superfluous word"},
-      {"seed x\n", "text:1: 'x' is no seed"},
+      {"seed x\n", "text:1: 'x' is not a seed"},
       {"at 0 hello\nseed 1\n",
        "text:2: a line with seed must be before all lines that have a time"},
       {"at 0 end\nat 1 hello\n", "text:2: nothing may follow 'end'"},
@@ -173,8 +177,8 @@ TEST(ScenarioTest, ADamagedScenarioIsReadOrHasALineWithAnError) {
   EXPECT_GT(errors, 100);
 }
 
-/// @brief The sticks of the remote control have the units of orders. A fault has a name and a
-/// wheel.
+/// @brief The positions of the sticks of the remote control are in the units of orders. A fault has
+/// a name and a wheel.
 TEST(ScenarioTest, ActionsOfTheWorld) {
   const scenario::Scenario scenario = scenarioOf(
       "seed 9\nat 0 rc velocity -1500 steering 1600\nat 1 rc off\nat 2 slope -2.5\n"
@@ -195,7 +199,8 @@ TEST(ScenarioTest, ActionsOfTheWorld) {
   EXPECT_FALSE(worldOf<scenario::world::SetNoise>(steps[5]).on);
 }
 
-/// @brief Switch, fail-safe, emergency stop, plant, clock and reset are also actions of the world.
+/// @brief Actions can also set the enable switch, the fail-safe, the emergency stop, the parameters
+/// of the robot and the clock, and can cause a reset.
 TEST(ScenarioTest, SafetyActionsOfTheWorld) {
   const scenario::Scenario scenario = scenarioOf(
       "plant varied\nplant supply 21000\nat 0 rc enable drive\nat 1 rc failsafe hold\n"
@@ -237,7 +242,7 @@ TEST(ScenarioTest, ArmConnectsAndOrdersNeutral) {
   }
 }
 
-/// @brief An action of the world can be read from a single line.
+/// @brief An action on the robot or its surroundings can be read from a single line of text.
 TEST(ScenarioTest, WorldActionOfALine) {
   EXPECT_TRUE(std::holds_alternative<scenario::world::SetEmergencyStop>(
       scenario::worldActionOf("estop press")));
@@ -298,8 +303,8 @@ TEST(ScenarioPlayerTest, HostHasNoExternalClock) {
   EXPECT_THROW(static_cast<void>(played("at 0 clock lost\nat 10 end\n")), std::runtime_error);
 }
 
-/// @brief Actions of the world affect the robot. A scenario can have expectations about the true
-/// values of the robot.
+/// @brief Actions on the surroundings affect the robot. A scenario can have expectations about the
+/// true values of the robot.
 TEST(ScenarioPlayerTest, WorldActsOnTheRobot) {
   const auto outcome = played(
       "seed 5\nat 0 noise off\nat 100 slope 20\nat 2200 expect way between -3000 -10\n"
@@ -339,17 +344,17 @@ TEST(ScenarioPlayerTest, FailedExpectationsAreTold) {
       "at 50 expect state Working\nat 50 expect session 1\nat 50 confirm\nat 60 connect\n"
       "at 350 expect state Working\nat 350 expect-silence 100\nat 360 expect-finding clock-gate\n"
       "at 400 end\n");
-  EXPECT_THAT(
-      outcome.failures,
-      testing::ElementsAre("text:1: state is unknown: no Report has come, at 50 ms",
-                           "text:2: session is unknown: no Welcome has come, at 50 ms",
-                           "text:3: there is no Welcome to confirm, at 50 ms",
-                           "text:5: state is 1, not Working, at 350 ms",
-                           testing::MatchesRegex("text:6: a report came at 3.. ms, at 350 ms"),
-                           "text:7: there was no finding clock-gate, at 360 ms"));
+  EXPECT_THAT(outcome.failures,
+              testing::ElementsAre(
+                  "text:1: state is unknown: no Report was received, at 50 ms",
+                  "text:2: session is unknown: no Welcome was received, at 50 ms",
+                  "text:3: there is no Welcome to confirm, at 50 ms",
+                  "text:5: state is 1, not Working, at 350 ms",
+                  testing::MatchesRegex("text:6: a report was received at 3.. ms, at 350 ms"),
+                  "text:7: there was no finding clock-gate, at 360 ms"));
 }
 
-/// @brief Raw bytes are sent unchanged, and each report is a line of the table.
+/// @brief Raw bytes are sent unchanged, and each report becomes a row of the table of reports.
 TEST(ScenarioPlayerTest, RawBytesAndTableOfReports) {
   std::ostringstream table;
   const auto outcome = played(

@@ -70,8 +70,8 @@ TEST(LiveRobotTest, RunsCycleByCycle) {
   EXPECT_GT(std::ranges::max(robot->entries()), 4U);
 }
 
-/// @brief The record of the last call of a function has its time and its registers. A function that
-/// was never called has no time.
+/// @brief The record of the last call of a function contains the time and the registers of this
+/// call. A function that was never called has no time.
 TEST(LiveRobotTest, RecordsTheLastCallOfEachFunction) {
   const auto robot = robotIn(kFree);
   run(*robot, kCyclesToMode);
@@ -83,22 +83,22 @@ TEST(LiveRobotTest, RecordsTheLastCallOfEachFunction) {
     EXPECT_LE(calls[i].at, now);
     if (robot->entries()[i] > 0) {
       called = true;
-      EXPECT_GE(calls[i].at.count(), 0) << "an entered function was called";
+      EXPECT_GE(calls[i].at.count(), 0) << "a function that was entered must have a time";
     }
   }
   EXPECT_TRUE(called);
   EXPECT_TRUE(std::ranges::any_of(calls, [](const auto& call) { return call.at.count() < 0; }));
 }
 
-/// @brief The entries and exits of interrupts and threads are in the order of time. A cycle
-/// contains them from one clock pulse to the next. There is a tick in each millisecond.
+/// @brief The record of a cycle contains the entries and exits of interrupts and threads from one
+/// clock pulse to the next, in the order of time. There is a tick in each millisecond.
 TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
   const auto robot = robotIn(kFree);
   run(*robot, kCyclesToMode);
   const auto& switches = robot->cycle().switches;
   ASSERT_FALSE(switches.empty());
   EXPECT_EQ(switches.front().at, 0U);
-  EXPECT_TRUE(switches.front().entered) << "the clock pulse";
+  EXPECT_TRUE(switches.front().entered) << "the first event must be the clock pulse";
   EXPECT_TRUE(std::ranges::is_sorted(switches, {}, &web::LiveRobot::Switch::at));
   EXPECT_LT(switches.back().at, kLongestCycle);
   std::map<std::uint32_t, int> active;
@@ -108,7 +108,7 @@ TEST(LiveRobotTest, RecordsInterruptsAndThreads) {
     EXPECT_TRUE(active[one.exception] == 0 || active[one.exception] == 1);
     begins[one.exception] += one.entered ? 1 : 0;
   }
-  EXPECT_EQ(begins[switches.front().exception], 1) << "one clock pulse";
+  EXPECT_EQ(begins[switches.front().exception], 1) << "a cycle must have one clock pulse";
   EXPECT_TRUE(std::ranges::any_of(
       begins, [](const auto& one) { return one.second >= kTicks - 1 && one.second <= kTicks; }));
 }
@@ -144,7 +144,7 @@ TEST(LiveRobotTest, RecordsTheLine) {
   run(*robot, 5);
   const auto pieces = robot->takePieces();
   const auto ofPc = std::ranges::count_if(pieces, &web::RecordedLine::Piece::fromPc);
-  EXPECT_EQ(ofPc, 2) << "Hello and Confirm";
+  EXPECT_EQ(ofPc, 2) << "the PC must have sent a Hello and a Confirm";
   EXPECT_GT(pieces.size(), 4U);
   EXPECT_TRUE(robot->takePieces().empty());
 }

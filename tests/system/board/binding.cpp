@@ -1,4 +1,5 @@
-// In this target, the robot of the system tests is the image of the firmware on the virtual K64.
+// When the system tests are built for the virtual K64, their robot is the firmware image on the
+// virtual K64.
 
 #include <chrono>
 #include <memory>

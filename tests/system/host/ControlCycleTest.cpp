@@ -23,8 +23,8 @@ class Action final : public Command {
 
 class ControlCycleOfRobotOnHost : public testing::Test {
  protected:
-  // Advances the time by a period in one step. Then the second timer ticks, so that the steering
-  // works.
+  // Advances the time by a period in one step. Then the second timer ticks, because the steering
+  // works only with these ticks.
   void skipPeriod() {
     constexpr int kBeats = 8;
     robot.time.advance(robot.robot.period());

@@ -4,7 +4,8 @@
 namespace wr::test {
 namespace {
 
-// Adds the remote control, and also compares values that no report contains.
+// The comparison of the robot with the reference, with the PC and a remote control as sources of
+// orders. It also compares values that no report contains.
 class ComparisonInside final : public Comparison {
  public:
   ComparisonInside(HostSteppedRobot& robot, std::mt19937& random)
@@ -48,7 +49,7 @@ class MainControlRobot final : public HostSteppedRobot {
 };
 
 /// @brief The test runs 10000 random sequences of orders from both sources. In every cycle, the
-/// robot behaves like a reference that was written from the requirements. It executes each
+/// robot behaves like a reference that was written from the requirements. The robot executes each
 /// transition of both state machines often.
 /// @verifies FR-10
 /// @verifies FR-11

@@ -8,7 +8,7 @@ namespace {
 
 class OperationStatesOfRobotOnHost : public testing::Test {
  protected:
-  // Connects the PC while the robot follows the remote control, so that every later cycle sends a
+  // Connects the PC while the robot follows the remote control. Every later cycle then sends a
   // report.
   void SetUp() override {
     robot.rcOrder(100, 0);

@@ -89,8 +89,9 @@ TEST_F(OrdersOfRobotOnHost, FR19_SourceIsThatOfTheSetPointsInForce) {
   EXPECT_EQ(robot.report().orderId, 3);
 }
 
-/// @brief A stop of the PC holds the robot even while it reads from the remote control. The hold
-/// lasts until the PC sends an order without stop. The orders of the remote control are still read.
+/// @brief A stop order of the PC holds the robot even while the robot reads from the remote
+/// control. The hold lasts until the PC sends an order without stop. The orders of the remote
+/// control are still read.
 /// @verifies FR-21
 TEST_F(OrdersOfRobotOnHost, FR21_StopOfThePcActsInModeRc) {
   commandByRc();

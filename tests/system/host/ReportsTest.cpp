@@ -42,8 +42,8 @@ TEST_F(ReportsOfRobotOnHost, FR65_ConditionsAreToldInTheCycleInWhichTheyAre) {
   EXPECT_EQ(robot.report().rejectedEdges, (std::array<std::uint16_t, 4>{}));
 }
 
-/// @brief While the line accepts no bytes, whole reports are dropped and counted, and the cycles
-/// continue.
+/// @brief While the serial line accepts no bytes, whole reports are dropped and counted, and the
+/// cycles continue.
 /// @verifies FR-64
 TEST_F(ReportsOfRobotOnHost, FR64_ReportWithoutRoomIsDroppedWholeAndCounted) {
   robot.connect();

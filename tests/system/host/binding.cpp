@@ -1,4 +1,4 @@
-// In this target, the robot of the system tests is the firmware on the host.
+// When the system tests are built for the host, their robot is the firmware on the host.
 
 #include "sim/host_robot/HostSession.hpp"
 #include "system/SteppedRobot.hpp"

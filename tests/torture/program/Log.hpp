@@ -8,18 +8,18 @@
 
 namespace wr::torture {
 
-/// @brief The records of the program. They are passed to the machine that runs the program.
+/// @brief The records of the program. The log passes them to the emulator that runs the program.
 class Log {
  public:
-  /// @brief Adds a record. Each exception can call this function, because exceptions occur only
-  /// when the program triggers them.
+  /// @brief Adds a record. The handlers of all exceptions can call this function, because
+  /// exceptions occur only when the program triggers them.
   void add(const Record& record);
 
-  /// @brief Passes the records to the machine when many records have been collected. Only thread
+  /// @brief Passes the records to the emulator when many records have been collected. Only thread
   /// mode calls this function.
   void hand();
 
-  /// @brief Passes the last records to the machine and ends the run.
+  /// @brief Passes the last records to the emulator and ends the run.
   void end();
 
  private:

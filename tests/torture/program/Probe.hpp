@@ -27,7 +27,7 @@ struct Probe {
 static_assert(offsetof(Probe, fpAfter) == 272);
 
 extern "C" {
-/// @brief Stores R1 at R0.
+/// @brief Stores R1 at the address in R0.
 void probeStore(Probe& probe);
 /// @brief Calls the supervisor.
 void probeSupervisor(Probe& probe);
@@ -35,7 +35,7 @@ void probeSupervisor(Probe& probe);
 void probeUndefined(Probe& probe);
 /// @brief Reads from the address in R0, which has no memory, to R2.
 void probeBusError(Probe& probe);
-/// @brief Stores R1 at R0 and copies R3 to R2, in an IT block.
+/// @brief In an IT block, stores R1 at the address in R0, and copies R3 to R2.
 void probeItBlock(Probe& probe);
 }
 

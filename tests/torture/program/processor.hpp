@@ -91,7 +91,7 @@ inline void waitForInterrupt() {
   asm volatile("dsb\n\twfi\n\tisb" ::: "memory");
 }
 
-/// @brief Requests a service from the machine, as the semihosting specification of Arm defines.
+/// @brief Requests a service from the emulator, as the semihosting specification of Arm defines.
 inline std::uint32_t semihosting(std::uint32_t operation, const void* parameters) {
   register std::uint32_t r0 asm("r0") = operation;
   register const void* r1 asm("r1") = parameters;

@@ -16,7 +16,8 @@
   .text
   .global start
   .thumb_func
-// On both machines, RAM is zero after power-on. With an odd seed, thread mode has a separate stack.
+// In both emulators, RAM is zero after power-on. With an odd seed, thread mode has a separate
+// stack.
 start:
   ldr r0, =0xE000ED88  // CPACR: floating point
   ldr r1, =0x00F00000

@@ -1,5 +1,5 @@
-// Triggers random exceptions. No timer runs, so that only the program causes exceptions. Each
-// machine must handle them in the same order.
+// Triggers random exceptions. Only the program causes exceptions, because no timer runs. Both
+// emulators must handle the exceptions in the same sequence.
 #include "torture/program/Log.hpp"
 #include "torture/program/Probe.hpp"
 #include "torture/program/processor.hpp"
@@ -40,7 +40,8 @@ constexpr std::uint32_t bit(std::uint32_t number) {
   return std::uint32_t{1} << number;
 }
 
-/// @brief Returns one to three lines. They often include the line whose handler runs.
+/// @brief Returns one to three interrupt lines, as bits. These lines often include the interrupt
+/// line whose handler runs.
 std::uint32_t randomLines() {
   std::uint32_t lines = bit(random(32));
   if (random(3) == 0) {
@@ -54,8 +55,8 @@ std::uint32_t randomLines() {
 }
 
 void note(Kind kind, std::uint32_t detail) {
-  // ICSR is compared without the bits that machines may compute in different ways. VECTPENDING may
-  // be computed with or without BASEPRI, and ISRPENDING with or without the lines that are not
+  // ICSR is compared without the bits that processors may compute in different ways. VECTPENDING
+  // may be computed with or without BASEPRI, and ISRPENDING with or without the lines that are not
   // enabled. RETTOBASE may differ in thread mode.
   const std::uint32_t controlBits = depth == 0 ? 0x940001FF : 0x940009FF;
   const Masks now = masks();
@@ -167,13 +168,13 @@ void setPriority() {
   synchronize();
 }
 
-/// @brief Sets the priorities of four lines in one access.
+/// @brief Sets the priorities of four interrupt lines in one access.
 void setPriorities() {
   write(kPriority + random(8) * 4, random() & 0xF0F0F0F0);
 }
 
 /// @brief Enables or disables the separate handlers of the memory, bus and usage faults. Without
-/// its handler, a fault is a hard fault.
+/// its handler, a fault becomes a hard fault.
 void enableFaults() {
   const std::uint32_t others = read(kSystemHandlers) & ~(bit(16) | bit(17) | bit(18));
   write(kSystemHandlers, others | random(8) << 16);
@@ -211,8 +212,8 @@ void maskInterrupts(std::uint32_t inner) {
   setInterruptMask(before);
 }
 
-/// @brief Masks faults. Sometimes an exception returns with the mask set, and its return clears the
-/// mask.
+/// @brief Masks faults. Sometimes the handler of an exception returns while the mask is set. Its
+/// return clears the mask.
 void maskFaults(std::uint32_t inner) {
   if (unmaskable > 0) {
     return;
@@ -328,7 +329,7 @@ Action randomAction(std::uint32_t inner) {
   if (choice < 26) {
     return Action::PendSystem;
   }
-  // The nesting of sections is at most two.
+  // A section is an action that runs other actions inside. Sections are nested at most twice.
   const auto kinds = static_cast<std::uint32_t>(Action::End);
   const auto action = static_cast<Action>(choice - 26 < kinds ? choice - 26 : random(kinds));
   const bool section = action == Action::RaiseBasePriority || action == Action::MaskInterrupts ||

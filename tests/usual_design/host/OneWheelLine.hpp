@@ -27,7 +27,7 @@ template <class Design>
 class OneWheelLine final : public scenario::RobotSession {
  public:
   /// Constructs and starts the design.
-  /// @param more further devices of the design, in a product that has more devices
+  /// @param more further devices, for a design that needs more devices
   template <class... More>
   explicit OneWheelLine(More&... more)
       : pins(scheduler_), physics_(kSeed), binding_(pins, physics_), design_(devices(), more...) {
@@ -138,7 +138,7 @@ class OneWheelLine final : public scenario::RobotSession {
     nextStep_ += kStep;
   }
 
-  // Returns the microsecond of an edge in this step.
+  // Returns the time of an edge in this step, in whole microseconds.
   [[nodiscard]] Time at(std::chrono::nanoseconds offset) const {
     return std::min(nextStep_ + std::chrono::duration_cast<Time>(offset),
                     nextStep_ + kStep - Time(1));

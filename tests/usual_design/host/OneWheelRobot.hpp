@@ -39,7 +39,7 @@ inline constexpr int kFirstAlternation = kN + 2;
 template <>
 inline constexpr int kFirstAlternation<UsualDesign> = kN;
 
-/// A design on the host, and a PC on its line.
+/// A design on the host, and a PC on its serial line.
 template <class Design>
 class OneWheelRobot : public SteppedRobot {
  public:
@@ -47,7 +47,7 @@ class OneWheelRobot : public SteppedRobot {
   explicit OneWheelRobot(More&... more)
       : OneWheelRobot(std::make_unique<OneWheelLine<Design>>(more...)) {}
 
-  /// An order of a velocity [0.1 rpm] for the wheel.
+  /// Returns an order of a velocity [0.1 rpm] for the wheel.
   static scenario::PcOrder velocity(std::int16_t value, std::uint16_t id = 1) {
     return {.id = id, .wheels = {{{0, value}}}};
   }

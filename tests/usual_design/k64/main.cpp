@@ -1,5 +1,5 @@
-// The composition of Main Control and one wheel for the K64. The build selects the design by the
-// folder of Design.hpp.
+// The main program with Main Control and one wheel for the K64. The build selects the design: it
+// includes Design.hpp from the folder of this design.
 
 #include "Design.hpp"
 #include "k64/core.hpp"
@@ -32,7 +32,7 @@ Design design({.pwm = platform::wheels[0].pwm,
 
 }  // namespace wr
 
-// Each handler waits for its stores, as the handlers of the devices do.
+// Each handler waits until its stores are complete, like the handlers of the devices.
 
 void cycleTimerInterrupt() {
   wr::design.cycleTimerExpired();

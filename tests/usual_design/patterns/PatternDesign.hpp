@@ -13,7 +13,7 @@
 
 namespace wr {
 
-/// Main Control and one wheel. They are composed of the modules of the robot, as in each product.
+/// Main Control and one wheel, composed of the modules of the robot as in each robot variant.
 class PatternDesign {
  public:
   explicit PatternDesign(const Devices& devices);

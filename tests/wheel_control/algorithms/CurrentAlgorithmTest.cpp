@@ -31,7 +31,7 @@ TEST_F(CurrentAlgorithmTest, FR85_ForeseesTheVelocity) {
   EXPECT_EQ(calculate(0, 1200, 0), Tension(1400 * 5236 / 1000));
 }
 
-/// @brief Each calculation corrects half of the error of the cycle that ends.
+/// @brief Each calculation corrects half of the error of the cycle that has just ended.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_CorrectsTheError) {
   algorithm.applied(calculate(2000, 0, 0));
@@ -51,14 +51,15 @@ TEST_F(CurrentAlgorithmTest, FR85_ResetForgetsTheCorrection) {
   EXPECT_EQ(calculate(2000, 0, 2000), Tension(3000));
 }
 
-/// @brief A new set-point does not count as an error of the cycle that ends.
+/// @brief A new set-point does not count as an error of the cycle that has just ended.
 /// @verifies FR-85
 TEST_F(CurrentAlgorithmTest, FR85_NewSetPointIsNoError) {
   algorithm.applied(calculate(2000, 0, 0));
   EXPECT_EQ(calculate(4000, 0, 2000), Tension(6000));
 }
 
-/// @brief An error that a missing voltage explains is not added to the integral.
+/// @brief If the demanded voltage could not be applied completely, this explains an error of the
+/// current. The explained error is not added to the integral.
 /// @verifies FR-301
 TEST_F(CurrentAlgorithmTest, FR301_ExplainedErrorIsNotKept) {
   calculate(10000, 0, 0);

@@ -90,7 +90,7 @@ TEST_F(VelocityAlgorithmTest, FR224_DoubtfulVelocityIsNotRegulated) {
   EXPECT_GT(calculate(1000, 100, 1100), steady + Tension(4000));
 }
 
-/// @brief After a reset or after one possible velocity, five doubtful cycles are permitted again.
+/// @brief After a reset or after one plausible velocity, five doubtful cycles are permitted again.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_DoubtfulCyclesAreInARow) {
   const auto run = [this](int cycles) {
@@ -124,8 +124,9 @@ TEST_F(VelocityAlgorithmTest, FR224_NothingIsDoubtfulBeforeAVoltage) {
   EXPECT_EQ(calculate(1500, 1400), Tension(7854 + 465 + 209));
 }
 
-/// @brief The tolerance is the sum of 0.4 V and a third of the greater voltage. A motor that
-/// induces no voltage does not turn forwards.
+/// @brief A velocity is doubtful if it explains too little of the applied voltage. The tolerance is
+/// 0.4 V plus a third of the greater of two voltages: the applied voltage and the voltage at the
+/// winding. A forward velocity without an applied voltage is also doubtful.
 /// @verifies FR-224
 TEST_F(VelocityAlgorithmTest, FR224_ToleranceOfTheModel) {
   struct Case {
@@ -153,8 +154,8 @@ TEST_F(VelocityAlgorithmTest, FR224_LoadIsNoDoubt) {
   EXPECT_GT(loaded, Tension(5236 + 2000));
 }
 
-/// @brief The error of the cycle that ends is computed with the set-point of this cycle. It is not
-/// computed with the new set-point.
+/// @brief The error of the cycle that has just ended is computed with the set-point of this cycle,
+/// not with the new set-point.
 /// @verifies FR-82
 TEST_F(VelocityAlgorithmTest, FR82_ErrorBelongsToTheCycleThatEnds) {
   algorithm.applied(calculate(1500, 1500));

@@ -69,7 +69,8 @@ TEST_F(ReverseTest, FR87_StopsThenTurns) {
                              {"tension", -5000}}));
 }
 
-/// @brief If the wheel is not slow and turns against the demand in a cycle, the count restarts.
+/// @brief If the wheel is not slow and turns against the demand in a cycle, the count of slow
+/// cycles restarts.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   for (const int velocity : {10, 400, -10, 400, 10}) {
@@ -80,8 +81,8 @@ TEST_F(ReverseTest, FR87_SlowCyclesAreInARow) {
   EXPECT_EQ(std::ranges::count(log, "orientation", &CommandLog::value_type::first), 1);
 }
 
-/// @brief If a wheel turns in the direction of the demand, its orientation changes after two such
-/// cycles, at any speed. If it turns against the demand, its orientation does not change.
+/// @brief If a wheel turns in the direction of the demand for two cycles, its orientation changes,
+/// at any speed. While the wheel turns against the demand, its orientation does not change.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_AWheelThatTurnsAlongIsNoReversal) {
   EXPECT_EQ(apply(-5000, -2000), Tension(0));
@@ -106,7 +107,8 @@ TEST_F(ReverseTest, FR87_NoTurnWhileTensionIsLeft) {
   EXPECT_EQ(apply(-5000, 0), Tension(-5000));
 }
 
-/// @brief The change from backwards to forwards works in the same way.
+/// @brief The change of orientation from backwards to forwards has the same rules as the change
+/// from forwards to backwards.
 /// @verifies FR-87
 TEST_F(ReverseTest, FR87_BackToForwards) {
   apply(-5000, 0);
@@ -141,7 +143,8 @@ TEST_F(ReverseTest, FR87_NextTurnCountsFromZero) {
   EXPECT_EQ(apply(5000, 0), Tension(5000));
 }
 
-/// @brief The rise restarts after the change of orientation and after an interrupted stop.
+/// @brief The rise of the voltage restarts after the change of orientation and after an interrupted
+/// stop.
 /// @verifies FR-81
 TEST_F(ReverseTest, FR81_RiseBeginsAtWhatIsLeft) {
   apply(12000, 0);
@@ -226,7 +229,8 @@ TEST_F(ReverseTest, FR87_FR81_RulesHoldForAnyDemand) {
         ASSERT_GE(slow, 2);
         ASSERT_EQ(before, 0);
       }
-      ASSERT_GE(applied * static_cast<long long>(before), 0) << "the sign changes through 0 only";
+      ASSERT_GE(applied * static_cast<long long>(before), 0)
+          << "the voltage must be 0 before its sign changes";
       if (std::abs(demand) >= 100 && static_cast<long long>(demand) * before < 0) {
         ASSERT_GE(std::abs(applied), std::abs(before) - 2400);
       }

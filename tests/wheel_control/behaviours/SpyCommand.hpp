@@ -8,10 +8,11 @@
 
 namespace wr::test {
 
-/// Orders of several commands, in sequence. An entry has the name of the command and the voltage.
+/// The executions of several commands, in sequence. An entry has the name of the command and its
+/// voltage.
 using CommandLog = std::vector<std::pair<std::string, int>>;
 
-/// A command that records its orders.
+/// A command that records its executions.
 class SpyCommand final : public WheelCommand {
  public:
   SpyCommand(std::string name, CommandLog& log) : name_(std::move(name)), log_(log) {}
@@ -23,7 +24,7 @@ class SpyCommand final : public WheelCommand {
   CommandLog& log_;
 };
 
-/// The behaviours of a wheel, with commands that record their orders.
+/// The three commands of a wheel, which record their executions.
 class SpiedCommands {
  public:
   CommandLog log;

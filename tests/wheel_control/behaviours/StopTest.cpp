@@ -22,7 +22,7 @@ TEST_F(StopTest, FR88_TensionFallsStepByStep) {
   EXPECT_EQ(log, (CommandLog{{"tension", 3600}, {"tension", 1200}, {"stop", 0}, {"stop", 0}}));
 }
 
-/// @brief Backwards, the magnitude of the voltage falls in the same way.
+/// @brief If the wheel turns backwards, the magnitude of the voltage also falls by 2.4 V per cycle.
 /// @verifies FR-88
 TEST_F(StopTest, FR88_MagnitudeFallsBackwards) {
   EXPECT_EQ(stop.apply(Tension(-3000), Velocity(-1000)), Tension(-600));

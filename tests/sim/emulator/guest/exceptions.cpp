@@ -21,7 +21,7 @@ PROGRAM pendsTwoInside() {
   note(11);
 }
 
-// Line 1 triggers line 2 while it runs.
+// The handler of interrupt line 1 triggers interrupt line 2.
 static void nest(std::uint8_t priorityOfOne, std::uint8_t priorityOfTwo) {
   stopWatchdog();
   forgetNotes();
@@ -176,7 +176,8 @@ PROGRAM countsTicks() {
   reported(0) = reported(0) + 1;
 }
 
-// The time until the interrupt varies, so that the interrupt occurs at every instruction of a loop.
+// The time until the interrupt varies. The interrupt therefore occurs at every instruction of a
+// loop.
 PROGRAM countsTicksBetweenConditions() {
   reported(2) = reported(2) + 1;
   wordAt(0xE000E014) = 80 + reported(2) % 29;

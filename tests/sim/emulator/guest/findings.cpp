@@ -81,7 +81,7 @@ PROGRAM givesWrongKey() {
 }
 
 PROGRAM configuresInTheNextClock() {
-  wordAt(0x40048044) = 0x03330000;  // a bus clock of four core clocks
+  wordAt(0x40048044) = 0x03330000;  // a cycle of the bus clock takes four cycles of the core clock
   asm volatile(
       "ldr r0, =0x40052000\n\t"
       "ldr r1, =0xC520\n\t"
@@ -100,7 +100,8 @@ PROGRAM unlocksWithoutConfiguration() {
   sleepForever();
 }
 
-// Configures the watchdog with the low-power oscillator, a time-out of 300 ms and no update.
+// Configures the watchdog with the low-power oscillator, a time-out of 300 ms and no permission to
+// change the configuration again.
 static void watchFor300Milliseconds(std::uint16_t control) {
   unlockWatchdog();
   halfAt(0x40052004) = 0;

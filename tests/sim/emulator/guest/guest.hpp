@@ -1,5 +1,5 @@
-// The common part of the programs. The programs use the addresses of registers. They therefore
-// share no mistake with the drivers or with the models of the registers.
+// Functions that all guest programs use. They access registers directly by address, without the
+// drivers. Therefore they do not repeat a mistake of the drivers or of the register models.
 
 #pragma once
 
@@ -98,8 +98,8 @@ inline void openTimer() {
   wordAt(0x4004B004) = 0x400;
 }
 
-/// Starts pulses at channel 0 of FTM0. The channel is high for a part of each period of 1000 bus
-/// clocks.
+/// Starts pulses at channel 0 of FTM0. The channel is high for `width` of the 1000 bus clock cycles
+/// of each period.
 inline void startPulses(std::uint32_t width) {
   openTimer();
   wordAt(0x40038008) = 999;
@@ -133,7 +133,7 @@ inline bool calibrateConverter() {
   return good;
 }
 
-/// Converts the voltage of a channel of ADC0.
+/// Converts the voltage of a channel of ADC0, and returns the result.
 inline std::uint32_t convert(std::uint32_t channel) {
   wordAt(0x4003B000) = channel;
   while ((wordAt(0x4003B000) & 0x80) == 0) {

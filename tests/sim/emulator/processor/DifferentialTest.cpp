@@ -61,7 +61,7 @@ class Source {
     switch (below(4)) {
       case 0:
         return kLimits.at(below(kLimits.size())) ^ (any & 0x80000000U);
-      case 1:  // near 1 in magnitude, so that sums become small
+      case 1:  // near 1 in magnitude; the sum of two such numbers can be small
         return (any & 0x83FFFFFFU) + 0x3E000000U;
       case 2:
         return (any & 0x807FFFFFU) | (0x60U + below(0x40)) << 23;
@@ -86,7 +86,8 @@ class Source {
     return state;
   }
 
-  /// Operands of instructions that access no memory may be anything.
+  /// Fills the registers with random numbers. This is possible only for instructions that do not
+  /// access memory.
   void scatter(State& state) {
     for (std::size_t i = 0; i < 13; ++i) {
       state.core.at(i) = word();
@@ -157,7 +158,7 @@ class Source {
   std::mt19937 engine_;
 };
 
-/// @brief The interpreter of the virtual K64, with the same memory.
+/// @brief The interpreter of the virtual K64, with the same memory as the other emulator.
 class OurCore {
  public:
   OurCore() {
@@ -214,8 +215,8 @@ std::string text(const State& state) {
 
 class DifferentialTest : public testing::TestWithParam<Encoding> {};
 
-/// @brief Each instruction changes registers, flags and memory in the same way as in another
-/// emulator.
+/// @brief Each instruction changes registers, flags and memory in the same way in both emulators:
+/// in the interpreter of the virtual K64, and in Unicorn.
 TEST_P(DifferentialTest, InstructionDoesTheSameAsInUnicorn) {
   const Encoding& encoding = GetParam();
   const bool wide =
@@ -261,7 +262,7 @@ TEST_P(DifferentialTest, InstructionDoesTheSameAsInUnicorn) {
       theirState.flags = (theirState.flags & ~kQ) | (ourState.flags & kQ);
     }
     ASSERT_EQ(ourEnd, theirEnd) << encoding.name << std::hex << " " << bits;
-    ASSERT_TRUE(ourEnd) << encoding.name << " is defined: " << std::hex << bits;
+    ASSERT_TRUE(ourEnd) << encoding.name << " must be executable: " << std::hex << bits;
     ASSERT_TRUE(ourState == theirState)
         << encoding.name << std::hex << " " << bits << (inBlock ? " in a block" : "")
         << "\nbefore: " << text(before) << "\nours: " << text(ourState)

@@ -20,8 +20,8 @@ struct Encoding {
       false;  ///< true: the Unicorn engine wrongly sets Q when only a part of the sum is too large
 };
 
-/// @brief Returns all instructions of ARMv7E-M with FPv4-SP that continue with the next
-/// instruction.
+/// @brief Returns the encodings of all instructions of ARMv7E-M with FPv4-SP, except branches and
+/// other instructions that do not continue with the next instruction.
 std::span<const Encoding> encodings();
 
 }  // namespace wr::emulator::reference

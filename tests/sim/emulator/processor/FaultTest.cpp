@@ -15,8 +15,8 @@ constexpr std::uint32_t kCode = 0x100;
 constexpr std::uint32_t kLower = 0x1FFFF000;
 constexpr std::uint32_t kUpper = 0x20000000;
 
-/// @brief Forbidden actions of instructions. The cases were written by hand from the ARMv7-M ARM,
-/// because Unicorn does not detect most of these faults.
+/// @brief An instruction with a forbidden action, and the expected trap. The cases were written by
+/// hand from the ARMv7-M ARM, because Unicorn does not detect most of these faults.
 struct Case {
   std::string name;
   std::vector<std::uint16_t> halves;
@@ -56,7 +56,8 @@ class FaultTest : public testing::TestWithParam<Case> {
   Core core_{Timing::NoWaitStates};
 };
 
-/// @brief An instruction with a fault reports the reason. It changes no register.
+/// @brief An instruction that causes a fault changes no register. The core returns the reason of
+/// the fault.
 TEST_P(FaultTest, InstructionFaultsAndDoesNothing) {
   for (std::uint32_t i = 0; i < 13; ++i) {
     core_.registers.r.at(i) = i == 1 ? GetParam().base : 0;
@@ -124,8 +125,8 @@ TEST_F(FaultTest, FloatingPointUnitMustBeOn) {
   EXPECT_EQ(execute({0xEE30, 0x0A00}), Trap::FpuOff);
 }
 
-/// @brief The first use of the floating-point unit copies the modes of FPDSCR. The use is recorded
-/// in CONTROL.
+/// @brief The first use of the floating-point unit copies the modes of FPDSCR to FPSCR. The use is
+/// recorded in CONTROL.
 TEST_F(FaultTest, FirstUseOfTheFloatingPointUnitTakesItsDefaults) {
   core_.fpu = {.on = true, .activates = true, .defaults = 0x01000000};
   EXPECT_EQ(execute({0xEE30, 0x0A00}), Trap::None);

@@ -89,7 +89,7 @@ bool UnicornCore::execute(std::span<const std::uint8_t> code, State& state) {
   registers.read(engine_);
   check(uc_reg_read(engine_, UC_ARM_REG_XPSR, &flags));
   state.flags = flags & kFlags;
-  state.core[13] &= ~3U;  // the engine keeps two bits that are always 0
+  state.core[13] &= ~3U;  // the engine does not clear two bits that are always 0 in the processor
   return error == UC_ERR_OK && !faulted_;
 }
 

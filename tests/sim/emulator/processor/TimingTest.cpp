@@ -143,8 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, TimingTest, testing::ValuesIn(rows()),
 
 constexpr std::uint16_t kNop = 0xBF00;
 
-/// @brief The first instruction in a phrase of 8 bytes of code costs 5 additional cycles. The next
-/// instructions in the phrase cost no additional cycles.
+/// @brief The flash is read in phrases of 8 bytes. The first instruction in a phrase takes 5
+/// additional cycles. The next instructions in the phrase take no additional cycles.
 TEST(SlowFlashTest, EachPhraseCostsOnce) {
   Program program(Timing::SlowFlash, 0x100, std::vector<std::uint16_t>(8, kNop));
   EXPECT_EQ(program.cyclesOf(1), 6U);
@@ -160,8 +160,8 @@ TEST(SlowFlashTest, InstructionAcrossTwoPhrasesWaitsForBoth) {
   EXPECT_EQ(program.cyclesOf(1), 1U);
 }
 
-/// @brief A branch back into the phrase that was read last costs no read. A branch to another
-/// phrase costs a read, even when this phrase was read earlier.
+/// @brief A branch back into the phrase that was read last needs no new read. A branch to another
+/// phrase needs a new read, even when this phrase was read earlier.
 TEST(SlowFlashTest, OnlyTheLastPhraseIsKept) {
   Program same(Timing::SlowFlash, 0x100, {0xE7FE});
   EXPECT_EQ(same.cyclesOf(1), 4U + 5);
@@ -171,7 +171,7 @@ TEST(SlowFlashTest, OnlyTheLastPhraseIsKept) {
   EXPECT_EQ(other.cyclesOf(3), 3U * (4 + 5));
 }
 
-/// @brief Each word of data that is read from flash costs 5 additional cycles. Data in RAM costs no
+/// @brief Each word of data that is read from flash takes 5 additional cycles. Data in RAM takes no
 /// additional cycles.
 TEST(SlowFlashTest, DataOfFlashCostsEachTime) {
   const std::vector<std::uint16_t> loads{0x6808, 0x6808, 0x6810, 0x6811};  // r0 = [r1], r0 = [r2]
@@ -182,7 +182,8 @@ TEST(SlowFlashTest, DataOfFlashCostsEachTime) {
   EXPECT_EQ(program.cyclesOf(1), 2U);
 }
 
-/// @brief Each of several words costs a read, and an unaligned word costs two reads.
+/// @brief An instruction that loads several words needs one read for each word. An unaligned word
+/// needs two reads.
 TEST(SlowFlashTest, EachWordOfDataCosts) {
   Program program(Timing::SlowFlash, 0x100, {0xC93C, 0xF8D1, 0x0002, kNop});  // LDM of 4, LDR
   program.core().registers.r[1] = 0x200;

@@ -1,5 +1,6 @@
-// A third reading mode. A Bluetooth device sends orders over a second serial port, in frames of the
-// PC protocol and without a handshake. The modes follow each other in the order RC, PC, Bluetooth.
+// A likely change: a third reading mode. A Bluetooth device sends orders over a second serial port,
+// in frames of the PC protocol and without a handshake. The modes follow each other in the order
+// RC, PC, Bluetooth.
 
 #include "sim/host/HostSerialPort.hpp"
 #include "usual_design/host/OneWheelRobot.hpp"
@@ -15,7 +16,7 @@ class BluetoothMode : public testing::Test {
  protected:
   void deviceOrders(const scenario::PcOrder& order) { port.arrive(device.order(order)); }
 
-  // Runs cycles without orders until the robot reads in a mode.
+  // Runs cycles without orders until the robot reads in the given mode.
   void waitForMode(int mode) {
     for (int i = 0; i < 3 * kN && robot.report().mode != mode; ++i) {
       robot.silentCycle();
@@ -55,8 +56,8 @@ TYPED_TEST(BluetoothMode, ReadsTheOrdersOfTheDevice) {
   }
 }
 
-/// @brief While the PC sends orders, the robot does not follow the device. A stop of the device
-/// still acts until the device releases the stop.
+/// @brief While the PC sends orders, the robot does not follow the device. A stop order of the
+/// device still takes effect, until the device releases the stop.
 TYPED_TEST(BluetoothMode, StopOfTheDeviceActsInEachMode) {
   this->robot.commandByPc();
   this->deviceOrders({.id = 900});

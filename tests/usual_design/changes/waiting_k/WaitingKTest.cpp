@@ -1,6 +1,7 @@
-// A state that warns. After K - 1 = N - 2 failed reads, the next failed read sets the state
-// WaitingK. This state switches a lamp on. The robot continues to drive in this state. As before,
-// it changes to Reconnecting after N failed reads.
+// A likely change: a state that warns. After K - 1 = N - 2 failed reads, the next failed read sets
+// the state WaitingK. This state switches a lamp on. The robot continues to drive in this state. As
+// without the change, the robot stays in the waiting states for N failed reads. The next failed
+// read sets Reconnecting.
 
 #include "sim/host/HostDigitalOutput.hpp"
 #include "usual_design/host/OneWheelRobot.hpp"
@@ -10,7 +11,7 @@ namespace {
 
 constexpr int kWaitingK = 4;
 
-// A lamp, and a design that warns with it.
+// A lamp, and a design that uses the lamp for the warning.
 template <class Design>
 class WarningState : public testing::Test {
  protected:

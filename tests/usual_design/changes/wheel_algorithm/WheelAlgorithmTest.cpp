@@ -1,5 +1,6 @@
-// A new algorithm for the velocity of a wheel. In each cycle, the velocity approaches the set-point
-// by at most 20 rpm, from the velocity at which control begins.
+// A likely change: a new algorithm for the velocity of a wheel. It begins with the present velocity
+// of the wheel. In each cycle, its internal set-point approaches the ordered set-point by at most
+// 20 rpm.
 
 #include "usual_design/host/OneWheelRobot.hpp"
 
@@ -19,7 +20,7 @@ constexpr int unloaded(int tenthRpm) {
 /// cycle.
 TYPED_TEST(RampedVelocity, RisesByTwentyRpmInACycle) {
   const scenario::PcOrder step{.id = 2, .wheels = {{{0, 3000}}}};
-  this->robot.physics().setFault(plant::Fault::Hall, 0, true);  // so that the error stays small
+  this->robot.physics().setFault(plant::Fault::Hall, 0, true);  // the fault keeps the error small
   this->robot.commandByPc();
   this->robot.orderedCycles(step, 1);
   EXPECT_EQ(this->robot.report().tension[0], unloaded(200));
