@@ -38,8 +38,8 @@ ROOT = Path(__file__).resolve().parents[1]
 
 
 def parser() -> argparse.ArgumentParser:
-    """Returns the parser of the command line. The parsed options contain the parser of the command,
-    because this parser reports errors.
+    """Returns the parser of the command line. The parsed options contain the parser of the chosen
+    command, which prints the messages about wrong options.
     """
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")

@@ -1,4 +1,4 @@
-"""./wr diff: compares two revisions by their requirements, trees, verdicts, sizes and reviews."""
+"""./wr diff: compares two commits by their requirements, trees, verdicts, sizes and reviews."""
 
 from __future__ import annotations
 
@@ -120,7 +120,8 @@ def copy_syntax(root: Path, copy: Path) -> None:
 
 
 def changed_files(root: Path, first: str, second: str) -> Iterator[Difference]:
-    """Yields the files that differ. A file whose content is not compared has a mark."""
+    """Yields the files that differ. A file whose content is not compared is marked as not
+    followed."""
     for line in git(root, "diff", "--no-renames", "--numstat", first, second).splitlines():
         added, removed, path = line.split("\t")
         lines = "binary" if added == "-" else f"+{added} -{removed} lines"

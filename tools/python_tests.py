@@ -37,8 +37,8 @@ def imported_files(root: Path, folder: str) -> list[str]:
 
 
 def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
-    """Returns the test files that are among these Python files or import them. The value of each
-    test file is the first of these Python files.
+    """Returns the test files that are among these Python files or import them. The value of a
+    test file is the test file itself, or else the first of these Python files that it imports.
     """
     found = {}
     for test in sorted((root / TESTS).glob("*/test_*.py")):

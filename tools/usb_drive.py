@@ -1,5 +1,5 @@
-"""The drive of the debug probe of the FRDM-K64F. If an image is copied to the drive, the probe
-writes the image into the flash.
+"""The drive of the debug probe of the FRDM-K64F. If a firmware image is copied to the drive, the
+probe writes the image into the flash.
 """
 
 from __future__ import annotations
@@ -32,12 +32,13 @@ def mounted() -> list[Path]:
 
 
 def unescaped(name: str) -> str:
-    """Returns the name of a mount point. In its encoded form, octal numbers represent blanks."""
+    """Returns the decoded name of a mount point. In /proc/mounts, octal numbers represent
+    blanks."""
     return re.sub(r"\\([0-7]{3})", lambda match: chr(int(match[1], 8)), name)
 
 
 def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
-    """Returns the first file with one of these names. Upper and lower case are the same."""
+    """Returns the first file with one of these names. The comparison ignores case."""
     try:
         files = sorted(folder.iterdir())
     except OSError:

@@ -37,8 +37,8 @@ DEFAULT_CONTROL = ROOT / "build" / "sim-control"
 IMAGES = ROOT / "build" / "k64"
 DESCRIPTION = """\
 Guides you step by step through the checks of a new robot: port, connection, image, reset cause,
-inputs, end stops, remote control, emergency stop. Then it turns one wheel at a time with 1 V,
-detects swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each step
+inputs, end stops, remote control, emergency stop. Then the program turns one wheel at a time with
+1 V, detects swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each step
 states the action and the expected result. To skip a step that waits for you, press 's' and Enter.
 No motor is switched on until the step for the emergency stop has passed and you have confirmed
 that the wheels are off the ground. Ctrl-C stops the robot. The program writes the result to a
@@ -494,7 +494,7 @@ class BringUp:
             "Is the current of the supply limited to 5 A?",
         ):
             if not self._operator.confirm(question, self.idle):
-                raise FailError(f"not confirmed: {question}", "Do that first.")
+                raise FailError(f"not confirmed: {question}", "Do this first.")
         return "confirmed"
 
     def _wheel(self, number: int) -> str:
@@ -753,7 +753,9 @@ def run(options: argparse.Namespace) -> int:
     if options.simulated:
         link_path = options.link or DEFAULT_LINK
         if link_path.exists() and Path("/dev/pts") not in link_path.resolve().parents:
-            print(f"--simulated needs a simulator; {link_path} is not one", file=sys.stderr)
+            print(
+                f"--simulated needs a simulator, but {link_path} is no simulator", file=sys.stderr
+            )
             return USAGE
         try:
             operator = SimulatedOperator(Control(options.control))

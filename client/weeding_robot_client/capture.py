@@ -1,5 +1,5 @@
-"""Writes the frames of the line to a capture for Wireshark, and generates a dissector for these
-frames.
+"""Writes the frames of the serial line to a capture for Wireshark, and generates a dissector for
+these frames.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ MOST = 0xFFFF  # greatest number of bytes of a packet
 
 
 class Capture(AbstractContextManager["Capture"]):
-    """Writes each frame of the line to a pcapng file. Without a path, it writes nothing.
+    """A pcapng file with each frame of the serial line. Without a path, nothing is written.
 
-    A full disk ends the capture. The program does not end, so the robot continues to drive.
+    A full disk ends the capture. The program does not end, and the robot continues to drive.
     """
 
     def __init__(self, path: Path | None, clock: Callable[[], float] = time.time) -> None:

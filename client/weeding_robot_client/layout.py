@@ -122,7 +122,7 @@ class Field:
 
 @dataclass(frozen=True)
 class Layout:
-    """The payload fields of a frame type, in their order on the line."""
+    """The payload fields of a frame type, in the order in which they are sent."""
 
     name: str
     kind: int
@@ -285,7 +285,7 @@ def _layout(item: dict[str, Any], enumerations: Mapping[str, Enumeration]) -> La
 
 
 def _in_order(items: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], int | None]]:
-    """Yields the fields in their order on the line. A group of wheel fields repeats per wheel."""
+    """Yields the fields in the order in which they are sent. A group repeats for each wheel."""
     group: list[dict[str, Any]] = []
     for one in [*items, None]:
         if one is not None and "each" in one:

@@ -21,7 +21,7 @@ class MessageError(ValueError):
 
 
 class Quantity(Enum):
-    """The quantity of a set-point, with its number on the line, unit, steps per unit, and limit."""
+    """The quantity of a set-point, with its number in frames, unit, steps per unit, and limit."""
 
     VELOCITY = "Velocity"
     TENSION = "Tension"
