@@ -46,7 +46,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "with this image on the virtual K64 in the simulated robot. Each scenario has 1000 "
         "control cycles. Measures instructions, the time from the clock pulse to the "
         "report, load, latencies, and the speed of the simulator. Compares the "
-        "patterns with the baseline design, and measures the cost of the records of "
+        "patterns with the baseline design, and measures the cost of recording "
         "the calls. With --port, sends the same orders to a connected board and reads "
         "the cycle counts in its reports. Lift the robot first, because its wheels "
         "will turn with up to 300 rpm. The remote control may be off, because the PC "

@@ -40,8 +40,8 @@ def measure_all(root: Path, log: TextIO) -> str:
 
 
 def measure_paper(root: Path, log: TextIO) -> str:
-    """Plays the scenarios with the product without safety functions. The difference of the times
-    is the cost of these functions.
+    """Plays the scenarios with the product without safety functions. A comparison with the
+    times of the robot shows the cost of these functions.
     """
     record: Record = {}
     for paper in SCENARIOS:

@@ -28,7 +28,7 @@ _building: dict[str, threading.Lock] = defaultdict(threading.Lock)
 # CMake stores the values of these files in its cache. A change of these files needs a new
 # configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
-# The parts of the project in a copy that is built and tested.
+# The folders and files that are copied, when a copy of the project is built and tested.
 COPIED = (*TESTED, "docs", "design", "setup", *FRAMES)
 IMAGE = str(image_of(PAPER, ".bin"))
 TESTS = "firmware_tests"
@@ -259,8 +259,8 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
 
 
 def copy_sources(root: Path, target: Path, texts: Mapping[str, str] | None = None) -> None:
-    """Makes the target equal to the sources, except for the given texts. A file that is already
-    equal keeps its modification time."""
+    """Makes the target folder equal to the sources, except for the files in ``texts``. A file that
+    is already equal keeps its modification time."""
     python = root / "tests/python"
     paths = [path for path in files_below(root, COPIED) if python not in path.parents]
     contents = {str(path.relative_to(root)): path.read_bytes() for path in paths}

@@ -75,7 +75,7 @@ def write_time(root: Path, name: str, seconds: float) -> None:
 
 
 def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
-    """Adds numbers to the metrics. They were measured after the documents were made."""
+    """Adds numbers that were measured later to the metrics of the documents."""
     for path in (root / name for name in files or (METRICS,)):
         metrics = read_json(path)
         text = json.dumps((metrics or {}) | value, indent=1, sort_keys=True)

@@ -74,7 +74,7 @@ def lint(root: Path) -> int:
 
 
 def lint_tasks(root: Path) -> list[Task]:
-    """Returns the tasks of this command. Each task runs in every call of the command."""
+    """Returns the tasks of this command. Each task runs whenever the command is called."""
     tools = root / ".venv" / "bin"
     python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
 

@@ -131,7 +131,7 @@ def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str
 
 
 def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
-    """Opens a page of a folder. Returns the result that the page posts."""
+    """Opens a page of a folder in the browser. Returns the result that the page posts."""
     came = threading.Event()
     posted: dict[str, Any] = {}
 

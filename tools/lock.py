@@ -29,7 +29,7 @@ class BusyError(Exception):
 def only_one(root: Path, command: str) -> Iterator[None]:
     """Locks the project. Raises BusyError if another process has the lock.
 
-    When a process ends, the system frees its lock. This is true even after a crash.
+    When a process ends, even by a crash, the system frees the lock of the process.
     """
     if os.environ.get(HOLDER) == str(root):
         yield

@@ -116,7 +116,8 @@ class Pages(AbstractContextManager["Pages"]):
         self.write()
 
     def write(self, *, over: bool = False) -> None:
-        """Writes the state of the run next to the pages. An open page reads it periodically."""
+        """Writes the state of the run next to the pages. An open page reads this
+        file periodically."""
         made = self.root / FINDINGS
         content = {
             "over": over,

@@ -24,7 +24,7 @@ WAITING_JOBS = "8"
 IMPORT = re.compile(
     r"^\s*(?:from\s+([\w.]+)\s+import\s+(\([^)]*\)|.+)|import\s+([\w.]+))", re.MULTILINE
 )
-IMPORTED_FROM = ("", "site", "client")  # the same folders as in pyproject.toml
+IMPORTED_FROM = ("", "site", "client")  # folders from which tests import, as in pyproject.toml
 
 
 def imported_files(root: Path, folder: str) -> list[str]:

@@ -46,7 +46,7 @@ VERSION = re.compile(r"project\([^)]*VERSION\s+([\d.]+)")
 ARCHIVE = ".tar.gz"
 TIMES, MODEL = MEASURED.parent, Path("build/model")
 VERIFY = "./wr release --verify"
-SHOWN = 20  # number of differences inside an archive that are shown
+SHOWN = 20  # greatest number of shown differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
 # Files of a build that no page needs. They contain paths and times of this computer.
 NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", ".bak", "status.json")

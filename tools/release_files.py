@@ -38,8 +38,8 @@ def sums_text(folder: Path, names: Iterable[str]) -> str:
 
 
 def below(folder: Path, *without: str) -> dict[str, Path]:
-    """Returns the files of a folder, by their paths in this folder. Files whose names have an
-    ending of ``without`` are left out."""
+    """Returns the files of a folder, by their paths in this folder. Files whose names end with
+    a text of ``without`` are left out."""
     return {
         str(path.relative_to(folder)): path
         for path in sorted(folder.rglob("*"))

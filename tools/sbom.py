@@ -31,7 +31,8 @@ LINKED = ("libnewlib-arm-none-eabi", "gcc-arm-none-eabi", "libstdc++-arm-none-ea
 
 
 def sbom_text(root: Path, version: str, commit: str, when: int, images: Mapping[str, str]) -> str:
-    """Returns the text of the list. ``images`` has the SHA-256 of each firmware image."""
+    """Returns the list of the parts, as a text. ``images`` has the SHA-256 of each firmware
+    image."""
     product = Component(
         name=PROJECT,
         version=version,

@@ -40,7 +40,7 @@ PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
 
 def seed_all(root: Path) -> list[Outcome]:
-    """Inserts every fault for which the results and pages exist, and writes the record."""
+    """Inserts every fault whose results or pages exist, and writes the record."""
     faults = read_faults(root)
     fresh = not build(root).model.results_stale
     stages = {"sources"} | ({"results"} if fresh else set())

@@ -131,7 +131,9 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     link, control = options.link, options.control
     if not stepped:
         link = link or root / "build" / "pc-link"
-        if options.gdb is None:  # GDB may repeat the run, but only with the bytes of the PC.
+        # GDB repeats a run to execute backwards. Only the bytes of the PC are then repeated, and not
+        # the actions of the control socket.
+        if options.gdb is None:
             control = control or root / "build" / "sim-control"
         (root / "build").mkdir(parents=True, exist_ok=True)
     for name, value in (

@@ -144,7 +144,7 @@ def sections(elf: Path) -> list[Section]:
 
 
 def place_in_binary(elf: Path, address: int) -> int:
-    """Returns the position in the binary file of the byte with a run-time address."""
+    """Returns the position in the binary file of the byte that has this address at run time."""
     for section in sections(elf):
         if section.in_flash and section.holds(address):
             return section.load + address - section.address

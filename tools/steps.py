@@ -36,7 +36,7 @@ class MissingError(FailureError):
 
 
 class UsageError(FailureError):
-    """The words of the command are wrong, or the content of its input file is wrong."""
+    """The arguments of the command are wrong, or the content of its input file is wrong."""
 
     code = USAGE
 

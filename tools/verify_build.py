@@ -91,7 +91,7 @@ def clone(root: Path, copy: Path) -> None:
 
 
 def environment(root: Path, copy: Path) -> dict[str, str]:
-    """Returns the environment of the second build. Python searches the modules of the copy first.
+    """Returns the environment of the second build. Python looks for modules in the copy first.
     The tests get the seed of the run in this folder.
     """
     path = os.pathsep.join(str(folder) for folder in (copy, copy / "client", copy / "site"))

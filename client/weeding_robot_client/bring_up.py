@@ -46,7 +46,7 @@ record with the present date, in JSON and in Markdown.
 
 Exit code 1: a step failed or was skipped."""
 
-PROBE_VENDOR = 0x0D28  # USB vendor of the board's debug probe; the probe has the serial port
+PROBE_VENDOR = 0x0D28  # USB vendor of the debug probe, which provides the board's serial port
 SUPPLY_VOLTS = (21.0, 29.0)
 REST_AMPERES = 0.5
 ANGLE_DEGREES = 33.0
@@ -59,7 +59,7 @@ CYCLE_S = 0.1  # longest time from a stop to its report
 WHEEL_VOLTS = 1.0
 WHEEL_S = 1.0
 COUNTS_LEAST = 3  # smallest number of Hall edges that shows a motion
-CURRENT_LEAST_AMPERES = 0.15  # below this current, the sign is only noise
+CURRENT_LEAST_AMPERES = 0.15  # below this current, noise determines the sign
 STOP_WITHIN_S = 1.0
 REST_RPM = 3.0
 GOOD_RESETS = ("power on", "reset pin", "debugger", "software", "unknown cause")
@@ -174,7 +174,7 @@ class BringUp:
         self._wish: Wish | None = None
 
     def steps(self) -> list[Step]:
-        """Returns the steps in their order."""
+        """Returns the steps in the order in which they are executed."""
         safe = ("connection", "emergency stop", "wheels off the ground")
         wheels = [
             Step(
@@ -351,7 +351,7 @@ class BringUp:
         assert self.link.welcome is not None
         start = self.link.welcome.start
         if start.faulted or str(start) not in GOOD_RESETS:
-            raise FailError(str(start), "Find the cause before you continue; docs/protocol.rst.")
+            raise FailError(str(start), "Find the cause first. docs/protocol.rst explains it.")
         return str(start)
 
     def _supply(self) -> str:
@@ -684,7 +684,7 @@ def now() -> str:
 
 
 def find_port() -> list[Path]:
-    """Returns the serial ports of all boards with this debug probe, with their permanent names."""
+    """Returns the permanent names of the serial ports of all boards with this debug probe."""
     ports = [Path(port.device) for port in list_ports.comports() if port.vid == PROBE_VENDOR]
     names = {path.resolve(): path for path in sorted(Path("/dev/serial/by-id").glob("*"))}
     return [names.get(port.resolve(), port) for port in ports]

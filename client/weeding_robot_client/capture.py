@@ -19,7 +19,7 @@ DISSECTOR = Path(__file__).with_name("dissector.lua")
 FILTER = "weeding_robot"
 USER0 = 147  # link type for private use
 SECTION, INTERFACE, PACKET = 0x0A0D0D0A, 1, 6  # blocks of a pcapng file
-FLAGS = 2  # number of the option of a packet that contains its direction
+FLAGS = 2  # number of the packet option that contains the direction
 RECEIVED, SENT = 1, 2  # values of the direction, as seen from the PC
 MOST = 0xFFFF  # greatest number of bytes of a packet
 

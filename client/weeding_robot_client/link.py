@@ -147,7 +147,8 @@ class Link:
             self._send(Confirm(welcome.session))
 
     def _timed(self, report: Report) -> Report:
-        """Returns the report with the round trip of its order.
+        """Returns the report with the round trip: the time from the sending of its order to the
+        report.
 
         The round trip is only added if the robot has read an order of the PC in this cycle.
         """

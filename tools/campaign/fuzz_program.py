@@ -62,7 +62,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
 
 
 def cause_in(output: str) -> str:
-    """Returns the text of a failure from the line of its cause on."""
+    """Returns the output of a failed fuzzer from the line that states the cause."""
     match = CAUSE.search(output)
     return output[match.start() :][:MOST_OF_TEXT] if match else output[-MOST_OF_TEXT:]
 

@@ -91,8 +91,8 @@ class Point:
 
 
 def compiler_arguments(root: Path) -> list[str]:
-    """Returns the options with which the sources are parsed. They are the options of the model,
-    with the precompiled headers of the library."""
+    """Returns the options with which the sources are parsed. These are the options with which
+    the model is built, and the option for the precompiled headers of the library."""
     parsed = ["-include-pch", str(standard(root / "build" / "model" / "cache"))]
     return [*clang_arguments(board=False), *include_options(root), *parsed]
 
@@ -242,7 +242,7 @@ class _Finder:
 
     def negated(self, cursor: Cursor) -> None:
         if any(self.operator(part)[0] in RELATIONS for part in _layers(cursor)):
-            return  # A mutant of the relation already is its negation.
+            return  # A mutant of the relation is already the negation.
         mutant = self.mutant(cursor, "condition", f"not {self.short(cursor)}")
         self.wrap(cursor, "(mutant::on(#) != static_cast<bool>(", "))", mutant)
 

@@ -29,7 +29,7 @@ NO_REQUIREMENT = ""  # key of the mutants of functions that serve no requirement
 
 @dataclass
 class Plan:
-    """The data that exists before the first mutant runs."""
+    """The requirements and the tests of each method. They are determined before mutants run."""
 
     methods: dict[str, list[str]]  # method -> requirements that it serves
     verifying: dict[str, set[str]]  # requirement -> its tests on this computer
@@ -82,8 +82,8 @@ def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[st
 
 
 def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
-    """Returns the functions that a test called. If its recording is incomplete, returns all
-    functions.
+    """Returns the functions that a test called. If the recording of the test is incomplete,
+    returns all functions.
 
     A death test runs in a separate process, which is not recorded.
     """
@@ -182,7 +182,8 @@ def try_all(
     plan: Plan,
     goes_on: Callable[[list[Tried]], bool],
 ) -> list[Tried]:
-    """Tries mutants in this order, as long as ``goes_on`` returns true for the results so far."""
+    """Tries the mutants in the order of ``numbers``, as long as ``goes_on`` returns true for the
+    results so far."""
     tried: list[Tried] = []
 
     def work() -> None:
@@ -252,9 +253,9 @@ class Justifications:
         """Returns for each mutant the reason why no test can find it. The reason is empty without a
         justification.
 
-        Each change in an entry justifies one mutant. A line can have the same change at several
-        places. The entry then contains the change once for each place at which no test can find it.
-        """
+        Each change in an entry justifies one mutant. A source line can have the same change at
+        several places. The entry then contains the change once for each place at which no test can
+        find it."""
         left = {key: list(reasons) for key, reasons in self.reasons.items()}
         return [
             reasons.pop() if (reasons := left.get(self._key(mutant))) else "" for mutant in mutants
