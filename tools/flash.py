@@ -68,10 +68,13 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--bluetooth-key",
         type=Path,
         metavar="FILE",
-        help="write this key (32 hexadecimal digits) into the image of weeding_robot_pc_bluetooth",
+        help="write this key (32 hexadecimal digits) into the firmware image of "
+        "weeding_robot_pc_bluetooth",
     )
     parser.add_argument(
-        "--dry-run", action="store_true", help="check the image, and then only print the steps"
+        "--dry-run",
+        action="store_true",
+        help="check the firmware image, and then only print the steps",
     )
     parser.set_defaults(run=lambda root, options: flash(root, options, parser))
 
@@ -165,8 +168,8 @@ def tool(name: str, *arguments: str) -> Way:
 
 
 def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
-    """Writes the image with pyOCD. Then reads the flash and compares it with the image, because
-    pyOCD does not compare."""
+    """Writes the firmware image with pyOCD. Then reads the flash and compares it with the image,
+    because pyOCD does not compare."""
     missing = "" if shutil.which("pyocd") else "not installed"
     words = ["pyocd", "flash", *flags, str(image)]
 

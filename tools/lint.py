@@ -175,7 +175,7 @@ def check_headers(root: Path, log: TextIO) -> str:
 
 
 def header_objects(root: Path, preset: str, log: TextIO) -> list[str]:
-    """Returns the objects of a build that contain one header each."""
+    """Returns the objects of a build that are compiled from one header each."""
     build(root, preset, log, "build.ninja")
     words = ["ninja", "-C", str(root / "build" / preset), "-t", "targets", "all"]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout

@@ -69,7 +69,7 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
     states = sum(result.states for result in results.values())
     summary = f"{proven} of {len(results)} properties proven, {states} states"
     if recorded:
-        summary += f"; {len(recorded)} of them in the record of the same models"
+        summary += f"; the record has the results of {len(recorded)} of them"
     return Outcome(summary, failed=proven < len(results))
 
 

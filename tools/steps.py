@@ -110,7 +110,7 @@ def heed_interrupts() -> None:
 
 @contextmanager
 def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
-    """Ends the program too, if an interrupt comes during this context."""
+    """Ends the given program too if an interrupt comes during this context."""
     _started.append(program)
     try:
         yield

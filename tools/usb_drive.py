@@ -47,8 +47,8 @@ def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
 
 
 def problem(folder: Path) -> str:
-    """Returns the reason why no image can be copied to this folder. The reason is empty if the
-    folder is the drive of a board.
+    """Returns the reason why no firmware image can be copied to this folder. The reason is empty
+    if the folder is the drive of a board.
     """
     if not folder.is_dir():
         return f"{folder} is not a folder"
@@ -68,7 +68,7 @@ def problem(folder: Path) -> str:
 
 
 def copy(image: Path, folder: Path, log: TextIO) -> str:
-    """Copies the image, and waits until the drive appears again. Then reads the result."""
+    """Copies the firmware image, and waits until the drive appears again. Then reads the result."""
     old = failure(folder)
     log.write(f"copies {image} to {folder}\n")
     try:

@@ -36,13 +36,13 @@ DEFAULT_FOLDER = ROOT / "build" / "bring-up"
 DEFAULT_CONTROL = ROOT / "build" / "sim-control"
 IMAGES = ROOT / "build" / "k64"
 DESCRIPTION = """\
-Guides you step by step through the checks of a new robot: port, connection, image, reset cause,
-inputs, end stops, remote control, emergency stop. Then the program turns one wheel at a time with
-1 V, detects swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each step
-states the action and the expected result. To skip a step that waits for you, press 's' and Enter.
-No motor is switched on until the step for the emergency stop has passed and you have confirmed
-that the wheels are off the ground. Ctrl-C stops the robot. The program writes the result to a
-record with the present date, in JSON and in Markdown.
+Guides you step by step through the checks of a new robot: port, connection, firmware image, reset
+cause, inputs, end stops, remote control, emergency stop. Then the program turns one wheel at a time
+with 1 V, detects swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each
+step states the action and the expected result. To skip a step that waits for you, press 's' and
+Enter. No motor is switched on until the step for the emergency stop has passed and you have
+confirmed that the wheels are off the ground. Ctrl-C stops the robot. The program writes the result
+to a record with the present date, in JSON and in Markdown.
 
 Exit code 1: a step failed or was skipped."""
 

@@ -60,7 +60,7 @@ def decode(coded: bytes) -> Frame:
 
 @dataclass
 class Decoder:
-    """Splits received bytes into frames. Drops other bytes, and counts the dropped pieces."""
+    """Splits received bytes into frames. Drops each piece that is not a frame, and counts it."""
 
     dropped: int = 0
     _pending: bytearray = field(default_factory=bytearray)

@@ -129,7 +129,7 @@ class Link:
     def reports(self, timeout_s: float | None = None) -> Iterator[Report]:
         """Yields all reports until no report arrives for the given time.
 
-        The reports continue after a lost connection.
+        If the connection is lost and begins again, the reports continue.
         """
         last = self._clock()
         while timeout_s is None or self._clock() - last < timeout_s:

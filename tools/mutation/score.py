@@ -250,8 +250,8 @@ class Justifications:
         self.lines: dict[str, list[str]] = {}
 
     def reasons_of(self, mutants: Iterable[Mutant]) -> list[str]:
-        """Returns for each mutant the reason why no test can find it. The reason is empty without a
-        justification.
+        """Returns for each mutant the reason why no test can find it. The reason is empty if the
+        mutant has no justification.
 
         Each change in an entry justifies one mutant. A source line can have the same change at
         several places. The entry then contains the change once for each place at which no test can
