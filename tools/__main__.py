@@ -15,7 +15,7 @@ def run() -> int:
         code = main(sys.argv[1:])
     except KeyboardInterrupt:
         code = INTERRUPTED
-    # After the command, an interrupt has nothing to end.
+    # The command has ended, and a further interrupt must have no effect.
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)
     return code

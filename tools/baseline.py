@@ -33,7 +33,7 @@ from traceability.sources import SRC, files_below
 
 TESTS = "usual_design_tests"
 WORK = Path("build/usual_design")
-MAIN = "main"  # name of the composition; its objects belong to the design
+MAIN = "main"  # name of the composition, which is different in each design
 STACK = "stack"
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 SYMBOL = re.compile(r"^([0-9a-f]+) [tTwW] (.+)$", re.MULTILINE)
@@ -81,7 +81,7 @@ def image_of(root: Path, design: str, suffix: str) -> Path:
 
 
 def measure_run(root: Path, log: TextIO, design: str) -> dict[str, Any]:
-    """Plays the scenario on the virtual K64 with the image of a design."""
+    """Plays the scenario on the virtual K64 with the firmware image of a design."""
     record = root / WORK / f"{design}.json"
     record.parent.mkdir(parents=True, exist_ok=True)
     record.unlink(missing_ok=True)
@@ -131,7 +131,7 @@ def sizes_of(root: Path, design: str) -> dict[str, Size]:
 
 
 def own_parts(sizes: dict[str, dict[str, Size]], design: str) -> set[str]:
-    """Returns the parts that only this design has. Its composition is one of them."""
+    """Returns the parts that only this design has, and its composition."""
     others = set().union(*(sizes[other] for other in sizes if other != design))
     return {part for part in sizes[design] if part not in others or part == MAIN}
 
@@ -181,7 +181,7 @@ def closure(root: Path, sources: Iterable[Path]) -> set[Path]:
 
 
 def source_figures(paths: list[Path]) -> dict[str, float]:
-    """Returns the complexity and the number of lines. lizard counts both."""
+    """Returns the complexity and the number of source lines, which lizard counts."""
     files = [lizard.analyze_file(str(path)) for path in paths]
     complexity = [
         function.cyclomatic_complexity for file in files for function in file.function_list
@@ -200,8 +200,8 @@ def source_figures(paths: list[Path]) -> dict[str, float]:
 
 
 def try_change(root: Path, log: TextIO, change: str) -> dict[str, Any]:
-    """Applies the patches of a change to a copy. Runs the test of the change there with both
-    designs."""
+    """Applies the patches of a change to a copy of the project. In the copy, runs the tests of the
+    change with both designs."""
     tree = root / WORK / "tree"
     copy_sources(root, tree)
     counts = {}
@@ -236,7 +236,7 @@ def tests_by_design(results: dict[str, Any]) -> dict[str, int]:
 
 
 def apply(log: TextIO, tree: Path, patch: Path) -> None:
-    # The copy is not a git repository. Git must not treat it as a part of the repository around it.
+    # The copy is not a git repository, and git must not search for a repository above the copy.
     environment = {**os.environ, "GIT_CEILING_DIRECTORIES": str(tree.parent)}
     words = ["git", "-C", str(tree), "apply", "--whitespace=nowarn", str(patch)]
     log.write(f"$ {' '.join(words)}\n")

@@ -1,4 +1,4 @@
-"""./wr bench: measures the paper's four scenarios on the image that is flashed."""
+"""./wr bench: measures the four scenarios of the paper with the firmware image of the robot."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from weeding_robot_client.orders import Orders as Sender
 from weeding_robot_client.orders import arm, connect, not_connected
 from weeding_robot_client.script import Wish
 
-# ./wr bench also measures the baseline design, and the time that the tests need for their records.
+# ./wr bench also measures the baseline design, and the time that tests need to record calls.
 BESIDES = (task_record.BASELINE, task_record.TESTS_TRACE, task_record.TESTS_PLAIN)
 CORE_PER_MS = 120_000
 BOARD = "board"  # record of the run on a connected board
@@ -42,17 +42,17 @@ BOARD = "board"  # record of the run on a connected board
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "bench",
-        description="Builds the image for the K64. Plays the four scenarios of the paper with this "
-        "image on the virtual K64 in the simulated robot. Each scenario has 1000 "
+        description="Builds the firmware image for the K64. Plays the four scenarios of the paper "
+        "with this image on the virtual K64 in the simulated robot. Each scenario has 1000 "
         "control cycles. Measures instructions, the time from the clock pulse to the "
         "report, load, latencies, and the speed of the simulator. Compares the "
-        "patterns with the baseline design, and measures the cost of the records of "
+        "patterns with the baseline design, and measures the cost of recording "
         "the calls. With --port, sends the same orders to a connected board and reads "
         "the cycle counts in its reports. Lift the robot first, because its wheels "
-        "will turn with up to 300 rpm. The PC sends all orders, so the remote control "
-        "may be off.",
+        "will turn with up to 300 rpm. The remote control may be off, because the PC "
+        "sends all orders.",
     )
-    parser.add_argument("--port", type=Path, help="serial port of a board that has the image")
+    parser.add_argument("--port", type=Path, help="serial port of a board with this firmware")
     parser.add_argument(
         "--seconds", type=positive, help="with --port: end each scenario after this time [s]"
     )
@@ -111,8 +111,8 @@ def orders_of(text: str) -> list[Orders]:
 
 
 def wishes(orders: list[Orders], seconds: float | None) -> Iterator[Wish]:
-    """Yields an order for each cycle of 100 ms, until the end of the scenario or for a number of
-    seconds."""
+    """Yields an order for each cycle of 100 ms, until the scenario ends or ``seconds`` have
+    passed."""
     end = orders[-1].last if seconds is None else min(orders[-1].last, orders[0].first + seconds)
     for period in orders:
         cycles = round((min(period.last, end) - period.first) * 1000 / PERIOD_MS) + 1
@@ -168,8 +168,8 @@ def drive(port: Path, plan: Iterator[Wish]) -> list[Report]:
 
 
 def costs(reports: list[Report]) -> BenchRun:
-    """Returns the numbers that a board reports about itself. The first cycles are skipped, because
-    they execute earlier orders.
+    """Returns the times and the load that a board reports. The first two cycles are skipped,
+    because they execute earlier orders.
     """
     measured = [report for report in reports if report.order_read][2:]
     if not measured:

@@ -29,8 +29,8 @@ SECONDS = 600  # time limit of a run
 
 
 def measure_all(root: Path, log: TextIO) -> str:
-    """Plays the scenarios of the paper with the flashed image, and with an image that has only the
-    paper's design."""
+    """Plays the scenarios of the paper with the firmware image of the robot, and with a firmware
+    image that contains only the design of the paper."""
     record: Record = {}
     notes = [f"{paper.title}: {measure(root, paper, record, log)}" for paper in SCENARIOS]
     keep(root, BENCH, record)
@@ -40,8 +40,8 @@ def measure_all(root: Path, log: TextIO) -> str:
 
 
 def measure_paper(root: Path, log: TextIO) -> str:
-    """Plays the scenarios with the product without safety functions. Its times show the cost of
-    these functions.
+    """Plays the scenarios with the product without safety functions. A comparison with the
+    times of the robot shows the cost of these functions.
     """
     record: Record = {}
     for paper in SCENARIOS:
@@ -59,8 +59,8 @@ def keep(root: Path, path: Path, record: Record) -> None:
 
 
 def measure(root: Path, paper: Paper, record: Record, log: TextIO) -> str:
-    """Plays a scenario with each model of time. Then plays it once more to count each
-    instruction."""
+    """Plays a scenario with each timing model of the memory. Then plays the scenario again, and
+    counts each instruction."""
     runs: dict[str, BenchRun] = {}
     for timing in TIMINGS:
         raw, user = play(root, log, paper.name, timing)

@@ -122,14 +122,14 @@ def commit_of(root: Path) -> tuple[str, int]:
 
 
 def with_date(pdf: bytes, when: int) -> bytes:
-    """Replaces the time of printing by another text of the same length."""
+    """Replaces the time of printing by the time ``when``, as a text of the same length."""
     text = time.strftime("(D:%Y%m%d%H%M%S", time.gmtime(when)).encode()
     return DATE.sub(lambda match: text + match[0][len(text) :], pdf)
 
 
 def with_own_numbers(pdf: bytes) -> bytes:
-    """Numbers the parts of the pages from 0, because the first number that the browser gives
-    varies.
+    """Numbers the nodes of the PDF from 0, because the browser begins with a different number each
+    time.
     """
     number = {name: at for at, name in enumerate(sorted(set(NODE.findall(pdf))))}
     return NODE.sub(lambda match: b"(node%08d)" % number[match[1]], pdf)
@@ -197,8 +197,8 @@ def name_of(page: str) -> str:
 
 
 def chapter(page: str, text: str) -> str:
-    """Returns the content of a page for printing. All its parts are open, and its links lead to
-    places in the book.
+    """Returns the content of a page for printing. Collapsed sections are expanded, and links lead
+    to places in the book.
     """
     text = SCREEN_ONLY.sub("", text).replace("<details", "<details open")
 
@@ -218,13 +218,13 @@ def chapter(page: str, text: str) -> str:
 
 
 def beside(page: str, address: str) -> str:
-    """Returns an address in a page. The address is relative to the folder of the book."""
+    """Returns the address of a file to which a page refers, relative to the folder of the book."""
     return f"../site/{posixpath.normpath(posixpath.join(posixpath.dirname(page), address))}"
 
 
 def inside(page: str, address: str) -> str:
-    """Returns the target of a page's link in the book. The target is empty if the book does not
-    contain it.
+    """Returns the target of a link of a page, as an address in the book. Returns an empty text if
+    the book does not contain the target.
     """
     if address.startswith(("http:", "https:")):
         return address

@@ -1,4 +1,4 @@
-"""The browser of this machine, for the tests of the pages."""
+"""The browser of this computer, for the tests of the pages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tests the likely changes and the ports, and measures the images of the changes."""
+"""Tests the likely changes and the ports, and measures the firmware images of the changes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ COST = "instructions"  # property of a test: average number of instructions in a
 
 def test_changes(root: Path, log: TextIO) -> Outcome:
     """Writes build/results/changes.json with the results of the tests and the costs of the
-    images."""
+    firmware images."""
     path = root / RESULT
     path.parent.mkdir(parents=True, exist_ok=True)
     program = root / "build" / BOARD_PRESET / "changes" / TESTS
@@ -34,10 +34,9 @@ def test_changes(root: Path, log: TextIO) -> Outcome:
 
 
 def test_ports(root: Path, log: TextIO) -> Outcome:
-    """Writes build/results/ports.json. It contains the results of the tests of each port that can
-    run here, and the sizes of the port's image. It also contains the sizes of the same design on
-    the K64.
-    """
+    """Writes build/results/ports.json. For each port whose emulator is installed, the file contains
+    the results of the tests and the sizes of the firmware image. It also contains the sizes of the
+    same design on the K64."""
     path = root / PORTS_RESULT
     path.parent.mkdir(parents=True, exist_ok=True)
     reports = {}
@@ -63,14 +62,14 @@ def missing_emulators(root: Path) -> str:
 
 
 def size_of(elf: Path) -> dict[str, float]:
-    """Returns the flash and RAM of an image [bytes]."""
+    """Returns the flash and RAM of a firmware image [bytes]."""
     whole = whole_of(elf)
     return {"flash": whole.flash, "ram": whole.ram}
 
 
 def costs(root: Path, suites: list[dict[str, Any]]) -> dict[str, dict[str, float]]:
-    """Returns the flash and RAM of each image [bytes]. If the instructions of a cycle were counted,
-    returns them too."""
+    """Returns the flash and RAM of each firmware image [bytes]. Also returns the instructions of a
+    cycle, if they were counted."""
     tests = [test for suite in suites for test in suite["testsuite"]]
     counted = {test["image"]: float(test[COST]) for test in tests if COST in test}
     images: dict[str, dict[str, float]] = {}

@@ -26,9 +26,9 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "--drift",
         nargs="*",
         metavar="CHECK",
-        help="first insert each fault of tests/drift in a copy, and test whether the checks find "
-        "it; with names of checks: insert only the faults of these checks, and do nothing "
-        "else",
+        help="first insert each fault of tests/drift in a copy of the project, and test whether "
+        "the checks find the fault; with names of checks: insert only the faults of these checks, "
+        "and do nothing else",
     )
     parser.add_argument(
         "--publish",
@@ -81,7 +81,7 @@ def report(findings: list[Finding] | None, failed: Iterable[str]) -> int:
     """
     from traceability.checks import message, sort
 
-    # These findings are the causes of many other findings.
+    # These findings are printed first, because they cause many other findings.
     first = (
         "syntax-error",
         "design-entry",

@@ -46,7 +46,7 @@ MODULES = {
 
 def parser(names: Iterable[str] = MODULES) -> argparse.ArgumentParser:
     """Returns the parser of the command line, with these commands. The parsed options contain the
-    parser of the command, because this parser reports errors.
+    parser of the chosen command, which prints the messages about wrong options.
     """
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")

@@ -65,7 +65,7 @@ def _play(root: Path, log: TextIO, name: str, binding: str) -> dict[str, object]
 
 
 def _outcome(runs: dict[str, dict[str, dict[str, object]]]) -> Outcome:
-    """Returns the outcome. The outcome is bad if a scenario failed."""
+    """Returns the outcome, which is a failure if a scenario failed."""
     failed = [
         f"{name} ({binding})"
         for name, bindings in runs.items()

@@ -28,19 +28,19 @@ _building: dict[str, threading.Lock] = defaultdict(threading.Lock)
 # CMake stores the values of these files in its cache. A change of these files needs a new
 # configuration.
 SETTINGS = ("CMakePresets.json", "setup/k64-toolchain.cmake")
-# The parts of the project in a copy that is built and tested.
+# The folders and files that are copied, when a copy of the project is built and tested.
 COPIED = (*TESTED, "docs", "design", "setup", *FRAMES)
 IMAGE = str(image_of(PAPER, ".bin"))
 TESTS = "firmware_tests"
-# The tests on the virtual K64 are a separate run. Their program is built with the preset of this
-# machine.
+# The tests on the virtual K64 are a separate run. Their program is built with the preset for this
+# computer.
 BOARD, BOARD_TESTS, BOARD_PRESET = "board", "board_tests", "host"
 BOARD_PROGRAM = "weeding_robot_board"
 
 
 @dataclass(frozen=True)
 class Counts:
-    """The results of a run of tests, as counts."""
+    """The numbers of passed, failed and skipped tests of a run."""
 
     passed: int = 0
     failed: int = 0
@@ -70,16 +70,14 @@ def build(root: Path, preset: str, log: TextIO, *targets: str) -> None:
     with _building[preset]:
         newest = max((root / name).stat().st_mtime for name in SETTINGS)
         if made.exists() and made.stat().st_mtime < newest:
-            shutil.rmtree(directory)  # The object of these coverage notes no longer exists.
+            shutil.rmtree(directory)  # Old objects and coverage notes must not remain.
         if not made.exists():
             run(log, ["cmake", "--fresh", "-S", root, "--preset", preset])
         run(log, ["cmake", "--build", directory, "--parallel", jobs(), *arguments])
 
 
 def gtest_counts(results: Path) -> Counts:
-    """Counts the tests in a result file of GoogleTest. Disabled and skipped tests count as not
-    run.
-    """
+    """Counts the tests in a result file of GoogleTest. Disabled tests count as skipped."""
     passed = failed = skipped = 0
     for suite in json.loads(results.read_text())["testsuites"]:
         for test in suite["testsuite"]:
@@ -93,7 +91,8 @@ def gtest_counts(results: Path) -> Counts:
 
 
 def write_failures(results: Path, log: TextIO) -> None:
-    """Returns the failures in a result file of GoogleTest, with the seed that repeats them."""
+    """Writes the failures of a result file of GoogleTest to the log, with the seed that repeats
+    each failure."""
     for suite in json.loads(results.read_text())["testsuites"]:
         for test in suite["testsuite"]:
             if "failures" not in test:
@@ -124,7 +123,7 @@ def results_of(root: Path, run_name: str) -> Path:
 
 
 def program_of(root: Path, run_name: str) -> Path:
-    """Returns the program with the tests. The results are in the folder of the program."""
+    """Returns the program with the tests."""
     if run_name == BOARD:
         return root / "build" / BOARD_PRESET / "tests" / BOARD_TESTS
     return root / "build" / run_name / "tests" / TESTS
@@ -139,9 +138,8 @@ def run_tests(root: Path, run_name: str, log: TextIO) -> Counts:
     results.parent.mkdir(parents=True, exist_ok=True)
     binaries = root / "build" / (BOARD_PRESET if on_board else run_name)
     shutil.rmtree(binaries / ("traces-board" if on_board else "traces"), ignore_errors=True)
-    for counters in binaries.rglob(
-        "*.gcda"
-    ):  # Without this, gcc would add new counts to the old counts.
+    # gcc would add the new counts to the counts in these files.
+    for counters in binaries.rglob("*.gcda"):
         counters.unlink()
     program = program_of(root, run_name)
     seed = {"WR_SEED": os.environ.get("WR_SEED") or str(secrets.randbits(31))}
@@ -182,8 +180,8 @@ def run_shards(
 
 
 def of_each_image(suites: list[dict[str, Any]]) -> list[str]:
-    """Returns the tests of the image under test. Tests that need only the design of the paper are
-    left out.
+    """Returns the tests that are repeated with the other firmware images. Tests that need the
+    design of the paper alone are left out.
     """
     return [
         f"{suite['name']}.{test['name']}"
@@ -223,7 +221,7 @@ class Shard:
 
 
 def outcome_of(counts: Counts) -> Outcome:
-    """Returns the outcome of tests. The outcome is bad if a test failed or no test ran."""
+    """Returns the outcome of tests, which is a failure if a test failed or no test ran."""
     values = {
         "passed": counts.passed,
         "failed_tests": counts.failed,
@@ -233,7 +231,8 @@ def outcome_of(counts: Counts) -> Outcome:
 
 
 def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
-    """Returns the inputs that Ninja lists. Their paths are relative to the project."""
+    """Returns the source files of targets, as Ninja lists them. Paths are relative to the
+    project."""
     folder = root / "build" / preset
 
     def ask(*words: str) -> list[str]:
@@ -260,8 +259,8 @@ def sources_of(root: Path, preset: str, *targets: str) -> list[str]:
 
 
 def copy_sources(root: Path, target: Path, texts: Mapping[str, str] | None = None) -> None:
-    """Makes the target equal to the sources, except for the given texts. A file that is already
-    equal keeps its time."""
+    """Makes the target folder equal to the sources, except for the files in ``texts``. A file that
+    is already equal keeps its modification time."""
     python = root / "tests/python"
     paths = [path for path in files_below(root, COPIED) if python not in path.parents]
     contents = {str(path.relative_to(root)): path.read_bytes() for path in paths}

@@ -1,6 +1,6 @@
 """The coverage of all tests together. gcovr computes it from the counters of gcc.
 
-A line that is in several functions, such as a line of a template, counts once.
+A source line that is in several functions, such as a source line of a template, counts once.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ GCOVR = Path(sys.executable).with_name("gcovr")
 
 
 def count_coverage(root: Path, log: TextIO) -> str:
-    """Writes the totals and the lines of each file."""
+    """Writes the totals of the coverage, and the coverage of each source line."""
     words: list[str | Path] = [GCOVR, "--root", root, "-j", jobs(), "--merge-lines"]
     words += ["--exclude-directory", OTHER_PROGRAMS]
     for name in DESIGN:

@@ -25,18 +25,19 @@ from traceability.reading.results import BOARD_ONLY, HOST_ONLY
 from traceability.sources import files_below
 
 GDB_FOR_ARM = ("gdb-multiarch", "arm-none-eabi-gdb")
-ON_HOST = "debug"  # preset with which programs for debugging on this machine are built
-# Folders of tests that test a program of this machine.
+ON_HOST = "debug"  # preset of the programs that are debugged on this computer
+# Folders with tests of the emulators, which are programs of this computer.
 OF_EMULATOR = ("tests/sim/", "tests/torture/")
 SCENARIO = ".scenario"
 SCENARIO_ADVICE = "name the file of a scenario, such as a file of sim/scenario/examples"
 TEST_ADVICE = "the page Tests of the portal lists the names of the tests"
-WAIT = 20  # longest time until a board waits at its port [s]
+WAIT = 20  # longest time until the virtual board opens its port [s]
 
 
 @dataclass(frozen=True)
 class Target:
-    """The debugger, and the board that waits for it. A program of this machine needs no board."""
+    """The commands that start the debugger, and the virtual board to which the debugger connects.
+    A program of this computer needs no board."""
 
     gdb: list[str]
     server: list[str] = field(default_factory=list)
@@ -49,8 +50,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         "debug",
         description="Builds a test with full debug information, and opens it in GDB. If the test "
         "runs only on the virtual board, it is debugged there. With a scenario, or "
-        "without a name, GDB debugs the image on the virtual board, forwards and "
-        "backwards.",
+        "without a name, GDB debugs the firmware image on the virtual board, and can "
+        "execute it forwards and backwards.",
     )
     parser.add_argument(
         "name",
@@ -65,7 +66,7 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         action="store_true",
         help="if a test runs on both targets, debug it on the virtual board",
     )
-    add_product(parser, "the product whose image runs on the virtual board")
+    add_product(parser, "the product whose firmware image runs on the virtual board")
     parser.add_argument(
         "--print", action="store_true", dest="shows", help="print the commands, and run nothing"
     )
@@ -96,8 +97,8 @@ def file_of(root: Path, name: str) -> str:
 
 
 def filter_of(name: str) -> str:
-    """Returns the filter for a test. The filter includes its instances if the test has parameters
-    or types."""
+    """Returns the option of GoogleTest that selects a test. If the test has parameters or types,
+    the option selects all its instances."""
     suite, _, case = name.partition(".")
     return f"--gtest_filter={name}:*/{suite}.{case}/*:{suite}/*.{case}"
 
@@ -129,7 +130,7 @@ def gdb_for_arm() -> str:
 
 
 def gdb_of_board(elf: Path, port: int) -> list[str]:
-    """Returns the command of GDB with the symbols of an image, for a board that waits."""
+    """Returns the command of GDB with the symbols of a firmware image, for a board that waits."""
     commands = (f"directory {elf.parent}", f"target remote :{port}")
     words = [gdb_for_arm(), "-q", str(elf)]
     return [*words, *(word for command in commands for word in ("-ex", command))]
@@ -191,8 +192,8 @@ def python_target(root: Path, name: str) -> Target:
 
 
 def wait_for_port(server: subprocess.Popen[bytes], port: int) -> None:
-    """Waits until the system lists the port as open. A connection would be a test of the port, but
-    the board would treat it as GDB."""
+    """Waits until the system lists the port as open. The program does not try to connect, because
+    the board would treat this connection as GDB."""
     wanted = f":{port:04X} 00000000:0000 0A"
     end = time.monotonic() + WAIT
     while time.monotonic() < end and server.poll() is None:

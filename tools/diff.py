@@ -1,4 +1,4 @@
-"""./wr diff: compares two revisions by their requirements, trees, verdicts, sizes and reviews."""
+"""./wr diff: compares two commits by their requirements, trees, verdicts, sizes and reviews."""
 
 from __future__ import annotations
 
@@ -113,14 +113,15 @@ def unpack(root: Path, commit: str, folder: Path) -> None:
 
 
 def copy_syntax(root: Path, copy: Path) -> None:
-    """Copies the cached syntax of the present sources. Only units that differ are then parsed."""
+    """Copies the cached syntax of the present sources. Then only sources that differ are parsed."""
     (copy / SYNTAX).mkdir(parents=True)
     for facts in (root / SYNTAX).glob("*.facts"):
         shutil.copy(facts, copy / SYNTAX)
 
 
 def changed_files(root: Path, first: str, second: str) -> Iterator[Difference]:
-    """Yields the files that differ. A file whose content is not compared has a mark."""
+    """Yields the files that differ. A file whose content is not compared is marked as not
+    followed."""
     for line in git(root, "diff", "--no-renames", "--numstat", first, second).splitlines():
         added, removed, path = line.split("\t")
         lines = "binary" if added == "-" else f"+{added} -{removed} lines"

@@ -33,7 +33,7 @@ PARTS = ("model", "checks", "site", "links")
 
 
 def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
-    """Builds the documents, and writes the lines of the four steps as they appear.
+    """Builds the documents, and prints each line of output of the four steps at once.
 
     The process frees its memory when it ends. A long command therefore does not occupy this memory.
     """
@@ -51,13 +51,13 @@ def make_documents(root: Path, out: TextIO, log: TextIO) -> str:
     if made.returncode == INCOMPLETE:
         raise FailureError("a step failed")
     if made.returncode != 0:
-        (root / FINDINGS).unlink(missing_ok=True)  # These files belong to earlier documents.
+        (root / FINDINGS).unlink(missing_ok=True)  # This file belongs to earlier documents.
         raise FailureError(f"the process of the documents ended early, with code {made.returncode}")
     return counted(read_findings(root) or [])
 
 
 def read_findings(root: Path) -> list[Finding] | None:
-    """Returns the findings of the last documents. Returns nothing if their process ended early."""
+    """Returns the findings of the last documents. Returns None if their process ended early."""
     records = read_json(root / FINDINGS)
     if records is None:
         return None
@@ -75,7 +75,7 @@ def write_time(root: Path, name: str, seconds: float) -> None:
 
 
 def add_metrics(root: Path, value: dict[str, float], *files: Path) -> None:
-    """Adds numbers to the metrics that were measured after the documents were made."""
+    """Adds numbers that were measured later to the metrics of the documents."""
     for path in (root / name for name in files or (METRICS,)):
         metrics = read_json(path)
         text = json.dumps((metrics or {}) | value, indent=1, sort_keys=True)

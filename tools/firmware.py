@@ -1,5 +1,5 @@
-"""./wr firmware: builds the firmware for this machine, and the images of all products for the
-K64."""
+"""./wr firmware: builds the firmware for this computer, and the firmware images of all products
+for the K64."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ FILES = {
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "firmware",
-        description="Builds the firmware for this machine (run it with ./wr sim), and the images "
-        "of all products for the K64 (write an image with ./wr flash). Prints the "
-        "flash and RAM of each module and of each product.",
+        description="Builds the firmware for this computer (run it with ./wr sim), and the "
+        "firmware images of all products for the K64 (write an image with ./wr "
+        "flash). Prints the flash and RAM of each module and of each product.",
     )
     parser.set_defaults(run=lambda root, _options: firmware(root))
 
@@ -54,7 +54,7 @@ def firmware(root: Path) -> int:
     for suffix, use in FILES.items():
         print(f"  {image_of('PRODUCT', suffix)}  {use}")
     print(f"  {SVD}  names of the registers, for a debugger")
-    print("For this machine: build/host/sim/weeding_robot_host (./wr sim)")
+    print("For this computer: build/host/sim/weeding_robot_host (./wr sim)")
     return 0
 
 
@@ -66,7 +66,8 @@ def add_product(parser: argparse.ArgumentParser, does: str) -> None:
 
 
 def print_sizes(sizes: dict[str, Size]) -> None:
-    """Prints a table of the modules, with the largest first. The other parts and the sum follow."""
+    """Prints a table of the modules, with the largest module first. Other parts and the sum
+    follow."""
     modules = sorted(sizes.keys() - set(PARTS), key=lambda name: (-sizes[name].flash, name))
     print(f"\n{'bytes of':32} {'flash':>8} {'RAM':>8}")
     for name in [*modules, *(part for part in PARTS if part in sizes)]:
@@ -83,7 +84,7 @@ def print_products(wholes: dict[str, Size]) -> None:
 
 
 def identity(elf: Path, image: Path) -> tuple[str, str]:
-    """Returns the version and the build id, which are in the bytes of the image."""
+    """Returns the version and the build id, which are in the bytes of the firmware image."""
     for line in output("arm-none-eabi-nm", "--demangle", elf).splitlines():
         address, _, symbol = (*line.split(maxsplit=2), "", "")[:3]
         if symbol == "wr::firmwareIdentity":

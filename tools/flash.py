@@ -1,4 +1,4 @@
-"""./wr flash: writes the image into the board."""
+"""./wr flash: writes the firmware image into the flash of the board."""
 
 from __future__ import annotations
 
@@ -32,7 +32,8 @@ each way."""
 
 @dataclass(frozen=True)
 class Way:
-    """A way to write to the board. ``missing`` is empty if the way is available."""
+    """A way to write to the board. ``missing`` is the reason why the way is not available, or
+    empty."""
 
     missing: str
     does: str
@@ -42,8 +43,8 @@ class Way:
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "flash",
-        description="Builds the image for the K64, checks that it would not lock the chip, and "
-        "writes it into a FRDM-K64F. The command uses pyOCD or OpenOCD, or copies the "
+        description="Builds the firmware image for the K64, checks that it would not lock the "
+        "chip, and writes it into a FRDM-K64F. The command uses pyOCD or OpenOCD, or copies the "
         "image to the drive of the board. The exit code 3 means that no board was "
         "found.",
     )
@@ -59,18 +60,21 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         metavar="PATH",
         help="folder at which the drive of the board is mounted",
     )
-    add_product(parser, "build and write the image of this product")
+    add_product(parser, "build and write the firmware image of this product")
     parser.add_argument(
-        "--image", type=Path, metavar="BIN", help="write this image, and build nothing"
+        "--image", type=Path, metavar="BIN", help="write this firmware image, and build nothing"
     )
     parser.add_argument(
         "--bluetooth-key",
         type=Path,
         metavar="FILE",
-        help="write this key (32 hexadecimal digits) into the image of weeding_robot_pc_bluetooth",
+        help="write this key (32 hexadecimal digits) into the firmware image of "
+        "weeding_robot_pc_bluetooth",
     )
     parser.add_argument(
-        "--dry-run", action="store_true", help="check the image, and then only print the steps"
+        "--dry-run",
+        action="store_true",
+        help="check the firmware image, and then only print the steps",
     )
     parser.set_defaults(run=lambda root, options: flash(root, options, parser))
 
@@ -113,8 +117,8 @@ def flash(root: Path, options: argparse.Namespace, parser: argparse.ArgumentPars
 
 
 def checked(image: Path) -> str:
-    """Prints the size of an image that does not lock the chip. Fails for an image that locks the
-    chip."""
+    """Returns the size of a firmware image, as a text. Raises FailureError if the image would lock
+    the chip."""
     try:
         content = image.read_bytes()
     except OSError as error:
@@ -127,8 +131,8 @@ def checked(image: Path) -> str:
 
 
 def add_key(image: Path, key_file: Path, keyed: Path) -> str:
-    """Writes a copy of the image with the key. Fails if there is no key, or if the image has no
-    place for it.
+    """Writes a copy of the firmware image with the key. Raises FailureError if there is no key, or
+    if the image has no place for a key.
     """
     try:
         keyed.parent.mkdir(parents=True, exist_ok=True)
@@ -139,7 +143,7 @@ def add_key(image: Path, key_file: Path, keyed: Path) -> str:
 
 
 def ways(image: Path, folder: Path | None) -> dict[str, Way]:
-    """Returns all ways to write an image, in the order in which they are tried."""
+    """Returns all ways to write a firmware image, in the order in which they are tried."""
     file = image.resolve()
     flags = ("-t", "k64f", "--no-wait", "--format", "bin", "--base-address", "0")
     # OpenOCD reads a script, in which braces keep a path with blanks in one word. Without
@@ -164,8 +168,8 @@ def tool(name: str, *arguments: str) -> Way:
 
 
 def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
-    """Writes the image with pyOCD. Then reads the flash and compares it with the image, because
-    pyOCD does not compare."""
+    """Writes the firmware image with pyOCD. Then reads the flash and compares it with the image,
+    because pyOCD does not compare."""
     missing = "" if shutil.which("pyocd") else "not installed"
     words = ["pyocd", "flash", *flags, str(image)]
 
@@ -182,7 +186,8 @@ def pyocd(image: Path, flags: tuple[str, ...]) -> Way:
 
 
 def compared(image: Path, copy: Path) -> str:
-    """Reports that the flash equals the image. Fails at the first byte that differs."""
+    """Returns a text which states that flash and image are equal. Raises FailureError for the first
+    byte that differs."""
     expected = image.read_bytes()
     try:
         read_back = copy.read_bytes()

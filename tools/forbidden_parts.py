@@ -1,5 +1,5 @@
-"""Finds parts of the language and of the library that have no bound in time or memory. No image may
-contain them.
+"""Finds parts of the language and of the library that have no bound in time or memory. No firmware
+image may contain these parts.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ SECTION = re.compile(r"^ *\[ *\d+\] (\S+) +\S+ +[0-9a-f]{8} [0-9a-f]+ ([0-9a-f]+
 
 
 def forbidden(program: Path) -> set[str]:
-    """Returns the kinds of FORBIDDEN that a program contains. Its symbols and sections show
-    them."""
+    """Returns the kinds of FORBIDDEN that a program contains, according to its symbols and
+    sections."""
     listed = _output("arm-none-eabi-nm", "--format=posix", program).splitlines()
     names = [line.split(maxsplit=1)[0] for line in listed]
     kinds = {

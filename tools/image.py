@@ -1,4 +1,4 @@
-"""The flash configuration field of the K64 image. A wrong field can lock the chip."""
+"""The flash configuration field of a firmware image. A wrong field can lock the chip."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ FIELD = 0x400
 SIZE = 16
 FLASH = 0x100000
 SECURITY = 0x40C
-# The field is as after an erase of the flash, except for two bytes. The security byte means: not
-# secured, mass erase allowed. The options byte means: if PTA4 is low during a reset, the chip does
-# not start in the mode for programming over a serial line (EzPort).
+# All bytes of the field have the value of erased flash, except two bytes. The security byte means:
+# not secured, mass erase allowed. The options byte means: if PTA4 is low during a reset, the chip
+# does not start in the mode for programming over a serial line (EzPort).
 WANTED = bytes([0xFF] * 12 + [0xFE, 0xFD] + [0xFF] * 2)
 PURPOSES = (
     (0x400, 0x407, "a backdoor key would be set"),
@@ -19,8 +19,8 @@ PURPOSES = (
 
 
 def lock_problems(image: bytes) -> list[str]:
-    """Returns the fault in the flash configuration field of an image. The result is empty if there
-    is no fault."""
+    """Returns the faults in the flash configuration field of a firmware image. The list is empty if
+    there is no fault."""
     if len(image) < FIELD + SIZE:
         return [f"the image has {len(image)} bytes, and ends before the field at 0x400 to 0x40F"]
     if len(image) > FLASH:

@@ -37,7 +37,7 @@ CODE = (*DESIGN, "changes", "ports", "sim", "tests")
 CHECKED = (*DESIGN, "ports", "sim")
 # A name that a source defines outside of classes.
 DEFINED = re.compile(r"^(?!namespace)[a-z][^\n()={;/]*?(?<![:\w~])(\w+) ?[=({;]", re.MULTILINE)
-JOINED = 16  # number of sources that clang-tidy checks together, at most
+JOINED = 16  # greatest number of source files that clang-tidy checks together
 LINT_RECORD = Path("build/lint.json")
 # This source needs the library of WebAssembly, which clang-tidy does not find.
 WEB = "sim/web/module"
@@ -74,7 +74,7 @@ def lint(root: Path) -> int:
 
 
 def lint_tasks(root: Path) -> list[Task]:
-    """Returns the tasks of this command. Each task runs in every call of the command."""
+    """Returns the tasks of this command. Each task runs whenever the command is called."""
     tools = root / ".venv" / "bin"
     python = ["traceability", "site", "tools", "client", "sim", "tests/python"]
 
@@ -162,7 +162,7 @@ def build_with_clang(root: Path, log: TextIO) -> None:
 
 def check_headers(root: Path, log: TextIO) -> str:
     """Compiles each header alone. A header of a driver is compiled for the K64, and each other
-    header for this machine.
+    header for this computer.
 
     A header that a source of the design includes first was compiled alone with this source.
     """
@@ -175,7 +175,7 @@ def check_headers(root: Path, log: TextIO) -> str:
 
 
 def header_objects(root: Path, preset: str, log: TextIO) -> list[str]:
-    """Returns the objects of a build that contain one header each."""
+    """Returns the objects of a build that are compiled from one header each."""
     build(root, preset, log, "build.ninja")
     words = ["ninja", "-C", str(root / "build" / preset), "-t", "targets", "all"]
     listed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
@@ -211,7 +211,7 @@ def check_tidy(root: Path, log: TextIO) -> str:
 
 
 def tidy_options(root: Path, source: Path) -> list[str]:
-    """Returns the options of the compiler for a source. CMake recorded them."""
+    """Returns the options of the compiler with which clang-tidy checks a source file."""
     if on_board(root, source):
         return [*clang_arguments(board=True), *include_options(root)]
     if source.is_relative_to(root / "ports"):
@@ -226,8 +226,8 @@ def tidy_options(root: Path, source: Path) -> list[str]:
 
 
 def units_of(root: Path, paths: list[Path]) -> list[tuple[Path, ...]]:
-    """Groups the sources that are checked as one file. The sources of a group have the same
-    settings and options, and share no private name.
+    """Groups the source files that are checked as one file. The files of a group have the same
+    settings and options, and define different names outside of classes.
     """
     units: dict[tuple[object, ...], list[tuple[list[Path], set[str]]]] = defaultdict(list)
     for path in paths:
@@ -246,7 +246,7 @@ def units_of(root: Path, paths: list[Path]) -> list[tuple[Path, ...]]:
 def joined(root: Path, unit: tuple[Path, ...]) -> Path:
     """Writes the sources of a unit into one file, and copies the settings of their folder.
 
-    Several checks examine only this file. They do not examine the files that it includes.
+    The file contains copies of the sources, because several checks do not examine included files.
     """
     folder = root / "build" / "lint" / "units"
     file = folder / unit[0].relative_to(root)

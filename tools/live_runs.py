@@ -1,7 +1,7 @@
-"""Plays the examples as WebAssembly, in Node and in a browser, and compares the runs with native
-runs.
+"""Plays the example scenarios as WebAssembly, in Node and in a browser, and compares the runs with
+native runs.
 
-Two runs are equal if their reports are equal and a hash of all events of the board is equal.
+Two runs are equal if their reports are equal, and the hashes of all events of the board are equal.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ def examples(root: Path) -> list[Path]:
 
 
 def play_native(root: Path, scenario: Path) -> Run:
-    """Plays a scenario with the native program of this machine."""
+    """Plays a scenario with the native program of this computer."""
     with tempfile.TemporaryDirectory() as folder:
         reports = Path(folder) / "reports.csv"
         words: list[str | Path] = [root / "build/host/sim" / BOARD_PROGRAM]
@@ -131,7 +131,7 @@ def play_in_browser(root: Path, browser: str, scenarios: list[Path]) -> dict[str
 
 
 def result_of(browser: str, folder: Path, page: str) -> dict[str, Any]:
-    """Opens a page of a folder. Returns the result that the page posts."""
+    """Opens a page of a folder in the browser. Returns the result that the page posts."""
     came = threading.Event()
     posted: dict[str, Any] = {}
 
@@ -181,7 +181,7 @@ def differences(native: Run, run: dict[str, Any]) -> list[str]:
 
 
 def measure_live(root: Path, log: TextIO) -> Outcome:
-    """Compares all example scenarios. Measures the speed in the browser."""
+    """Compares the runs of all example scenarios, and measures the speed in the browser."""
     (root / RECORD).parent.mkdir(parents=True, exist_ok=True)
     browser = find_browser()
     if not (root / MODULE).exists():
@@ -234,8 +234,8 @@ def _wrong(
 
 
 def _bytes(root: Path) -> int:
-    """Returns the number of bytes that the page loads before the robot starts. The bytes are the
-    module, an image, and the data of the page if they exist.
+    """Returns the number of bytes that the page loads before the robot starts. These are the
+    bytes of the module, of a firmware image and of the data of the page, if these files exist.
     """
     loaded = (root / path for path in (MODULE, image_of(PAPER, ".bin"), DATA))
     return sum(path.stat().st_size for path in loaded if path.exists())

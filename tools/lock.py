@@ -1,5 +1,5 @@
 """Only one command at a time may build, test or write pages. A second command would change the
-files of the first.
+files of the first command.
 
 A command that was ended by force can leave programs behind, such as a build. The next command ends
 these programs before it begins.
@@ -17,7 +17,7 @@ from pathlib import Path
 
 LOCK = Path("build/lock")
 HOLDER = "WR_LOCK"  # environment variable of the programs that the owner of the lock starts
-GRACE = 2.0  # time that a program has to end itself [s]
+GRACE = 2.0  # time in which a program can end itself [s]
 MOST_WAIT = 10.0  # longest time to wait until the program has ended [s]
 
 
@@ -29,7 +29,7 @@ class BusyError(Exception):
 def only_one(root: Path, command: str) -> Iterator[None]:
     """Locks the project. Raises BusyError if another process has the lock.
 
-    When a process ends, the system frees its lock. This is true even after a crash.
+    When a process ends, even by a crash, the system frees the lock of the process.
     """
     if os.environ.get(HOLDER) == str(root):
         yield
@@ -85,7 +85,7 @@ def end_programs_of(root: Path) -> None:
 
 
 def programs_of(root: Path) -> list[int]:
-    """Returns the processes that were started with the mark of the lock's owner."""
+    """Returns the processes whose environment contains the mark of the owner of the lock."""
     mark = f"{HOLDER}={root}".encode()
     processes = []
     for path in Path("/proc").glob("[0-9]*/environ"):

@@ -24,10 +24,11 @@ from traceability.reading.task_record import RECORD
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "portal",
-        description="Builds the portal from the sources, serves it on this machine and opens it. "
-        "Then builds the firmware for this machine and for the K64. Runs the tests of "
-        "the firmware with traces and coverage, and with the image on the virtual K64. "
-        "Then measures the image, and rebuilds the pages with the results. An open "
+        description="Builds the portal from the sources, serves it on this computer and opens it. "
+        "Then builds the firmware for this computer and for the K64. Runs the tests of "
+        "the firmware with traces and coverage, and with the firmware image on the "
+        "virtual K64. Then measures the firmware image, and rebuilds the pages with the "
+        "results. An open "
         "page shows the running tasks, and updates itself. A task runs again only if "
         "its inputs changed. The portal is built even if there are findings or failed "
         "tests.",
@@ -74,7 +75,7 @@ def portal(root: Path, options: argparse.Namespace) -> int:
 
 
 def finish(root: Path, failed: list[str], start: float, cold: bool) -> int:
-    """Returns the findings, after the pages were built with all results."""
+    """Builds the pages with all results, prints the findings, and returns the exit code."""
     made = pages_graph(root).run([DOCUMENTS])
     if cold:
         write_time(root, "build.cold_s", time.monotonic() - start)
@@ -82,7 +83,8 @@ def finish(root: Path, failed: list[str], start: float, cold: bool) -> int:
 
 
 class Pages(AbstractContextManager["Pages"]):
-    """Rebuilds the pages when a task has ended. Writes the running tasks for the open page."""
+    """The pages of a running build. They are rebuilt when a task has ended, and an open page shows
+    the running tasks."""
 
     def __init__(self, root: Path) -> None:
         self.root = root
@@ -114,7 +116,8 @@ class Pages(AbstractContextManager["Pages"]):
         self.write()
 
     def write(self, *, over: bool = False) -> None:
-        """Writes the state of the run next to the pages. An open page reads it periodically."""
+        """Writes the state of the run next to the pages. An open page reads this
+        file periodically."""
         made = self.root / FINDINGS
         content = {
             "over": over,

@@ -47,12 +47,14 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
         help=f"longest time of the run [min], up to {LONGEST:g} (default: {USUAL:g})",
     )
     parser.add_argument(
-        "--seed", type=int, help="seed of the order of the faults (default: a new seed)"
+        "--seed",
+        type=int,
+        help="seed of the sequence in which the faults are tried (default: a new seed)",
     )
     parser.add_argument(
         "--resume",
         action="store_true",
-        help="do not repeat the faults that the last run found, if their files have not changed",
+        help="do not try the faults again that the last run found, if their files have not changed",
     )
     parser.add_argument(
         "--publish", action="store_true", help="write the score to tests/records; commit this file"
@@ -192,8 +194,8 @@ class _Run:
         return f"{self.killed()} of {len(self.tried)} found, of {len(self.mutants)} in all"
 
     def write(self) -> None:
-        """Writes the record of the mutants that were tried until now. If a run is ended, these
-        results are not lost."""
+        """Writes the record of the mutants that were tried until now. If the run is
+        interrupted, these results are not lost."""
         from tools.mutation.score import RESULT, record
 
         assert self.model is not None

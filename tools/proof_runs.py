@@ -25,9 +25,7 @@ from traceability.reading.proof_record import scenario as scenario_of
 from traceability.reading.published import publish, read_published
 from traceability.schema import ProofProperty, ProofResult
 
-RECORD = (
-    "proofs"  # name of the records of complete runs; each record contains the model of each proof
-)
+RECORD = "proofs"  # name of the record of complete runs, with the hash of the model of each proof
 SPIN, COMPILER = "spin", "cc"
 SECONDS = 300  # time limit of each step of a proof [s]
 DEPTH = 5_000_000  # steps
@@ -71,7 +69,7 @@ def prove_all(root: Path, log: TextIO) -> Outcome:
     states = sum(result.states for result in results.values())
     summary = f"{proven} of {len(results)} properties proven, {states} states"
     if recorded:
-        summary += f"; {len(recorded)} of them in the record of the same models"
+        summary += f"; the record has the results of {len(recorded)} of them"
     return Outcome(summary, failed=proven < len(results))
 
 
@@ -151,7 +149,7 @@ def search(root: Path, declared: Declared, proof: ProofProperty) -> str:
 def judged(
     root: Path, declared: Declared, proof: ProofProperty, said: str, seconds: float
 ) -> ProofResult:
-    """Returns the result in the output of the verifier."""
+    """Returns the result of a proof, which is in the output of the verifier."""
     states, reached = STATES.search(said), REACHED.search(said)
     if not states or not reached:
         raise FailureError(f"{proof.name}: the verifier printed no result: {said[-300:]}")

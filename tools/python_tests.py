@@ -24,7 +24,7 @@ WAITING_JOBS = "8"
 IMPORT = re.compile(
     r"^\s*(?:from\s+([\w.]+)\s+import\s+(\([^)]*\)|.+)|import\s+([\w.]+))", re.MULTILINE
 )
-IMPORTED_FROM = ("", "site", "client")  # the same folders as in pyproject.toml
+IMPORTED_FROM = ("", "site", "client")  # folders from which tests import, as in pyproject.toml
 
 
 def imported_files(root: Path, folder: str) -> list[str]:
@@ -37,8 +37,8 @@ def imported_files(root: Path, folder: str) -> list[str]:
 
 
 def importing_tests(root: Path, paths: Collection[str]) -> dict[str, str]:
-    """Returns the test files that are among these Python files or import them. The value of each
-    test file is the first of these Python files.
+    """Returns the test files that are among these Python files or import them. The value of a
+    test file is the test file itself, or else the first of these Python files that it imports.
     """
     found = {}
     for test in sorted((root / TESTS).glob("*/test_*.py")):

@@ -1,5 +1,5 @@
-"""The key of the Bluetooth device. The key is written into a copy of the image before the image is
-flashed."""
+"""The key of the Bluetooth device. The key is written into a copy of the firmware image before
+the copy is flashed."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ADVICE = (
 
 
 class KeyFileError(Exception):
-    """A key cannot be used, or an image has no place for the key."""
+    """A key cannot be used, or a firmware image has no place for the key."""
 
 
 def read_key(file: Path) -> bytes:
@@ -35,7 +35,7 @@ def read_key(file: Path) -> bytes:
 
 
 def with_key(image: bytes, key: bytes) -> bytes:
-    """Returns the image with the key in its place."""
+    """Returns the firmware image with the key at the place for the key."""
     if image[KEY_AT : KEY_AT + KEY_BYTES] != ERASED:
         raise KeyFileError(
             "this image has no place for a key; use the image of weeding_robot_pc_bluetooth"
@@ -44,7 +44,8 @@ def with_key(image: bytes, key: bytes) -> bytes:
 
 
 def write_keyed(image: Path, key_file: Path, target: Path) -> None:
-    """Writes a copy of the image with the key. Only its owner can read this copy."""
+    """Writes a copy of the firmware image with the key. Only the present user can read this
+    copy."""
     content = with_key(image.read_bytes(), read_key(key_file))
     target.unlink(missing_ok=True)
     descriptor = os.open(target, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)

@@ -1,5 +1,5 @@
-"""./wr release: makes the files of a release from a commit. The files have the same bytes in each
-folder."""
+"""./wr release: makes the files of a release from a commit. The bytes of these files do not depend
+on the folder of the project."""
 
 from __future__ import annotations
 
@@ -46,9 +46,9 @@ VERSION = re.compile(r"project\([^)]*VERSION\s+([\d.]+)")
 ARCHIVE = ".tar.gz"
 TIMES, MODEL = MEASURED.parent, Path("build/model")
 VERIFY = "./wr release --verify"
-SHOWN = 20  # number of differences inside an archive that are shown
+SHOWN = 20  # greatest number of shown differences inside an archive
 SUFFIXES = (".elf", ".bin", ".hex")
-# Files of a build that no page needs. They contain paths and times of this machine.
+# Files of a build that no page needs. They contain paths and times of this computer.
 NOT_SHIPPED = (".doctree", ".pickle", ".buildinfo", ".bak", "status.json")
 EXPORTS = ("model.json", "model.schema.json", JSON, SCHEMA, JUNIT, *(file.name for file in FILES))
 
@@ -68,8 +68,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "release",
         description="Makes the files of a release in build/release from a commit. No file may "
-        "differ from the commit. The release contains the images with their hashes, a "
-        "list of the parts (CycloneDX), the portal for reading without a network, the "
+        "differ from the commit. The release contains the firmware images with their "
+        "hashes, a list of the parts (CycloneDX), the portal for reading without a network, the "
         "exports, and the notes. All times in the archives are the time of the commit.",
     )
     parser.add_argument(

@@ -38,8 +38,8 @@ def sums_text(folder: Path, names: Iterable[str]) -> str:
 
 
 def below(folder: Path, *without: str) -> dict[str, Path]:
-    """Returns the files of a folder, by their paths in this folder. Files with these endings are
-    left out."""
+    """Returns the files of a folder, by their paths in this folder. Files whose names end with
+    a text of ``without`` are left out."""
     return {
         str(path.relative_to(folder)): path
         for path in sorted(folder.rglob("*"))
@@ -48,8 +48,8 @@ def below(folder: Path, *without: str) -> dict[str, Path]:
 
 
 def different_members(first: Path, second: Path) -> list[str]:
-    """Returns the names in two archives whose contents differ, and the names that only one archive
-    contains.
+    """Returns the names of the files that have different contents in two archives, and the names
+    that only one archive contains.
     """
     here, there = (_members(path) for path in (first, second))
     return sorted(name for name in here.keys() | there.keys() if here.get(name) != there.get(name))

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from traceability.model.reviews import LinkText, LinkTexts
     from traceability.schema import Baseline, Requirement
 
-# largest number of versions of a file in which the text of the baseline is searched
+# largest number of versions of a file in which the program looks for the text of the baseline
 MOST_VERSIONS = 200
 MOST_TRIES = 3  # number of times that the program asks for an answer
 
@@ -70,7 +70,7 @@ def review(root: Path, options: argparse.Namespace) -> int:
 
 
 def record_baseline(root: Path, model: Model, texts: LinkTexts, ids: list[str]) -> int:
-    """Prints the changes, and records them in the baseline."""
+    """Prints the changed texts, and records their present hashes in the baseline."""
     from traceability.model.reviews import DESIGN, NAMES_OF_TEXTS, write_baseline
 
     requirements = model.requirements
@@ -190,7 +190,8 @@ def difference(root: Path, now: LinkText, recorded: str) -> Iterator[str]:
 
 
 def text_recorded(root: Path, now: LinkText, recorded: str) -> str | None:
-    """Returns the text with this hash. The versions of the file in git are searched."""
+    """Returns the text with the recorded hash, from the versions of its file in git. Returns None
+    if no version contains this text."""
     from traceability.reading.link_texts import FINDERS, hash_of
 
     if now.kind not in FINDERS:

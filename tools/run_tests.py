@@ -46,10 +46,10 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "test",
         description="Runs the tests of the firmware (with traces and coverage, with sanitizers, "
-        "and with the image on the virtual K64). Runs the tests of the tools, every "
+        "and with the firmware image on the virtual K64). Runs the tests of the tools, every "
         "check, and the tests of the portal's pages in a browser. A task runs again "
         "only if its inputs changed. The last line counts the tests of the firmware "
-        "(on this machine and on the virtual K64), of the tools and of the pages.",
+        "(on this computer and on the virtual K64), of the tools and of the pages.",
     )
     parser.add_argument(
         "parts",
@@ -60,7 +60,8 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser.add_argument(
         "--long",
         action="store_true",
-        help="also insert each fault of tests/drift in a copy, and test whether the checks find it",
+        help="also insert each fault of tests/drift in a copy of the project, and test whether the "
+        "checks find the fault",
     )
     parser.add_argument("--lint", action="store_true", help="also run ./wr lint, at the same time")
     parser.set_defaults(run=lambda root, options: run(root, options, parser))

@@ -1,5 +1,5 @@
-"""The parts of a release in CycloneDX: images, libraries in the images, tools, and files of third
-parties."""
+"""The parts of a release in CycloneDX: firmware images, libraries in these images, tools, and files
+of third parties."""
 
 from __future__ import annotations
 
@@ -26,12 +26,13 @@ LOCK = Path("setup/python.lock")
 VENDORED = Path("setup/vendored.txt")
 PINNED = re.compile(r"^([A-Za-z0-9._-]+)==([^ ;\\]+)", re.MULTILINE)
 FILE = re.compile(r"^([0-9a-f]{64})  (\S+)$", re.MULTILINE)
-# Debian packages whose code is in the images.
+# Debian packages whose code is in the firmware images.
 LINKED = ("libnewlib-arm-none-eabi", "gcc-arm-none-eabi", "libstdc++-arm-none-eabi-dev")
 
 
 def sbom_text(root: Path, version: str, commit: str, when: int, images: Mapping[str, str]) -> str:
-    """Returns the text of the list. ``images`` has the SHA-256 of each image by its name."""
+    """Returns the list of the parts, as a text. ``images`` has the SHA-256 of each firmware
+    image."""
     product = Component(
         name=PROJECT,
         version=version,
@@ -62,7 +63,8 @@ def _images(images: Mapping[str, str], version: str) -> Iterable[Component]:
 
 
 def _linked() -> Iterable[Component]:
-    """Returns the libraries of C, of C++ and of the compiler that are installed on this machine."""
+    """Returns the libraries of C, of C++ and of the compiler that are installed on this
+    computer."""
     for name in LINKED:
         version = debian_version(name)
         yield Component(
@@ -84,7 +86,7 @@ def debian_version(name: str) -> str:
 
 
 def _python(root: Path) -> Iterable[Component]:
-    """Returns the packages of the tools. They are not part of an image."""
+    """Returns the packages of the tools. They are not part of a firmware image."""
     packages = PINNED.findall((root / LOCK).read_text(encoding="utf-8"))
     if not packages:
         raise FailureError(f"{LOCK} names no package")

@@ -20,10 +20,11 @@ from traceability.reading.seeded_fault_record import SOURCES, Outcome, write_rec
 from traceability.reading.seeded_faults import COMPILER, Fault, read_faults
 from traceability.schema import Finding
 
-# Number of lines between the expected place and the finding. A comment is above its declaration.
+# Greatest distance from the expected line to the line of the finding. A comment is above its
+# declaration.
 NEAR = 2
 WORKERS = 2
-PROGRESS = 30.0  # time between two lines of progress [s]
+PROGRESS = 30.0  # time between two messages about the progress [s]
 BUILT = ("build/model", "build/results", "build/tasks.json")
 FORK = get_context("fork")
 tried = FORK.Value("i", 0)  # number of faults that were tried; all workers add to it
@@ -39,7 +40,7 @@ PAGES = ("build/pages", "build/pages-cache", "build/site", "build/diagrams")
 
 
 def seed_all(root: Path) -> list[Outcome]:
-    """Inserts every fault that the state of the project allows, and writes the record."""
+    """Inserts every fault whose results or pages exist, and writes the record."""
     faults = read_faults(root)
     fresh = not build(root).model.results_stale
     stages = {"sources"} | ({"results"} if fresh else set())
@@ -61,7 +62,8 @@ def seed(root: Path, checks: list[str]) -> list[Outcome]:
 
 
 def _outcomes(root: Path, faults: list[Fault]) -> Iterator[Outcome]:
-    """Returns the outcomes, ordered by stage. The copies share the groups of faults of a stage."""
+    """Yields the outcome of each fault. Copies of the project share the groups of faults of a
+    stage."""
     tried.value = 0
     with (
         tempfile.TemporaryDirectory(prefix="drift-") as folder,
@@ -154,7 +156,8 @@ class Copy:
         return [*report.findings, *made]
 
     def seed(self, faults: list[Fault]) -> list[Outcome]:
-        """Inserts the faults together. Faults that were not found are repeated in halves.
+        """Inserts the faults together. If faults were not found, inserts these faults again, in two
+        halves.
 
         A fault can hide all others, for example if it makes a file of the design unreadable.
         Halving the group separates this fault from the other faults in a few runs.
@@ -180,15 +183,15 @@ class Copy:
                 changed = [edit.apply(self.tree) for edit in fault.edits]
                 lines[number] = fault.expected_line(self.tree, changed[0])
             new = [finding for finding in self.findings() if _key(finding) not in self.before]
-        except Exception as problem:  # A fault of the project's own tools is an outcome too.
+        except Exception as problem:  # An error in the project's tools is also an outcome.
             error = [f"{type(problem).__name__}: {problem}"]
         finally:
             self._restore(before)
         return [_outcome(*pair, new, error) for pair in zip(faults, lines, strict=True)]
 
     def _cached(self) -> list[Path]:
-        """Returns the files that the copy keeps. The messages of Doxygen are kept together with its
-        XML."""
+        """Returns the cached files of the copy. The messages of Doxygen are not among them, because
+        they belong to its XML."""
         files = sorted((self.tree / "build" / "model").rglob("*.*"))
         kinds = (".json", ".facts")
         return [path for path in files if path.suffix in kinds and path.name != "doxygen.json"]
@@ -242,8 +245,8 @@ def _content(path: Path) -> bytes | None:
 
 
 def copy_part(root: Path, tree: Path, name: str) -> None:
-    """Copies the project without the precompiled library. This library contains the path of its
-    folder, so each copy builds it again.
+    """Copies a part of the project, without the precompiled library. This library contains the path
+    of its folder. Therefore each copy builds the library again.
     """
     source, target = root / name, tree / name
     if source.is_dir():

@@ -1,4 +1,4 @@
-"""./wr serve: serves the portal on this machine."""
+"""./wr serve: serves the portal on this computer."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ STATUS = SITE / "status.json"  # the running tasks, which the open page shows
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "serve",
-        description="Serves the portal that was built last. Only this machine can open it.",
+        description="Serves the portal that was built last. Only this computer can open it.",
     )
     add_port(parser)
     parser.set_defaults(run=lambda root, options: serve(root, options.port))
@@ -61,7 +61,7 @@ def make_server(site: Path, port: int) -> ThreadingHTTPServer:
         return ThreadingHTTPServer((ADDRESS, port), partial(Handler, directory=str(site)))
     except OSError as error:
         if error.errno == errno.EADDRINUSE:
-            raise FailureError(f"port {port} is in use; choose another with --port") from error
+            raise FailureError(f"port {port} is in use; choose another port with --port") from error
         raise FailureError(f"cannot open port {port}: {error.strerror}") from error
 
 

@@ -1,4 +1,4 @@
-"""./wr sim: runs the firmware on this machine, or its image on the virtual board."""
+"""./wr sim: runs the firmware on this computer, or the firmware image on the virtual board."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ LAST_PORT = 65535
 def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "sim",
-        description="Builds the firmware for this machine and runs it in real time. Its PC link is "
-        "a pseudo-terminal, to which ./wr drive and ./wr monitor connect. Ctrl-C ends "
-        "the firmware. With --board, builds the image for the K64 and runs this image "
-        "on the virtual K64. The exit code 4 means that the virtual K64 found a fault.",
+        description="Builds the firmware for this computer and runs it in real time. Its PC link "
+        "is a pseudo-terminal, to which ./wr drive and ./wr monitor connect. Ctrl-C ends "
+        "the firmware. With --board, builds the firmware image for the K64 and runs "
+        "this image on the virtual K64. The exit code 4 means that the virtual K64 found a fault.",
     )
     parser.add_argument(
-        "--board", action="store_true", help="run the image for the K64 on the virtual K64"
+        "--board", action="store_true", help="run the firmware image for the K64 on the virtual K64"
     )
-    add_product(parser, "with --board: the product whose image is run")
+    add_product(parser, "with --board: the product whose firmware image is run")
     parser.add_argument(
         "--link",
         type=Path,
@@ -131,7 +131,9 @@ def command(root: Path, options: argparse.Namespace) -> list[str]:
     link, control = options.link, options.control
     if not stepped:
         link = link or root / "build" / "pc-link"
-        if options.gdb is None:  # Only the bytes of the PC are repeated when the run is repeated.
+        # GDB repeats a run to execute backwards. Only the bytes of the PC are then repeated, and not
+        # the actions of the control socket.
+        if options.gdb is None:
             control = control or root / "build" / "sim-control"
         (root / "build").mkdir(parents=True, exist_ok=True)
     for name, value in (

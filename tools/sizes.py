@@ -1,4 +1,4 @@
-"""Flash and RAM of each part of the image for the K64."""
+"""Flash and RAM of each part of the firmware image for the K64."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from traceability.reading.products import (
 
 ELF = image_of(DEFAULT, ".elf")
 SIZES = Path("build/results/size_k64.json")
-# The parts of the image that are not modules.
+# The parts of the firmware image that are not modules.
 VECTORS, CONFIGURATION = "vectors", "flash configuration field"
 STACK, PADDING = "stack", "padding and unnamed constants"
 PARTS = (VECTORS, CONFIGURATION, LIBRARY, STACK, PADDING)
@@ -45,7 +45,7 @@ CLASS_TABLE = re.compile(r"^_ZTVN2wr(\d+)(\w+)$")
 
 @dataclass
 class Size:
-    """The bytes of a part."""
+    """The size of a part of a firmware image [bytes]."""
 
     flash: int = 0
     ram: int = 0
@@ -53,7 +53,7 @@ class Size:
 
 @dataclass(frozen=True)
 class Section:
-    """A section of the image that uses memory."""
+    """A section of a firmware image that uses memory."""
 
     name: str
     size: int
@@ -68,8 +68,8 @@ class Section:
 
 
 def image_sizes(elf: Path, recorded: Path | None = None) -> dict[str, Size]:
-    """Returns the size of each part. The flash is the value that arm-none-eabi-size reports for the
-    whole image.
+    """Returns the size of each part of a firmware image. The sum of the flash sizes is the value
+    that arm-none-eabi-size reports.
 
     An instruction belongs to the module of its source line, even if the instruction was inlined
     elsewhere. An object belongs to the module that defines it. The ``recorded`` image shows this
@@ -144,7 +144,7 @@ def sections(elf: Path) -> list[Section]:
 
 
 def place_in_binary(elf: Path, address: int) -> int:
-    """Returns the position in the binary file of the byte with a run-time address."""
+    """Returns the position in the binary file of the byte that has this address at run time."""
     for section in sections(elf):
         if section.in_flash and section.holds(address):
             return section.load + address - section.address
@@ -167,7 +167,7 @@ def total(sizes: dict[str, Size]) -> Size:
 
 
 def whole_of(elf: Path) -> Size:
-    """Returns the flash and RAM of an image."""
+    """Returns the flash and RAM of a firmware image [bytes]."""
     whole = Size()
     for section in sections(elf):
         add(whole, section, section.size)
@@ -180,7 +180,7 @@ def sizes_of(root: Path, product: str) -> dict[str, Size]:
 
 
 def write_products(root: Path) -> dict[str, Size]:
-    """Measures the images of all products, and writes the parts of each image."""
+    """Measures the firmware images of all products, and writes the parts of each image."""
     wholes, records = {}, {}
     modules = module_names(root)
     for product in PRODUCTS:
@@ -200,7 +200,8 @@ def write_products(root: Path) -> dict[str, Size]:
 
 
 def write_sizes(root: Path) -> dict[str, Size]:
-    """Measures the image that was built, and writes the sizes for the model and the metrics."""
+    """Measures the firmware image of the robot, and writes its sizes for the model and the
+    metrics."""
     sizes = sizes_of(root, DEFAULT)
     whole = total(sizes)
     write_json(root / SIZES, {name: vars(size) for name, size in sorted(sizes.items())})

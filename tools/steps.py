@@ -36,7 +36,7 @@ class MissingError(FailureError):
 
 
 class UsageError(FailureError):
-    """The words of the command are wrong, or the content of its input file is wrong."""
+    """The arguments of the command are wrong, or the content of its input file is wrong."""
 
     code = USAGE
 
@@ -110,7 +110,7 @@ def heed_interrupts() -> None:
 
 @contextmanager
 def stoppable(program: subprocess.Popen[Any]) -> Iterator[None]:
-    """Makes an interrupt during this context end the program too."""
+    """Ends the given program too if an interrupt comes during this context."""
     _started.append(program)
     try:
         yield
@@ -157,7 +157,7 @@ def log_file(path: Path) -> Iterator[TextIO]:
 
 def attempt(action: Callable[[TextIO], Result], log: TextIO) -> Result:
     """Runs the action. If the tools themselves have an error, the step fails, and the log contains
-    the place of the error."""
+    the traceback."""
     try:
         return action(log)
     except FailureError:
@@ -176,7 +176,7 @@ def log_of(root: Path, title: str) -> Path:
 
 @dataclass
 class Steps:
-    """The steps of one command. It runs them and records the failed steps."""
+    """The steps of one command, and the titles of the failed steps."""
 
     root: Path
     total: int
@@ -185,7 +185,10 @@ class Steps:
     failed: list[str] = field(default_factory=list)
 
     def run(self, title: str, action: Callable[[TextIO], str | None]) -> bool:
-        """Runs one step. The action writes to the log. It returns a short note, or nothing."""
+        """Runs one step. Returns whether the step succeeded.
+
+        The action writes to the log, and returns a short note or None.
+        """
         self.number += 1
         path = log_of(self.root, title)
         self._say(f"[{self.number}/{self.total}] {title} ... ", end="")

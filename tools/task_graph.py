@@ -38,7 +38,8 @@ LONG = 10  # If a task is expected to take longer than this, a line is printed w
 
 @dataclass(frozen=True)
 class Outcome:
-    """The result of a task. It has a note, and states whether the results exist but are bad."""
+    """The result of a task, with a note. ``failed`` means that the task produced bad results, such
+    as failed tests."""
 
     note: str
     failed: bool = False
@@ -66,7 +67,7 @@ class Task:
 
 @dataclass
 class Progress:
-    """The running, waiting and ended tasks. The portal shows them."""
+    """The running, waiting and ended tasks. The portal shows these tasks."""
 
     running: dict[str, tuple[float, float | None]] = field(default_factory=dict)
     waiting: dict[str, float | None] = field(default_factory=dict)
@@ -102,8 +103,8 @@ class Step(BaseAction):  # type: ignore[misc]  # doit has no types
 
 
 class Database(JsonDB):  # type: ignore[misc]  # doit has no types
-    """The file of the record. It is replaced as a whole, so an interruption leaves the previous
-    record."""
+    """The file of the record. It is replaced as a whole. After an interruption it therefore
+    contains the previous record."""
 
     def dump(self) -> None:
         write_whole(Path(self.name), self.codec.encode(self._db))
@@ -271,8 +272,8 @@ class Graph:
     ) -> Reporter:
         """Runs the named tasks and the tasks that they need. Returns their results.
 
-        ``changed`` is called with the progress. Its second argument is the task that ended with new
-        results, or None.
+        ``changed`` is called when the progress changes. Its first argument is the task that ended
+        with new results, or None. Its second argument is the progress.
         """
         with contextlib.chdir(self.root):
             record = Record(self.record)

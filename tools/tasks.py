@@ -370,7 +370,7 @@ def seed_faults(root: Path, log: TextIO) -> Outcome:
 
 
 def documents(root: Path, out: TextIO) -> list[Task]:
-    """Returns the task that builds the pages and finds the findings, and the task that tests the
+    """Returns the task that runs the checks and builds the pages, and the task that tests the
     pages."""
 
     def state() -> str:

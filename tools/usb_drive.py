@@ -1,5 +1,5 @@
-"""The drive of the debug probe of the FRDM-K64F. If an image is copied to the drive, the probe
-writes the image into the flash.
+"""The drive of the debug probe of the FRDM-K64F. If a firmware image is copied to the drive, the
+probe writes the image into the flash.
 """
 
 from __future__ import annotations
@@ -32,12 +32,13 @@ def mounted() -> list[Path]:
 
 
 def unescaped(name: str) -> str:
-    """Returns the name of a mount point. In its encoded form, octal numbers represent blanks."""
+    """Returns the decoded name of a mount point. In /proc/mounts, octal numbers represent
+    blanks."""
     return re.sub(r"\\([0-7]{3})", lambda match: chr(int(match[1], 8)), name)
 
 
 def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
-    """Returns the first file with one of these names. Upper and lower case are the same."""
+    """Returns the first file with one of these names. The comparison ignores case."""
     try:
         files = sorted(folder.iterdir())
     except OSError:
@@ -46,8 +47,8 @@ def file_of(folder: Path, names: tuple[str, ...]) -> Path | None:
 
 
 def problem(folder: Path) -> str:
-    """Returns the reason why no image can be copied to this folder. The reason is empty if the
-    folder is the drive of a board.
+    """Returns the reason why no firmware image can be copied to this folder. The reason is empty
+    if the folder is the drive of a board.
     """
     if not folder.is_dir():
         return f"{folder} is not a folder"
@@ -67,7 +68,7 @@ def problem(folder: Path) -> str:
 
 
 def copy(image: Path, folder: Path, log: TextIO) -> str:
-    """Copies the image, and waits until the drive appears again. Then reads the result."""
+    """Copies the firmware image, and waits until the drive appears again. Then reads the result."""
     old = failure(folder)
     log.write(f"copies {image} to {folder}\n")
     try:

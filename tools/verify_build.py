@@ -29,12 +29,14 @@ def add(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = commands.add_parser(
         "verify-build",
         description="Clones the present commit into a new folder, and builds and tests it there. "
-        "Then compares this build with the build in this folder: each image byte by "
-        "byte, the verdict on each requirement, and the result of each test on each "
+        "Then compares this build with the build in this folder: each firmware image "
+        "byte by byte, the verdict on each requirement, and the result of each test on each "
         "target. Randomised tests get the seed of the first run. The exit code is 1 if "
         "the builds differ. The command takes as long as a first build.",
     )
-    parser.add_argument("--images", action="store_true", help="compare only the images of the K64")
+    parser.add_argument(
+        "--images", action="store_true", help="compare only the firmware images of the K64"
+    )
     parser.set_defaults(run=verify_build)
 
 
@@ -66,7 +68,7 @@ def verify_build(root: Path, options: argparse.Namespace) -> int:
 def check_origin(root: Path, *, images: bool) -> None:
     """Checks that the build in this folder is a build of its commit."""
     if not git(root, "rev-parse", "HEAD"):
-        raise MissingError("this folder is not a git clone, so there is no commit to repeat")
+        raise MissingError("this folder is not a git clone: there is no commit to repeat")
     changed = git(root, "status", "--porcelain").splitlines()
     if changed:
         raise FailureError(f"{len(changed)} files differ from the commit; commit them first")
@@ -89,7 +91,7 @@ def clone(root: Path, copy: Path) -> None:
 
 
 def environment(root: Path, copy: Path) -> dict[str, str]:
-    """Returns the environment of the second build. Python searches the modules of the copy first.
+    """Returns the environment of the second build. Python looks for modules in the copy first.
     The tests get the seed of the run in this folder.
     """
     path = os.pathsep.join(str(folder) for folder in (copy, copy / "client", copy / "site"))
@@ -99,7 +101,7 @@ def environment(root: Path, copy: Path) -> dict[str, str]:
 
 
 def compare(root: Path, copy: Path, *, images: bool) -> Iterator[str]:
-    """Returns the differences, one for each line."""
+    """Yields the differences, one in each line."""
     for product in PRODUCTS:
         name = image_of(product, ".bin")
         if file_hash(root / name) != file_hash(copy / name):
@@ -111,7 +113,7 @@ def compare(root: Path, copy: Path, *, images: bool) -> Iterator[str]:
 
 
 def compare_verdicts(first: Mapping[str, Any], second: Mapping[str, Any]) -> Iterator[str]:
-    """Yields the state of each requirement and the results of its tests."""
+    """Yields the requirements whose states differ, and the tests whose results differ."""
     rows = [{row["id"]: row for row in table.get("requirements", [])} for table in (first, second)]
     for name in sorted(rows[0].keys() | rows[1].keys()):
         here, there = (table.get(name, {}) for table in rows)

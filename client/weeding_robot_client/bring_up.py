@@ -36,17 +36,17 @@ DEFAULT_FOLDER = ROOT / "build" / "bring-up"
 DEFAULT_CONTROL = ROOT / "build" / "sim-control"
 IMAGES = ROOT / "build" / "k64"
 DESCRIPTION = """\
-Guides you step by step through the checks of a new robot: port, connection, image, reset cause,
-inputs, end stops, remote control, emergency stop. Then it turns one wheel at a time with 1 V,
-detects swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each step
-states the action and the expected result. To skip a step that waits for you, press 's' and Enter.
-No motor is switched on until the step for the emergency stop has passed and you have confirmed
-that the wheels are off the ground. Ctrl-C stops the robot. The program writes the result to a
-record with the present date, in JSON and in Markdown.
+Guides you step by step through the checks of a new robot: port, connection, firmware image, reset
+cause, inputs, end stops, remote control, emergency stop. Then the program turns one wheel at a time
+with 1 V, detects swapped motor leads and Hall sensors, and tests the stop while a wheel turns. Each
+step states the action and the expected result. To skip a step that waits for you, press 's' and
+Enter. No motor is switched on until the step for the emergency stop has passed and you have
+confirmed that the wheels are off the ground. Ctrl-C stops the robot. The program writes the result
+to a record with the present date, in JSON and in Markdown.
 
 Exit code 1: a step failed or was skipped."""
 
-PROBE_VENDOR = 0x0D28  # USB vendor of the board's debug probe; the probe has the serial port
+PROBE_VENDOR = 0x0D28  # USB vendor of the debug probe, which provides the board's serial port
 SUPPLY_VOLTS = (21.0, 29.0)
 REST_AMPERES = 0.5
 ANGLE_DEGREES = 33.0
@@ -59,7 +59,7 @@ CYCLE_S = 0.1  # longest time from a stop to its report
 WHEEL_VOLTS = 1.0
 WHEEL_S = 1.0
 COUNTS_LEAST = 3  # smallest number of Hall edges that shows a motion
-CURRENT_LEAST_AMPERES = 0.15  # below this current, the sign is only noise
+CURRENT_LEAST_AMPERES = 0.15  # below this current, noise determines the sign
 STOP_WITHIN_S = 1.0
 REST_RPM = 3.0
 GOOD_RESETS = ("power on", "reset pin", "debugger", "software", "unknown cause")
@@ -174,7 +174,7 @@ class BringUp:
         self._wish: Wish | None = None
 
     def steps(self) -> list[Step]:
-        """Returns the steps in their order."""
+        """Returns the steps in the order in which they are executed."""
         safe = ("connection", "emergency stop", "wheels off the ground")
         wheels = [
             Step(
@@ -351,7 +351,7 @@ class BringUp:
         assert self.link.welcome is not None
         start = self.link.welcome.start
         if start.faulted or str(start) not in GOOD_RESETS:
-            raise FailError(str(start), "Find the cause before you continue; docs/protocol.rst.")
+            raise FailError(str(start), "Find the cause first. docs/protocol.rst explains it.")
         return str(start)
 
     def _supply(self) -> str:
@@ -494,7 +494,7 @@ class BringUp:
             "Is the current of the supply limited to 5 A?",
         ):
             if not self._operator.confirm(question, self.idle):
-                raise FailError(f"not confirmed: {question}", "Do that first.")
+                raise FailError(f"not confirmed: {question}", "Do this first.")
         return "confirmed"
 
     def _wheel(self, number: int) -> str:
@@ -684,7 +684,7 @@ def now() -> str:
 
 
 def find_port() -> list[Path]:
-    """Returns the serial ports of all boards with this debug probe, with their permanent names."""
+    """Returns the permanent names of the serial ports of all boards with this debug probe."""
     ports = [Path(port.device) for port in list_ports.comports() if port.vid == PROBE_VENDOR]
     names = {path.resolve(): path for path in sorted(Path("/dev/serial/by-id").glob("*"))}
     return [names.get(port.resolve(), port) for port in ports]
@@ -753,7 +753,9 @@ def run(options: argparse.Namespace) -> int:
     if options.simulated:
         link_path = options.link or DEFAULT_LINK
         if link_path.exists() and Path("/dev/pts") not in link_path.resolve().parents:
-            print(f"--simulated needs a simulator; {link_path} is not one", file=sys.stderr)
+            print(
+                f"--simulated needs a simulator, but {link_path} is no simulator", file=sys.stderr
+            )
             return USAGE
         try:
             operator = SimulatedOperator(Control(options.control))

@@ -1,5 +1,5 @@
-"""Writes the frames of the line to a capture for Wireshark, and generates a dissector for these
-frames.
+"""Writes the frames of the serial line to a capture for Wireshark, and generates a dissector for
+these frames.
 """
 
 from __future__ import annotations
@@ -19,15 +19,15 @@ DISSECTOR = Path(__file__).with_name("dissector.lua")
 FILTER = "weeding_robot"
 USER0 = 147  # link type for private use
 SECTION, INTERFACE, PACKET = 0x0A0D0D0A, 1, 6  # blocks of a pcapng file
-FLAGS = 2  # number of the option of a packet that contains its direction
+FLAGS = 2  # number of the packet option that contains the direction
 RECEIVED, SENT = 1, 2  # values of the direction, as seen from the PC
 MOST = 0xFFFF  # greatest number of bytes of a packet
 
 
 class Capture(AbstractContextManager["Capture"]):
-    """Writes each frame of the line to a pcapng file. Without a path, it writes nothing.
+    """A pcapng file with each frame of the serial line. Without a path, nothing is written.
 
-    A full disk ends the capture. The program does not end, so the robot continues to drive.
+    A full disk ends the capture. The program does not end, and the robot continues to drive.
     """
 
     def __init__(self, path: Path | None, clock: Callable[[], float] = time.time) -> None:

@@ -1,6 +1,6 @@
 -- The lines above contain the frames. They are generated from design/frames.toml. A packet is one
--- frame as on the line, with byte stuffing, a body with its CRC, and a zero at the end. The link
--- type is USER0.
+-- frame as on the serial line, with byte stuffing, a body with its CRC, and a zero at the end. The
+-- link type is USER0.
 
 local proto = Proto("weeding_robot", "Weeding robot PC protocol")
 local HEADER, CRC_BYTES = 3, 2
@@ -66,7 +66,7 @@ local function crc16(body, count)
   return crc
 end
 
--- Returns the body of a frame on the line; nil when the byte stuffing is wrong.
+-- Returns the body of a frame on the serial line; nil when the byte stuffing is wrong.
 local function unstuffed(bytes)
   local body, at, last = {}, 0, bytes:len()
   if last > 0 and bytes:get_index(last - 1) == 0 then last = last - 1 end

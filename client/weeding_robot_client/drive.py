@@ -133,13 +133,14 @@ def _prepare(orders: Orders) -> str | None:
         return not_connected(orders.link)
     print(status(orders.link), file=sys.stderr)
     if "PC" in report.stop_sources:
-        return f"{inhibited(report)} A script does not release it."
+        return f"{inhibited(report)} A script does not release this stop."
     return arm(orders, progress=lambda words: print(words, file=sys.stderr))
 
 
 @contextmanager
 def ended_by_signals() -> Iterator[list[int]]:
-    """Collects requests to end or to suspend the program, so that it first stops the robot."""
+    """Collects requests to end or to suspend the program. The program can then stop the robot
+    first."""
     requests: list[int] = []
 
     def note(number: int, _frame: FrameType | None) -> None:

@@ -36,7 +36,7 @@ def crc16(data: bytes) -> int:
 
 
 def encode(frame: Frame) -> bytes:
-    """Returns the bytes that a frame has on the line."""
+    """Returns the bytes that a frame has on the serial line."""
     head = bytes([frame.version, frame.kind, frame.sequence]) + frame.payload
     body = head + crc16(head).to_bytes(2, "little")
     if len(body) > MAX_BODY:
@@ -46,7 +46,7 @@ def encode(frame: Frame) -> bytes:
 
 
 def decode(coded: bytes) -> Frame:
-    """Returns the frame in the bytes between two zeros. Its version is not checked."""
+    """Returns the frame in the bytes between two zeros. The version of the frame is not checked."""
     try:
         body: bytes = cobs.decode(coded)
     except cobs.DecodeError as error:
@@ -60,7 +60,7 @@ def decode(coded: bytes) -> Frame:
 
 @dataclass
 class Decoder:
-    """Splits the bytes of a line into frames. Drops other bytes and counts the dropped pieces."""
+    """Splits received bytes into frames. Drops each piece that is not a frame, and counts it."""
 
     dropped: int = 0
     _pending: bytearray = field(default_factory=bytearray)

@@ -111,7 +111,9 @@ class Hand:
             self._moved_at = float("-inf")
 
     def wish(self, now: float) -> Wish:
-        """Returns the present order. It is neutral if no motion key was repeated recently."""
+        """Returns the present order. The order is neutral if no motion key was repeated
+        recently.
+        """
         acknowledges = now - self._acknowledged_at < ACKNOWLEDGE_S
         moves = self._moves(now) and not self.stop and not acknowledges
         velocity = self._direction * self.speed_rpm if moves else 0.0

@@ -55,7 +55,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Enumeration:
-    """The numbers of a field and their names."""
+    """The numbers that a field can have, with their names."""
 
     name: str
     page: str  # label of the section that explains the values
@@ -66,7 +66,7 @@ class Enumeration:
         return next((entry for entry in self.entries if entry.number == number), None)
 
     def shown(self, number: int) -> str:
-        """Returns the text for a number. If the number has no text, returns the number itself."""
+        """Returns the text for a number. A number without a text is returned after the name."""
         entry = self.find(number)
         return entry.shown if entry else f"{self.name} {number}"
 
@@ -122,7 +122,7 @@ class Field:
 
 @dataclass(frozen=True)
 class Layout:
-    """The payload fields of a frame type, in their order on the line."""
+    """The payload fields of a frame type, in the order in which they are sent."""
 
     name: str
     kind: int
@@ -206,8 +206,8 @@ def scale_of(quantity: Field, numbers: Mapping[str, int]) -> float:
 def scaled(number: int, scale: float) -> int | float:
     """Returns the value in its unit.
 
-    It divides, because a quotient is the number that is nearest to the decimal value.
-    """
+    The function divides by the inverse of the scale, because the quotient is then the
+    floating-point number that is nearest to the decimal value."""
     return number if scale == 1 else number / round(1 / scale)
 
 
@@ -285,7 +285,7 @@ def _layout(item: dict[str, Any], enumerations: Mapping[str, Enumeration]) -> La
 
 
 def _in_order(items: list[dict[str, Any]]) -> Iterator[tuple[dict[str, Any], int | None]]:
-    """Yields the fields in their order on the line. A group of wheel fields repeats per wheel."""
+    """Yields the fields in the order in which they are sent. A group repeats for each wheel."""
     group: list[dict[str, Any]] = []
     for one in [*items, None]:
         if one is not None and "each" in one:

@@ -1,6 +1,6 @@
 """The serial line to the robot, with handshake and keep-alive.
 
-When the robot is silent, the line begins a new handshake.
+When the robot is silent, the client begins a new handshake.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ READ_BYTES = 4096
 
 
 class BusyError(OSError):
-    """Another program uses the line."""
+    """Another program uses the serial port."""
 
 
 def open_line(path: Path) -> serial.Serial:
@@ -62,7 +62,7 @@ def open_line(path: Path) -> serial.Serial:
 
 
 def clock_ms(seconds: float) -> int:
-    """Returns a time of this computer in ms, in the form of the orders."""
+    """Returns a time of this computer in ms, as an order contains it."""
     return int(seconds * 1000) % CLOCK_MS
 
 
@@ -70,9 +70,9 @@ class Link:
     """A connection to the robot. Call service() at least every 100 ms, or iterate over reports().
 
     ``connected`` is true from the first report after a handshake until the robot is silent for a
-    second. Reports of a connection that another program began are ignored. A line that disappeared
-    is opened again as soon as its path exists. When the robot answers with another version of the
-    protocol, no connection is possible, and ``incompatible`` contains this reason.
+    second. Reports of a connection that another program began are ignored. A serial port that
+    disappeared is opened again as soon as its path exists. When the robot answers with another
+    version of the protocol, no connection is possible, and ``incompatible`` contains this reason.
     """
 
     def __init__(self, path: Path, clock: Callable[[], float] = time.monotonic) -> None:
@@ -129,7 +129,7 @@ class Link:
     def reports(self, timeout_s: float | None = None) -> Iterator[Report]:
         """Yields all reports until no report arrives for the given time.
 
-        The reports continue after a lost connection.
+        If the connection is lost and begins again, the reports continue.
         """
         last = self._clock()
         while timeout_s is None or self._clock() - last < timeout_s:
@@ -147,7 +147,8 @@ class Link:
             self._send(Confirm(welcome.session))
 
     def _timed(self, report: Report) -> Report:
-        """Returns the report with the round trip of its order.
+        """Returns the report with the round trip: the time from the sending of its order to the
+        report.
 
         The round trip is only added if the robot has read an order of the PC in this cycle.
         """
@@ -166,7 +167,8 @@ class Link:
         self.welcome = None
 
     def _keep_up(self) -> None:
-        """Opens the line again, begins a handshake, or sends a keep-alive, when this is due."""
+        """Opens the serial port again, begins a handshake, or sends a keep-alive, when this is
+        due."""
         now = self._clock()
         if self._line is None:
             try:
@@ -197,7 +199,7 @@ class Link:
         return sent
 
     def _write(self, data: bytes) -> bool:
-        """Sends the bytes. Stores the bytes that the line does not accept yet.
+        """Sends the bytes. Stores the bytes that the serial port does not accept yet.
 
         Returns false when too many bytes are stored.
         """

@@ -17,7 +17,7 @@ from weeding_robot_client.messages import Report
 TOPIC = "/report"
 SCHEMA_NAME = "weeding_robot.Report"
 ROUND_TRIP = "round_trip_ms"
-CHUNK = 1 << 16  # greatest number of bytes that an interrupted run loses; these are a few seconds
+CHUNK = 1 << 16  # greatest number of bytes that an interrupted run loses: reports of a few seconds
 NANOSECONDS = 1_000_000  # in one ms
 
 
@@ -57,10 +57,10 @@ def _type_of(one: Field) -> str:
 
 
 class McapFile:
-    """Writes reports to a file.
+    """An MCAP file to which reports are written.
 
-    The log time of a message is the time of this computer. Its publish time is the time of the
-    robot's clock.
+    The log time of a message is the time of this computer. The publish time of a message is the
+    time of the clock of the robot.
     """
 
     def __init__(self, path: Path) -> None:

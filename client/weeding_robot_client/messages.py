@@ -21,7 +21,7 @@ class MessageError(ValueError):
 
 
 class Quantity(Enum):
-    """The quantity of a set-point, with its number on the line, unit, steps per unit, and limit."""
+    """The quantity of a set-point, with its number in frames, unit, steps per unit, and limit."""
 
     VELOCITY = "Velocity"
     TENSION = "Tension"
@@ -38,7 +38,8 @@ class Quantity(Enum):
 
 @dataclass(frozen=True)
 class WheelSetPoint:
-    """A value in the unit of its quantity. The velocity is measured at the motor shaft."""
+    """A set-point: a value in the unit of its quantity. The velocity is measured at the motor
+    shaft."""
 
     quantity: Quantity
     value: float
@@ -168,7 +169,7 @@ class Welcome:
     waiting_cycles: int
     start: Start
     protocol_versions: tuple[int, int] = (VERSION, VERSION)  # lowest and highest
-    schema_hash: int | None = SCHEMA_HASH  # None: the robot does not report it
+    schema_hash: int | None = SCHEMA_HASH  # None: the robot reports no hash
     kind: ClassVar[int] = LAYOUTS["Welcome"].kind
     layout: ClassVar[Layout] = LAYOUTS["Welcome"]
     appended: ClassVar[int] = 6  # bytes that are missing in version 1
@@ -274,7 +275,7 @@ class Report:
     stop_wheel: int | None  # wheel of the cause
     stop_sources: tuple[str, ...]  # sources that order stop
     order_id: int
-    sent_at_ms: int  # time of the order in force, as in the order
+    sent_at_ms: int  # sending time of the order in force, as in this order
     steering_set_point_degrees: float
     steering_degrees: float | None
     turn: int | None  # -1 right, 0 none, 1 left

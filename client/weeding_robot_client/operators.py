@@ -23,10 +23,11 @@ class OperatorError(RuntimeError):
 
 
 class Operator(Protocol):
-    """Executes manual actions. ``idle`` is called while the program waits for the operator."""
+    """An operator for manual actions. ``idle`` is called while the program waits for the
+    operator."""
 
     reaction_s: float  # longest time between the announced and the actual start of an action
-    patience_s: float  # time for the effect of an action
+    patience_s: float  # longest time from an action to its effect
 
     def perform(self, action: str, instruction: str, idle: Idle) -> None:
         """Asks for an action. Returns when the operator begins the action."""

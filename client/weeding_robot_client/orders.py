@@ -61,7 +61,7 @@ class Orders:
         return reports
 
     def stop(self) -> None:
-        """Orders stop several times, so that the stop arrives even if a frame is lost."""
+        """Orders a stop several times. The stop therefore arrives even if a frame is lost."""
         wish = Wish(stop=True)
         for _ in range(STOP_ORDERS):
             self.send(wish)

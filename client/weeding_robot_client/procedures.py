@@ -20,8 +20,8 @@ without orders.
 
 Exit code 1: not armed, or no connection."""
 ACKNOWLEDGE = """\
-Acknowledges the latched protective stop. The robot is at rest and releases its faults. Remove the
-cause first. After the acknowledgement, the program arms the robot, as ./wr arm does.
+Acknowledges the latched protective stop. The robot stays at rest and releases its latched faults.
+Remove the cause first. After the acknowledgement, the program arms the robot, as ./wr arm does.
 
 Exit code 1: not armed, or no connection."""
 

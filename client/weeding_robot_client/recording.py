@@ -35,7 +35,7 @@ class ReportFile(Protocol):
 
 
 class CsvFile:
-    """A table with a line for each report."""
+    """A table with a row for each report."""
 
     def __init__(self, path: Path) -> None:
         self._file = path.open("w", newline="")
@@ -52,9 +52,9 @@ class CsvFile:
 
 
 class Recording(AbstractContextManager["Recording"]):
-    """Writes reports to files as they arrive. Without a path, it writes nothing.
+    """The files to which reports are written as they arrive. Without a path, nothing is written.
 
-    A full disk ends the recording. The program does not end, so the robot continues to drive.
+    A full disk ends the recording. The program does not end, and the robot continues to drive.
     """
 
     def __init__(self, table: Path | None, mcap: Path | None = None) -> None:

@@ -95,7 +95,7 @@ class Wish:
 
 @dataclass(frozen=True)
 class Script:
-    """Orders, each with the time from which on it applies [s]. The script ends at ``end_s``."""
+    """Orders, each with the time at which it begins to apply [s]. The script ends at ``end_s``."""
 
     wishes: tuple[tuple[float, Wish], ...]
     end_s: float

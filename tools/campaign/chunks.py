@@ -1,6 +1,6 @@
 """The chunks of a campaign, and the files of the finished chunks.
 
-The result of a chunk depends only on its seed and its count. It is the same on every computer.
+The result of a chunk depends only on its seed and its count, and is the same on every computer.
 """
 
 from __future__ import annotations
@@ -23,8 +23,7 @@ SEEDS = 1 << 20  # number of seeds that the chunks of one campaign can have
 
 @dataclass(frozen=True)
 class Chunk:
-    """A part of a campaign. It has its number, the seed of its random choices, and its number of
-    cases."""
+    """A part of a campaign: its number, the seed of its random choices, and its number of cases."""
 
     number: int
     seed: int
@@ -42,7 +41,8 @@ def chunks_of(seed: int, count: int, size: int) -> list[Chunk]:
 
 
 def identity_of(files: Iterable[Path]) -> str:
-    """Returns the hash of the files that a chunk executes. They are the image and the program."""
+    """Returns the hash of the files that a chunk needs, such as the program and the firmware
+    image."""
     digest = hashlib.sha256()
     for path in files:
         digest.update(hashlib.sha256(path.read_bytes()).digest())
@@ -58,7 +58,7 @@ class Store:
 
     @contextmanager
     def only_one(self) -> Iterator[None]:
-        """Locks the chunks. A second campaign with the same chunks would run them again."""
+        """Locks the chunks. A second campaign with the same chunks would run the chunks again."""
         self.folder.mkdir(parents=True, exist_ok=True)
         with (self.folder / "lock").open("a", encoding="utf-8") as file:
             try:
@@ -108,8 +108,8 @@ class Store:
 
 
 def whole_part(chunks: Sequence[Chunk]) -> list[Chunk]:
-    """Returns the chunks before the first missing or incomplete chunk. They are a shorter
-    campaign.
+    """Returns the chunks before the first missing or incomplete chunk. These chunks are a
+    shorter campaign.
     """
     whole: list[Chunk] = []
     for number, chunk in enumerate(chunks):

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs all fuzzers of the firmware several times, and prints a line of JSON after each time.
+"""Runs all fuzzers of the firmware several times, and prints a line of JSON after each round.
 
 This program needs only the standard library. It can run on any worker, in the folder of the
 project.
@@ -22,8 +22,8 @@ LONGEST_INPUT = {"frames": 24}  # bytes
 LONGEST = 60  # time limit of an input [s]; most inputs need less than 0.02 s
 CORPUS = Path("tests/fuzz/corpus")
 MOST_OF_TEXT = 2_000
-# The line that states the cause. The lines before it show the progress, and the lines after it show
-# the calls.
+# The line of the output that states the cause of a failure. The lines before this line show the
+# progress, and the lines after this line show the calls.
 CAUSE = re.compile(r"^.*(the fuzzer found|runtime error:|ERROR: ).*$", re.MULTILINE)
 
 
@@ -62,7 +62,7 @@ def fuzz(program: Path, name: str, seed: int, inputs: int) -> dict[str, Any]:
 
 
 def cause_in(output: str) -> str:
-    """Returns the text of a failure from the line of its cause on."""
+    """Returns the output of a failed fuzzer from the line that states the cause."""
     match = CAUSE.search(output)
     return output[match.start() :][:MOST_OF_TEXT] if match else output[-MOST_OF_TEXT:]
 

@@ -35,7 +35,7 @@ class Kind:
 
 
 def image_options(files: Sequence[Path]) -> list[str]:
-    """Returns the options of a program that runs an image."""
+    """Returns the options of a program that runs a firmware image."""
     return ["--image", str(files[1]), "--elf", str(files[2])]
 
 

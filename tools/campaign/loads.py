@@ -1,4 +1,4 @@
-"""The campaign of random drives with a loaded line, with its program and the summary of its
+"""The campaign of random drives with a loaded serial line, with its program and the summary of its
 drives."""
 
 from __future__ import annotations
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 PROGRAM = Path("build/host/sim/weeding_robot_loads")
-LISTED = 10  # number of longest drives that the record lists
+LISTED = 10  # number of drives that the record lists; their control cycles are the longest
 
 
 def summarise(_root: Path, cases: Sequence[dict[str, Any]]) -> dict[str, Any]:

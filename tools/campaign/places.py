@@ -1,4 +1,4 @@
-"""Finds the module of an address of the image, from the debug information."""
+"""Finds the module of an address of the firmware image, from the debug information."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Places:
             self._functions.sort()
             self._starts = [item[0] for item in self._objects]
             self._first = [item[0] for item in self._functions]
-            # A type is read when it is needed, while the file is open.
+            # Types are read now, because they can be read only while the file is open.
             self._members = {
                 address: dict(self._bytes(die, 0, source))
                 for address, _, die, source in self._objects
@@ -131,14 +131,14 @@ class Places:
                 if member is not None and (place is not None or kind.tag == "DW_TAG_union_type"):
                     at = place.value if place is not None else 0
                     if "DW_AT_bit_size" not in child.attributes and isinstance(at, int):
-                        # A base class is a part of the derived class. It has no address of its own
+                        # A base class is a part of the derived class, and is not a separate object
                         # in the list.
                         inner = self._bytes(member, offset + at, module)
                         yield from inner
 
     def _resolved(self, die: DIE) -> DIE:
-        """Returns the type itself. If a class is only declared here, returns its definition in
-        another file.
+        """Returns the type without typedef, const and volatile. If a class is only declared here,
+        returns its definition in another file.
         """
         while die.tag in _WRAPPERS:
             inner = _type_of(die)

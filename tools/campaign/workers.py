@@ -1,4 +1,4 @@
-"""Runs chunks on all cores of this machine, or on the workers of a Dask scheduler."""
+"""Runs chunks on all cores of this computer, or on the workers of a Dask scheduler."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def run_here(kind: Kind, root: Path, chunks: Sequence[Chunk], workers: int) -> I
 def execute_copy(
     identity: str, contents: Mapping[str, bytes], words: Sequence[str]
 ) -> list[dict[str, Any]]:
-    """Runs a command on a worker. Each machine writes the copies of its files only once."""
+    """Runs a command on a worker. Each computer writes the copies of the files only once."""
     folder = Path(tempfile.gettempdir()) / f"campaign-{os.getuid()}-{identity}"
     if not folder.is_dir():
         draft = Path(tempfile.mkdtemp(prefix="campaign-"))
@@ -69,7 +69,7 @@ def execute_copy(
             (draft / name).chmod(0o700)
         try:
             draft.rename(folder)
-        except OSError:  # Another worker of this machine wrote the copies first.
+        except OSError:  # Another worker of this computer wrote the copies first.
             if not folder.is_dir():
                 raise
             shutil.rmtree(draft)
@@ -82,7 +82,8 @@ def run_on_dask(
     """Yields each chunk as soon as a worker has finished it. If a worker is lost, its chunk runs
     again.
 
-    The workers need this project's tools. Start them in the project's folder, with its Python.
+    The workers need the tools of the project. Start the workers in the folder of the project, with
+    the Python of the project.
     """
     from distributed import Client, as_completed
 

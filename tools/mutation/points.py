@@ -1,4 +1,5 @@
-"""The places for faults, which libclang finds. Each mutant is one small change of a method."""
+"""Finds the places for faults in the sources, with libclang. Each mutant is one small change of a
+method."""
 
 from __future__ import annotations
 
@@ -90,8 +91,8 @@ class Point:
 
 
 def compiler_arguments(root: Path) -> list[str]:
-    """Returns the options with which the sources are parsed. They are the options of the model,
-    with the precompiled headers of the library."""
+    """Returns the options with which the sources are parsed. These are the options with which
+    the model is built, and the option for the precompiled headers of the library."""
     parsed = ["-include-pch", str(standard(root / "build" / "model" / "cache"))]
     return [*clang_arguments(board=False), *include_options(root), *parsed]
 
@@ -167,7 +168,7 @@ class _Finder:
 
     def early_return(self, function: Cursor, body: Cursor) -> None:
         if len(list(body.get_children())) < 2:
-            return  # The mutants of its only statement are the same.
+            return  # The mutant would be equal to a mutant of the only statement.
         void = function.result_type.kind == TypeKind.VOID
         if function.kind in (CursorKind.CONSTRUCTOR, CursorKind.DESTRUCTOR):
             void = True
@@ -241,7 +242,7 @@ class _Finder:
 
     def negated(self, cursor: Cursor) -> None:
         if any(self.operator(part)[0] in RELATIONS for part in _layers(cursor)):
-            return  # A mutant of the relation already is its negation.
+            return  # A mutant of the relation is already the negation.
         mutant = self.mutant(cursor, "condition", f"not {self.short(cursor)}")
         self.wrap(cursor, "(mutant::on(#) != static_cast<bool>(", "))", mutant)
 
@@ -262,8 +263,8 @@ class _Finder:
 
 
 def _layers(cursor: Cursor) -> list[Cursor]:
-    """Returns an expression without the nodes that the compiler adds around it. The outermost node
-    is first.
+    """Returns an expression and the expressions inside it, down to the first node that the compiler
+    did not add. The outermost expression is first.
     """
     found = [cursor]
     while found[-1].kind == CursorKind.UNEXPOSED_EXPR:

@@ -27,8 +27,7 @@ SUITE = re.compile(rb"^\[-+\] \d+ tests? from ([\w/]+)(?:, .*)?$", re.MULTILINE)
 
 @dataclass
 class Outcome:
-    """The results of tests. It contains the failed tests and the passed tests. The other tests are
-    not decided."""
+    """The failed and the passed tests of a run. A test that is in neither set is not decided."""
 
     failed: set[str] = field(default_factory=set)
     passed: set[str] = field(default_factory=set)
@@ -93,15 +92,15 @@ def _run(
 
 
 def _pattern(test: str) -> str:
-    """Returns the filter of a test. The filter includes its parameters and the types of its
+    """Returns the filter that selects a test with all its parameters and all types of its
     suite."""
     suite, _, name = test.partition(".")
     return f"{test}:{test}/*:*/{test}:*/{test}/*:{suite}/*.{name}"
 
 
 def _suite_began(text: bytes, tests: Iterable[str], outcome: Outcome) -> str | None:
-    """Returns the first test without a result of the suite that began last. A fault can end the
-    process in the set-up of a suite.
+    """Returns the first test of the suite that began last, if this test has no result. A fault can
+    end the process in the set-up of a suite.
     """
     for suite in SUITE.findall(text)[-1:]:
         begin = plain_name(suite.decode(), "")

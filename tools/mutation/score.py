@@ -24,15 +24,15 @@ RESULT = RESULTS / "mutation.json"
 FIRST_PART = 0.2  # processor time of the tests that run first [s]
 PART_GROWTH = 4
 MUTANT = [one.name for one in fields(Mutant)]
-NO_REQUIREMENT = ""  # means the requirement of functions outside the trees
+NO_REQUIREMENT = ""  # key of the mutants of functions that serve no requirement
 
 
 @dataclass
 class Plan:
-    """The data that exists before the first mutant runs."""
+    """The requirements and the tests of each method. They are determined before mutants run."""
 
-    methods: dict[str, list[str]]  # method -> requirements whose trees contain it
-    verifying: dict[str, set[str]]  # requirement -> its tests on this machine
+    methods: dict[str, list[str]]  # method -> requirements that it serves
+    verifying: dict[str, set[str]]  # requirement -> its tests on this computer
     executing: dict[str, set[str]]  # method -> tests that executed it
     seconds: dict[str, float] = field(default_factory=dict)  # test that passes -> its time
 
@@ -49,7 +49,7 @@ class Tried:
     """A mutant that was tried, with the tests that found it. For each requirement, it states
     whether a test of the requirement found the mutant.
 
-    A requirement is missing if its tests were not decided.
+    ``own`` contains no value for a requirement if its tests were not decided.
     """
 
     mutant: Mutant
@@ -58,8 +58,8 @@ class Tried:
 
 
 def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[str]) -> Plan:
-    """Returns the tests for the functions that have mutants. A function outside the trees serves no
-    requirement.
+    """Returns the tests for the functions that have mutants. A function outside the
+    invocation trees serves no requirement.
     """
     plan = Plan({name: [] for name in functions}, {}, {})
     for requirement in model.requirements.values():
@@ -82,8 +82,8 @@ def make_plan(model: Model, facts: Facts, traces: Traces, functions: Iterable[st
 
 
 def executed(traces: Traces, test: Test, methods: set[str]) -> set[str]:
-    """Returns the functions that a test called. If its recording is incomplete, returns all
-    functions.
+    """Returns the functions that a test called. If the recording of the test is incomplete,
+    returns all functions.
 
     A death test runs in a separate process, which is not recorded.
     """
@@ -128,7 +128,7 @@ def measure(program: Path, plan: Plan, seconds: dict[str, float]) -> list[str]:
 
 def try_mutant(program: Path, number: int, mutant: Mutant, plan: Plan) -> Tried | None:
     """Runs the tests of the requirements. If no test finds the mutant, runs all tests that execute
-    its method. Returns nothing if no test found the mutant and some tests did not end."""
+    its method. Returns None if no test found the mutant and some tests did not end."""
     own = {name: plan.own(mutant.method, name) for name in plan.methods[mutant.method]}
     outcome = run_until_found(program, number, plan, list(own.values()))
     if not outcome.failed:
@@ -148,8 +148,8 @@ def run_until_found(program: Path, number: int, plan: Plan, groups: list[set[str
     """Runs the tests of the groups. The short tests run first. The run ends when each group has a
     test that found the mutant, or has no tests left.
 
-    The tests run in parts. Each part takes a multiple of the time of the previous part, so only a
-    few programs start.
+    The tests run in parts. Each part takes a multiple of the time of the previous part.
+    Therefore only a few programs start.
     """
     outcome = Outcome()
     most = FIRST_PART
@@ -182,7 +182,8 @@ def try_all(
     plan: Plan,
     goes_on: Callable[[list[Tried]], bool],
 ) -> list[Tried]:
-    """Tries mutants in this order, as long as ``goes_on`` returns true for the results so far."""
+    """Tries the mutants in the order of ``numbers``, as long as ``goes_on`` returns true for the
+    results so far."""
     tried: list[Tried] = []
 
     def work() -> None:
@@ -249,12 +250,12 @@ class Justifications:
         self.lines: dict[str, list[str]] = {}
 
     def reasons_of(self, mutants: Iterable[Mutant]) -> list[str]:
-        """Returns for each mutant the reason why no test can find it. The reason is empty without a
-        justification.
+        """Returns for each mutant the reason why no test can find it. The reason is empty if the
+        mutant has no justification.
 
-        Each change in an entry justifies one mutant. A line can have the same change at several
-        places. The entry then contains the change once for each place at which no test can find it.
-        """
+        Each change in an entry justifies one mutant. A source line can have the same change at
+        several places. The entry then contains the change once for each place at which no test can
+        find it."""
         left = {key: list(reasons) for key, reasons in self.reasons.items()}
         return [
             reasons.pop() if (reasons := left.get(self._key(mutant))) else "" for mutant in mutants

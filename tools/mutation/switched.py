@@ -108,7 +108,7 @@ def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int,
     for problem in tree.diagnostics:
         if problem.severity < cindex.Diagnostic.Error or not problem.location.file:
             continue
-        # If the switch has an error, a note shows the place of the call. libclang also reports
+        # If the error is in mutant.hpp, a note shows the place of the call. libclang also reports
         # errors without a file, which come from parsed headers and are ignored.
         places = [problem.location, *(child.location for child in problem.children)]
         for place in places:
@@ -122,7 +122,7 @@ def errors(root: Path, unit: str, texts: dict[str, str]) -> list[tuple[str, int,
 
 
 def build_switched(root: Path, log: TextIO) -> None:
-    """Builds the tests of this machine from the copy."""
+    """Builds the tests for this computer from the copy."""
     flags = f"-O1 -w -include {SWITCH}"
     words: list[str | Path] = ["cmake", "-S", root / SOURCE, "-B", root / BINARY, "-G", "Ninja"]
     words += ["-DCMAKE_CXX_COMPILER=g++", f"-DCMAKE_CXX_FLAGS={flags}", "-DWR_WERROR=OFF"]

@@ -196,7 +196,7 @@ def test_a_parameter_has_a_kind_up_to_the_first_that_may_not_be_in_a_register(
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="Node is not installed")
 def test_a_new_state_is_seen_only_in_the_product_that_has_it() -> None:
-    """In the same drive, the warning state occurs one failed read before the last waiting state."""
+    """In the same drive, the warning state is the state before the last waiting state."""
     products = ["weeding_robot_paper", "weeding_robot_warning"]
     order = {"do": "compare", "folder": "live/", "products": products, "scenario": "loss_of_the_pc"}
     sent = played([{"do": "load", "folder": "live/"}, order], 0)
