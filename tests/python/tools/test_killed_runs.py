@@ -19,6 +19,8 @@ from tests.python.tools.small_command import RESULT, expected, write_sources
 from tools.lock import HOLDER, only_one, outliving, programs_of
 from weeding_robot_client.exit_codes import BUSY, INTERRUPTED
 
+pytestmark = pytest.mark.runs_tools
+
 SOURCE = Path(__file__).resolve().parents[3]
 # The command, as ./wr begins it. The program prints a line as soon as it can handle interrupts.
 COMMAND = """

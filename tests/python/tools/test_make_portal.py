@@ -22,6 +22,8 @@ import pytest
 from tools.documents import METRICS
 from tools.lock import HOLDER
 
+pytestmark = pytest.mark.runs_tools
+
 # A project whose tests wait for a permission to continue. Its page shows whether the tests ended.
 PORTAL = """
 import sys, time
