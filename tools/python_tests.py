@@ -5,8 +5,7 @@ from __future__ import annotations
 import functools
 import re
 import xml.etree.ElementTree as ET
-from collections.abc import Collection
-from dataclasses import replace
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import TextIO
 
@@ -14,10 +13,14 @@ from tools.cmake_build import Counts, jobs, junit_counts, outcome_of
 from tools.steps import FailureError, run
 from tools.task_graph import Outcome
 from traceability.reading.results import RESULTS
+from traceability.whole_file import write_whole
 
 # These tests mostly wait for a robot in real time. More tests than processors therefore run in
 # parallel.
 TESTS = Path("tests/python")
+PYTHON = ("tests/python/", "tools/", "traceability/", "site/portal/", "client/")
+COMMANDS = "tools/cli.py"  # It imports the module of a command when this command runs.
+RUNS_TOOLS = "pytest.mark.runs_tools"
 WAITING = "client"
 WAITING_JOBS = "8"
 
@@ -94,20 +97,81 @@ def workers(folder: str) -> list[str | Path]:
 
 def run_pytest(root: Path, folder: str, log: TextIO, *options: str) -> Outcome:
     """Runs the tests. Failed tests are an outcome, but a run without results is an error."""
+    return outcome_of(counted(root, folder, log, [*options, root / TESTS / folder]))
+
+
+def update_pytest(root: Path, folder: str, log: TextIO, changed: frozenset[str]) -> Outcome:
+    """Runs only the test files that a change of these files can affect, and the test files with
+    failed tests. The results of the other test files remain.
+    """
+    results = root / RESULTS / f"pytest_{folder}.xml"
+    before = ET.parse(results).getroot()
+    affected = affected_tests(root, folder, changed)
+    if affected is None:
+        results.unlink()
+        return run_pytest(root, folder, log)
+    affected |= {name.partition("::")[0] for name in failed_tests(results)}
+    files = sorted(name for name in affected if (root / name).exists())
+    log.write(f"{len(files)} test files are affected: {' '.join(files)}\n")
+    results.unlink()
+    if files:
+        counted(root, folder, log, [root / name for name in files])
+    merge_results(root, before, results, files)
+    return outcome_of(junit_counts(results))
+
+
+def affected_tests(root: Path, folder: str, changed: Collection[str]) -> set[str] | None:
+    """Returns the test files of a folder that a change of these files can affect.
+
+    Returns nothing if one of these files is not a Python file of the project. All tests of the
+    folder may read such a file.
+    """
+    python = {name for name in changed if name.endswith(".py") and name.startswith(PYTHON)}
+    if python != set(changed):
+        return None
+    tests = {str(file.relative_to(root)) for file in (root / TESTS / folder).glob("test_*.py")}
+    found = tests & importing_tests(root, python).keys()
+    if any(not name.startswith(f"{TESTS}/") for name in python):
+        # These tests run tools as programs, and a program may import each file of the tools.
+        found |= {name for name in tests if RUNS_TOOLS in (root / name).read_text(encoding="utf-8")}
+        found |= tests & importing_tests(root, [COMMANDS]).keys()
+    return found
+
+
+def merge_results(
+    root: Path, before: ET.Element, results: Path, repeated: Collection[str] = ()
+) -> None:
+    """Adds earlier results to a result file. The earlier results of tests that ran again, of
+    repeated test files, and of test files that no longer exist are left out.
+    """
+    now = list(ET.parse(results).iter("testcase")) if results.exists() else []
+    again = {(case.get("classname"), case.get("name")) for case in now}
+    suite = next(before.iter("testsuite"))
+    for case in list(suite.iter("testcase")):
+        file = f"{case.get('classname', '').replace('.', '/')}.py"
+        named = (case.get("classname"), case.get("name"))
+        if named in again or file in repeated or not (root / file).exists():
+            suite.remove(case)
+    suite.extend(now)
+    write_whole(results, ET.tostring(before, encoding="unicode"))
+
+
+def counted(root: Path, folder: str, log: TextIO, tests: Sequence[str | Path]) -> Counts:
+    """Runs these tests of a folder, and returns their counts."""
     results = root / RESULTS / f"pytest_{folder}.xml"
     results.parent.mkdir(parents=True, exist_ok=True)
     words: list[str | Path] = [root / ".venv/bin/python", "-m", "pytest", "-q", "-ra"]
     words += workers(folder)
-    words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}"]
-    words += [*options, root / "tests/python" / folder]
-    counts = counted(log, words, results)
+    words += [f"--rootdir={root}", "-c", root / "pyproject.toml", f"--junitxml={results}", *tests]
+    attempt_tests(log, words, results)
     # Tests may fail because the computer is busy. Failed tests therefore run again, one after the
     # other.
-    if counts.failed and folder == WAITING:
-        again = counted(log, [*words, "--lf", "-n", "0"], results)
-        counts = replace(again, passed=counts.passed + again.passed, skipped=counts.skipped)
+    if folder == WAITING and failed_tests(results):
+        first = ET.parse(results).getroot()
+        attempt_tests(log, [*words, "--lf", "-n", "0"], results)
+        merge_results(root, first, results)
     log.writelines(f"to debug this test: ./wr debug {name}\n" for name in failed_tests(results))
-    return outcome_of(counts)
+    return junit_counts(results)
 
 
 def failed_tests(results: Path) -> list[str]:
@@ -125,10 +189,10 @@ def reported_numbers(results: Path) -> dict[str, float]:
     return {one.get("name", ""): float(one.get("value", "0")) for one in found}
 
 
-def counted(log: TextIO, words: list[str | Path], results: Path) -> Counts:
+def attempt_tests(log: TextIO, words: Sequence[str | Path], results: Path) -> None:
+    """Runs pytest. Its failure is an error only if there are no results."""
     try:
         run(log, words)
     except FailureError:
         if not results.exists():
             raise
-    return junit_counts(results)

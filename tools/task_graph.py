@@ -63,6 +63,8 @@ class Task:
     )
     state: Callable[[], str] | None = None  # state of inputs that are not files
     quiet: bool = False  # The task itself prints the lines about its progress.
+    # If the results exist, this action updates them. It gets the names of the changed inputs.
+    update: Callable[[TextIO, frozenset[str]], Outcome] | None = None
 
 
 @dataclass
@@ -80,6 +82,7 @@ class Step(BaseAction):  # type: ignore[misc]  # doit has no types
     def __init__(self, root: Path, task: Task) -> None:
         self.root, self.work = root, task
         self.task: DoitTask | None = None
+        self.changed: frozenset[str] = frozenset()  # empty if the changed inputs are not known
         self.out = self.err = self.result = None
         self.values: dict[str, Any] = {}
 
@@ -87,9 +90,7 @@ class Step(BaseAction):  # type: ignore[misc]  # doit has no types
         start = time.time()
         try:
             with log_file(log_of(self.root, self.work.name)) as log:
-                for name in self.work.results:
-                    (self.root / name).unlink(missing_ok=True)
-                found = attempt(self.work.action, log)
+                found = attempt(self._action(), log)
         except FailureError as error:
             return TaskFailed(str(error), report=False)
         outcome = found if isinstance(found, Outcome) else Outcome(found or "")
@@ -100,6 +101,15 @@ class Step(BaseAction):  # type: ignore[misc]  # doit has no types
             "seconds": round(time.time() - start, 1),
         }
         return None
+
+    def _action(self) -> Callable[[TextIO], Outcome | str | None]:
+        results = [self.root / name for name in self.work.results]
+        if self.work.update and self.changed and all(path.exists() for path in results):
+            update = self.work.update
+            return lambda log: update(log, self.changed)
+        for path in results:
+            path.unlink(missing_ok=True)
+        return self.work.action
 
 
 class Database(JsonDB):  # type: ignore[misc]  # doit has no types
@@ -125,6 +135,13 @@ class Record(Dependency):  # type: ignore[misc]  # doit has no types
             if not made and Path(name).stat().st_mtime > self.began:
                 self._set(task.name, name, None)
 
+    def changed_inputs(self, task: DoitTask) -> frozenset[str]:
+        """Returns the inputs that changed, were added or were removed since the last run of the
+        task. Returns nothing if there is no record of this run.
+        """
+        before = set(self._get(task.name, "deps:") or ())
+        return frozenset(task.dep_changed) | (before - task.file_dep) if before else frozenset()
+
     def forget(self, task: DoitTask) -> None:
         """Removes a task from the record before the task runs. If the run is ended by force, the
         outputs are incomplete. The record of an earlier run would then be wrong.
@@ -149,6 +166,8 @@ class Runner(MThreadRunner):  # type: ignore[misc]  # doit has no types
     def select_task(self, node: Any, tasks: Any) -> bool:
         selected = bool(super().select_task(node, tasks))
         if selected:
+            (step,) = node.task.actions
+            step.changed = self.dep_manager.changed_inputs(node.task)
             self.dep_manager.forget(node.task)
         return selected
 

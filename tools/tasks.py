@@ -38,7 +38,7 @@ from tools.live_runs import PRESET as WEB
 from tools.live_runs import SCRIPT as LIVE_SCRIPT
 from tools.live_runs import build_module, measure_live
 from tools.proof_runs import missing_program, prove_all
-from tools.python_tests import imported_files, reported_numbers, run_pytest
+from tools.python_tests import imported_files, reported_numbers, run_pytest, update_pytest
 from tools.sizes import write_products, write_sizes
 from tools.task_graph import Graph, Outcome, Task
 from traceability.model.build import commit
@@ -343,6 +343,7 @@ def checks_of_tools(root: Path) -> list[Task]:
             tuple(sorted(inputs)),
             (f"{RESULTS}/pytest_{folder}.xml",),
             inputs_from=built if folder in RUN_PROGRAMS else (),
+            update=partial(update_pytest, root, folder),
         )
 
     return [

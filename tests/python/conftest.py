@@ -4,7 +4,8 @@ import fcntl
 import os
 import signal
 import subprocess
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Generator
 from pathlib import Path
 
 import pytest
@@ -34,3 +35,33 @@ def build() -> Callable[..., None]:
                 subprocess.run(words, check=True, cwd=ROOT, timeout=600, stdout=subprocess.DEVNULL)
 
     return built
+
+
+python_programs: list[str] = []  # the Python programs that the running test has started
+
+
+def record_program(event: str, arguments: tuple[object, ...]) -> None:
+    if event == "subprocess.Popen":
+        program, words = arguments[:2]
+        names = {Path(os.fsdecode(word)).name for word in (program, *words) if word}
+        python_programs.extend(name for name in names if name == "wr" or name.startswith("python"))
+
+
+sys.addaudithook(record_program)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_protocol() -> Generator[None, object, object]:
+    python_programs.clear()
+    return (yield)
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> Generator[None, object, object]:
+    """Only a marked test may start a Python program. A test without the mark does not run again
+    after a change of a file that only such a program imports.
+    """
+    result = yield
+    if python_programs and not pyfuncitem.get_closest_marker("runs_tools"):
+        pytest.fail(f"mark this test with pytest.mark.runs_tools: it started {python_programs}")
+    return result

@@ -286,7 +286,7 @@ def _conditions(machine: StateMachine, code: MachineCode) -> Iterator[Finding]:
             for question in sorted(_asked(machine, row) - set(change.asked)):
                 text = f"{words(row)} needs '{question}', but the code does not check it"
                 fix = "correct the guard, or the code"
-                yield Finding(change.place, "fsm-code", text)
+                yield Finding(change.place, "fsm-code", text, fix)
     for change in code.changes:
         evaluated = _known_before(machine, code, change)
         for question in sorted(set(change.asked) - evaluated):

@@ -20,6 +20,8 @@ from weeding_robot_client.bring_up import BringUp, Motion, Record, Step, choose_
 from weeding_robot_client.link import Link
 from weeding_robot_client.operators import Control, OperatorError, SimulatedOperator
 
+pytestmark = pytest.mark.runs_tools
+
 ROOT = Path(__file__).parents[3]
 STEPS = 19
 STEPS_OF_RC = 4

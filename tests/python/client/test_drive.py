@@ -27,6 +27,8 @@ from weeding_robot_client.reasons import faults
 from weeding_robot_client.recording import COLUMNS
 from weeding_robot_client.script import HELP, ScriptError, Wish, parse
 
+pytestmark = pytest.mark.runs_tools
+
 ROOT = Path(__file__).parents[3]
 
 

@@ -48,6 +48,7 @@ def validate(path: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(words, capture_output=True, text=True, check=False)
 
 
+@pytest.mark.runs_tools
 def test_reqif_fits_the_schema_and_is_read_back(model: Model, tmp_path: Path) -> None:
     path = tmp_path / "a.reqif"
     path.write_text(reqif_text(model, REPORT), encoding="utf-8")
@@ -74,6 +75,7 @@ def test_reqif_has_no_empty_value(model: Model) -> None:
     assert any(not value for one in trace_items(model, REPORT) for value in one.values.values())
 
 
+@pytest.mark.runs_tools
 def test_a_broken_link_in_reqif_is_found(model: Model, tmp_path: Path) -> None:
     path = tmp_path / "a.reqif"
     text = reqif_text(model, REPORT)
@@ -107,6 +109,7 @@ def settings_of_the_page() -> str:
     return textwrap.dedent(block[0])
 
 
+@pytest.mark.runs_tools
 def test_sphinx_needs_imports_the_needs(model: Model, tmp_path: Path) -> None:
     (tmp_path / "conf.py").write_text(settings_of_the_page())
     (tmp_path / "index.rst").write_text("A\n=\n\n.. needimport:: needs.json\n\n.. needtable::\n")

@@ -119,6 +119,7 @@ def test_what_lies_across_the_border_is_found(tmp_path: Path) -> None:
         assert len(found) == objects
 
 
+@pytest.mark.runs_tools
 def test_the_image_names_the_version_and_the_sources_of_the_project(tmp_path: Path) -> None:
     version = re.search(
         r"project\(weeding_robot VERSION (\d+)\.(\d+)\.(\d+)", (ROOT / "CMakeLists.txt").read_text()

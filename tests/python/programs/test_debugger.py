@@ -22,7 +22,10 @@ CYCLE = "wr::MainController::cycle"
 PULSES = "wr::MainController::clockPulse"
 FLUSH = "maintenance flush register-cache"
 
-pytestmark = pytest.mark.skipif(GDB is None, reason="there is no GDB for Arm")
+pytestmark = [
+    pytest.mark.skipif(GDB is None, reason="there is no GDB for Arm"),
+    pytest.mark.runs_tools,
+]
 
 
 @pytest.fixture(scope="module", autouse=True)

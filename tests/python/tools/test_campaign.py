@@ -25,6 +25,8 @@ from tools.steps import FailureError
 from traceability.reading.fault_record import OUTCOMES, campaign_metrics
 from traceability.reading.published import publish, read_published
 
+pytestmark = pytest.mark.runs_tools
+
 # A program whose cases depend only on the seed. It needs 0.05 s.
 PROGRAM = """#!{python}
 import json, random, sys, time

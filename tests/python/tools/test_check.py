@@ -81,6 +81,7 @@ def test_documents_that_could_not_be_made_fail_and_are_made_again(
         assert "FAILED: a step failed" in capsys.readouterr().out
 
 
+@pytest.mark.runs_tools
 @pytest.mark.parametrize("ends", ["raise SystemError", "os.kill(os.getpid(), signal.SIGKILL)"])
 def test_findings_of_earlier_documents_are_not_shown_when_the_process_ends_early(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, ends: str

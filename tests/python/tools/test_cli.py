@@ -15,6 +15,8 @@ import pytest
 from tools import cli, lint, serve
 from tools.steps import FailureError
 
+pytestmark = pytest.mark.runs_tools
+
 ROOT = Path(__file__).parents[3]
 USAGE = (ROOT / "wr").read_text(encoding="utf-8").partition("\nTEXT\n")[0]
 COMMANDS = re.findall(r"^  ([a-z-]+) ", USAGE, re.MULTILINE)

@@ -22,6 +22,8 @@ from tools.lock import HOLDER
 from traceability.reading.result_cache import cached_result
 from weeding_robot_client.exit_codes import MISSING
 
+pytestmark = pytest.mark.runs_tools
+
 SOURCE = Path(__file__).resolve().parents[3]
 LOCK = "no-such-package==1 --hash=sha256:" + 64 * "0" + "\n"
 

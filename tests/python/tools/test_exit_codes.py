@@ -11,6 +11,8 @@ from tools.steps import FailureError, MissingError, UsageError
 from weeding_robot_client import exit_codes
 from weeding_robot_client.exit_codes import DONE, FAILED, MISSING, USAGE
 
+pytestmark = pytest.mark.runs_tools
+
 ROOT = Path(__file__).parents[3]
 (COMMANDS,) = (one.choices for one in cli.parser()._actions if one.dest == "command")
 assert COMMANDS is not None

@@ -8,10 +8,14 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from tools.campaign.fuzz import NAMES, PROGRAM, options, summarise
 from tools.campaign.fuzz_program import INPUTS
 from traceability.reading.fault_record import campaign_metrics
 from traceability.reading.published import Published
+
+pytestmark = pytest.mark.runs_tools
 
 SOURCE = Path(__file__).resolve().parents[3]
 # Prints the same lines as libFuzzer. With the seed 2000, the first input fails.

@@ -19,6 +19,8 @@ from tests.python.tools.small_command import RESULT, expected, write_sources
 from tools.lock import HOLDER, only_one, outliving, programs_of
 from weeding_robot_client.exit_codes import BUSY, INTERRUPTED
 
+pytestmark = pytest.mark.runs_tools
+
 SOURCE = Path(__file__).resolve().parents[3]
 # The command, as ./wr starts it. The program prints a line as soon as it can handle interrupts.
 COMMAND = """
@@ -99,7 +101,10 @@ def test_after_a_run_that_was_ended_the_next_run_is_right(
         program.send_signal(number)
         before, errors = program.communicate(timeout=60)
         print(f"WR_SEED={SEED}, {number.name}, turn {turn}: exit code {program.returncode}")
-        ended += program.returncode != 0
+        if program.returncode == 0:
+            whole /= 2  # The computer was slower when the whole run was measured.
+        else:
+            ended += 1
         assert program.returncode in (0, INTERRUPTED, -number)
         assert "Traceback" not in errors
         if program.returncode == INTERRUPTED:

@@ -12,6 +12,8 @@ from tools import cli
 from tools.lock import HOLDER, LOCK, BusyError, only_one
 from weeding_robot_client.exit_codes import BUSY
 
+pytestmark = pytest.mark.runs_tools
+
 HOLD = """
 import sys, time
 from pathlib import Path

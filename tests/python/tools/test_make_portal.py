@@ -22,7 +22,9 @@ import pytest
 from tools.documents import METRICS
 from tools.lock import HOLDER
 
-# A project whose tests wait for a permission to continue. The page of the project shows if the
+pytestmark = pytest.mark.runs_tools
+
+# A project whose tests wait for a permission to continue. The page of the project shows whether the
 # tests ended.
 PORTAL = """
 import sys, time

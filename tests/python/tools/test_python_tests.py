@@ -2,10 +2,17 @@
 
 from __future__ import annotations
 
+import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TextIO
 
-from tools.python_tests import imported_files
+import pytest
+
+from tools import python_tests
+from tools.python_tests import affected_tests, imported_files, merge_results, update_pytest
 from tools.tasks import PYTHON_TESTS, graph, python_task
+from traceability.reading.results import RESULTS
 
 ROOT = Path(__file__).parents[3]
 
@@ -45,3 +52,94 @@ def test_a_change_of_a_page_does_not_repeat_the_tests_of_the_readers() -> None:
 def test_helpers_of_another_folder_are_inputs() -> None:
     """The tests of the checks import the small safety case from the tests of the model."""
     assert "tests/python/model/small_case.py" in imported_files(ROOT, "checks")
+
+
+# ---- a change of some files ----------------------------------------------------
+
+
+def small_project(root: Path) -> None:
+    write(
+        root,
+        tests__python__tools__test_one="from tools import one\n",
+        tests__python__tools__test_program="pytestmark = pytest.mark.runs_tools\n",
+        tests__python__tools__test_command="from tools import cli\n",
+        tests__python__tools__test_other="import re\n",
+        tests__python__model__test_one="from tools import one\n",
+        tools__one="",
+        tools__two="",
+        tools__cli="",
+    )
+
+
+def affected(root: Path, *changed: str) -> set[str] | None:
+    found = affected_tests(root, "tools", changed)
+    return None if found is None else {Path(name).stem for name in found}
+
+
+def test_a_changed_tool_affects_tests_that_import_it_or_run_the_tools_as_programs(
+    tmp_path: Path,
+) -> None:
+    small_project(tmp_path)
+    assert affected(tmp_path, "tools/one.py") == {"test_one", "test_program", "test_command"}
+    assert affected(tmp_path, "tools/two.py") == {"test_program", "test_command"}
+
+
+def test_a_changed_test_affects_only_itself(tmp_path: Path) -> None:
+    small_project(tmp_path)
+    assert affected(tmp_path, "tests/python/tools/test_other.py") == {"test_other"}
+
+
+@pytest.mark.parametrize("other", ["design/uses.toml", "pyproject.toml", "sim/frame_table.py"])
+def test_each_other_file_affects_all_tests(tmp_path: Path, other: str) -> None:
+    small_project(tmp_path)
+    assert affected(tmp_path, "tools/one.py", other) is None
+
+
+def write_results(root: Path, *cases: tuple[str, str, bool]) -> Path:
+    """Writes results of tests. Each test has a file, a name, and whether it passed."""
+    suite = ET.Element("testsuite")
+    for file, name, passed in cases:
+        case = ET.SubElement(suite, "testcase", classname=f"tests.python.tools.{file}", name=name)
+        if not passed:
+            ET.SubElement(case, "failure")
+    path = root / RESULTS / "pytest_tools.xml"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    whole = ET.Element("testsuites")
+    whole.append(suite)
+    ET.ElementTree(whole).write(path)
+    return path
+
+
+def cases_of(results: Path) -> set[tuple[str, str, bool]]:
+    return {
+        (case.get("classname", "").split(".")[-1], case.get("name", ""), len(case) == 0)
+        for case in ET.parse(results).iter("testcase")
+    }
+
+
+def test_results_of_unaffected_tests_remain(tmp_path: Path) -> None:
+    small_project(tmp_path)
+    old = [("test_one", "a", True), ("test_one", "removed", True), ("test_other", "b", True)]
+    before = ET.parse(write_results(tmp_path, *old, ("test_deleted", "c", True))).getroot()
+    results = write_results(tmp_path, ("test_one", "a", False))
+    merge_results(tmp_path, before, results, ["tests/python/tools/test_one.py"])
+    assert cases_of(results) == {("test_one", "a", False), ("test_other", "b", True)}
+
+
+def test_failed_tests_run_again_after_each_change(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    small_project(tmp_path)
+    write_results(tmp_path, ("test_one", "a", True), ("test_other", "b", False))
+    ran: list[str] = []
+
+    def run(_log: TextIO, words: Sequence[str | Path]) -> None:
+        ran.extend(Path(word).stem for word in words if Path(word).suffix == ".py")
+        write_results(tmp_path, *((name, "b", True) for name in ran))
+
+    monkeypatch.setattr(python_tests, "run", run)
+    changed = frozenset(["tests/python/tools/test_program.py"])
+    with (tmp_path / "log").open("w") as log:
+        outcome = update_pytest(tmp_path, "tools", log, changed)
+    assert ran == ["test_other", "test_program"]
+    assert (outcome.values["passed"], outcome.failed) == (3, False)

@@ -21,6 +21,8 @@ from tools.release_files import below, sums_text, write_archive
 from tools.sbom import LOCK, sbom_text
 from tools.steps import FailureError
 
+pytestmark = pytest.mark.runs_tools
+
 ROOT = Path(__file__).parents[3]
 WHEN = 1_700_000_000
 COMMIT = "0123456789abcdef0123456789abcdef01234567"

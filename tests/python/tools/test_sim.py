@@ -14,6 +14,8 @@ from tools.steps import FailureError
 from tools.task_graph import Graph, Task
 from tools.tasks import HOST_FIRMWARE, K64_FIRMWARE, RECORDED_IMAGES, VIRTUAL_BOARD
 
+pytestmark = pytest.mark.runs_tools
+
 
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TextIO
 
@@ -118,6 +119,58 @@ def write(path: Path, text: str) -> None:
     path.write_text(text)
 
 
+class Updated:
+    """A task that updates its result, and records which inputs have changed."""
+
+    def __init__(self, project: Project, result: str = RESULT) -> None:
+        self.updates: list[set[str]] = []
+        self.task = Task(
+            "tools",
+            project.action("tools", None, result),
+            ("tools",),
+            (result,),
+            update=lambda _log, changed: self.update(changed),
+        )
+
+    def update(self, changed: frozenset[str]) -> Outcome:
+        self.updates.append(set(changed))
+        return Outcome("")
+
+
+def test_an_update_gets_the_changed_the_added_and_the_removed_inputs(project: Project) -> None:
+    updated = Updated(project, "build/tools.json")
+    assert project.run("tools", tools=updated.task) == ["tools"]
+    assert updated.updates == []
+    project.write("tools/a.py", "second")
+    project.write("tools/b.py", "new")
+    project.run("tools", tools=updated.task)
+    (project.root / "tools/b.py").unlink()
+    project.run("tools", tools=updated.task)
+    assert updated.updates == [{"tools/a.py", "tools/b.py"}, {"tools/b.py"}]
+    assert (project.root / "build/tools.json").exists()
+
+
+def test_without_its_result_a_task_runs_whole(project: Project) -> None:
+    updated = Updated(project, "build/tools.json")
+    project.run("tools", tools=updated.task)
+    (project.root / "build/tools.json").unlink()
+    project.write("tools/a.py", "second")
+    assert project.run("tools", tools=updated.task) == ["tools"]
+    assert updated.updates == []
+
+
+def test_after_an_interruption_a_task_runs_whole(project: Project) -> None:
+    def interrupted(_log: TextIO, _changed: frozenset[str]) -> Outcome:
+        raise FailureError("interrupted")
+
+    updated = Updated(project, "build/tools.json")
+    project.run("tools", tools=updated.task)
+    project.write("tools/a.py", "second")
+    project.run("tools", tools=replace(updated.task, update=interrupted))
+    assert project.run("tools", tools=updated.task) == ["tools"]
+    assert updated.updates == []
+
+
 def test_the_same_results_do_not_run_what_counts_them(project: Project) -> None:
     project.write("src/main.cpp", "second")
     assert project.run("coverage") == ["tests"]
@@ -194,6 +247,7 @@ Graph(root, [first, second]).run(["second"])
 """
 
 
+@pytest.mark.runs_tools
 def test_an_interrupted_run_continues_with_what_was_not_done(tmp_path: Path) -> None:
     (tmp_path / "src").mkdir()
     (tmp_path / "src/a.cpp").write_text("a")
