@@ -10,7 +10,7 @@
     ("a about an and any are as at be been by could did do does doing each for from get given gets got had " +
       "happen happens has have here how i if in into is it its just kind look made make may me much must my " +
       "need needs of on or our shall should so than that the their them then there these they thing this those " +
-      "through to want was way we were what when where which who whose why will with would you your").split(" "),
+      "through to want was way we were what when where which who whose why will with work works would you your").split(" "),
   );
   /* Weights of the groups whose entries are less often the answer. The others have the weight 1. */
   const WEIGHTS = {
@@ -147,7 +147,7 @@
     const isPart = PARTS.has(group) && title !== text;
     return [...around.flatMap((part) => part.split(/,| and /)), ...(isPart ? [`${title} ${text}`] : []), ...(SPOKEN.has(group) ? [text] : [])];
   }
-  const rarity = (word) => Math.log(1 + entries.length / ((counts.get(word) || 0) + 3));
+  const rarity = (word) => Math.log(1 + entries.length / ((counts.get(word) || 0) + 60));
 
   /* Returns the words of the index that a typed word can mean, each with its weight. A word that exists has no other
      meaning. Otherwise the words that begin with it are meant, or the words with the least number of errors. */

@@ -31,7 +31,7 @@ UNSEEN = searches("searches_unseen.toml")
 LEAST = 0.9  # minimum share of searches whose first hit is the expected page
 SCREEN = 12  # number of rows that the list shows without scrolling
 SIZE = 5  # number of rows of a group that are shown at first
-SCRIPTS = ("search_index", "search")
+SCRIPTS = ("minisearch", "search_index", "search")
 # The pages are opened without a server. A reader can open the portal from a folder in the same way.
 PROBE = """<!doctype html><meta charset="utf-8"><pre id="out"></pre>
 %SCRIPTS%
