@@ -82,7 +82,11 @@
       .split(/[^\p{L}\p{N}]+/u)
       .filter(Boolean);
   const same = (text) => pieces(text).join("");
-  const large = (words) => words.filter((word) => !SMALL.has(word));
+  /* Returns the words without the small words. A text of small words only is a question too: how does it work. */
+  function large(words) {
+    const found = words.filter((word) => !SMALL.has(word));
+    return found.length ? found : words;
+  }
   /* Requirements is requirement, crashes is crash, verified is verify, stopping is stop, cycle and cycling are cycl,
      calibrate and calibration are calibr. */
   function stem(typed) {
@@ -248,7 +252,7 @@
   function find(text) {
     prepare();
     const all = pieces(text.replace(MAY, "")); // "can I": the CAN bus is not meant
-    const words = (large(all).length ? large(all) : all).map(stem);
+    const words = large(all).map(stem);
     if (!words.length) return [];
     const wanted = wantedIn(words);
     const read = new Set(words.flatMap((word) => meanings(word).map(([other]) => other)));
