@@ -5,68 +5,53 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from collections.abc import Iterable
+from importlib import import_module
 from pathlib import Path
 
-from tools import (
-    bench,
-    book,
-    check,
-    client_commands,
-    debug,
-    diff,
-    firmware,
-    flash,
-    lint,
-    make_portal,
-    mutate,
-    plot,
-    prove,
-    release,
-    review,
-    run_tests,
-    serve,
-    show_impact,
-    sim,
-    verify_build,
-)
-from tools.campaign import command as campaign
 from tools.lock import BusyError
 from tools.steps import FailureError, UsageError, cannot_write
 from weeding_robot_client.exit_codes import BUSY, FAILED, INTERRUPTED, MISSING
 
 ROOT = Path(__file__).resolve().parents[1]
+# Each command, and the module that adds it.
+MODULES = {
+    "portal": "tools.make_portal",
+    "test": "tools.run_tests",
+    "check": "tools.check",
+    "bench": "tools.bench",
+    "review": "tools.review",
+    "verify-build": "tools.verify_build",
+    "release": "tools.release",
+    "book": "tools.book",
+    "impact": "tools.show_impact",
+    "diff": "tools.diff",
+    "debug": "tools.debug",
+    "mutate": "tools.mutate",
+    "prove": "tools.prove",
+    "campaign": "tools.campaign.command",
+    "lint": "tools.lint",
+    "firmware": "tools.firmware",
+    "flash": "tools.flash",
+    "sim": "tools.sim",
+    "drive": "tools.client_commands",
+    "monitor": "tools.client_commands",
+    "arm": "tools.client_commands",
+    "acknowledge": "tools.client_commands",
+    "bring-up": "tools.client_commands",
+    "plot": "tools.plot",
+    "serve": "tools.serve",
+}
 
 
-def parser() -> argparse.ArgumentParser:
-    """Returns the parser of the command line. The parsed options contain the parser of the command,
-    because this parser reports errors.
+def parser(names: Iterable[str] = MODULES) -> argparse.ArgumentParser:
+    """Returns the parser of the command line, with these commands. The parsed options contain the
+    parser of the command, because this parser reports errors.
     """
     top = argparse.ArgumentParser(prog="./wr")
     commands = top.add_subparsers(dest="command", required=True, metavar="<command>")
-    for module in (
-        make_portal,
-        run_tests,
-        check,
-        bench,
-        review,
-        verify_build,
-        release,
-        book,
-        show_impact,
-        diff,
-        debug,
-        mutate,
-        prove,
-        campaign,
-        lint,
-        firmware,
-        flash,
-        sim,
-        client_commands,
-        plot,
-        serve,
-    ):
-        module.add(commands)
+    for module in dict.fromkeys(MODULES[name] for name in names):
+        import_module(module).add(commands)
     setup = commands.add_parser(
         "setup",
         description="Installs the packages of setup/debian.txt with apt-get and the packages of "
@@ -80,7 +65,9 @@ def parser() -> argparse.ArgumentParser:
 
 
 def main(arguments: list[str]) -> int:
-    options, rest = parser().parse_known_args(arguments)
+    # The import of all modules takes longer than most commands.
+    named = [name for name in arguments[:1] if name in MODULES]
+    options, rest = parser(named or MODULES).parse_known_args(arguments)
     if rest:
         options.parser.error(f"there is no option {' '.join(rest)}")
     try:

@@ -15,7 +15,7 @@ from markupsafe import Markup
 from portal.plots import ROBOT, Drawing, draw
 from traceability.schema import Curve, LoopPlot
 from weeding_robot_client.layout import LAYOUTS, WHEEL_COUNT, Layout
-from weeding_robot_client.mcap_file import read_mcap
+from weeding_robot_client.mcap_file import TOPIC, read_mcap
 
 SITE = Path(__file__).parents[1]
 MCAP = ".mcap"
@@ -181,7 +181,10 @@ def text_of(value: object) -> str:
 def plotted(_: object) -> dict[str, Any]:
     """Returns the values of the template of the page that draws a recording in the browser."""
     series = [asdict(one) for one in all_series()]
-    return {"recording": json.dumps({"series": series, "states": STATES}), "wide": True}
+    return {
+        "recording": json.dumps({"series": series, "states": STATES, "topic": TOPIC}),
+        "wide": True,
+    }
 
 
 def recording_page(path: Path) -> str:

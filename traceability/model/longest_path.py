@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-
-import highspy
+from typing import TYPE_CHECKING
 
 from traceability.reading.loop_bounds import Bound
 from traceability.reading.machine_code import REFILL, Code, Loop
+
+if TYPE_CHECKING:
+    import highspy
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,8 @@ class Problem:
         """Returns the greatest cost of a path. Returns nothing when the cost has no bound, or when
         no path has an end.
         """
+        import highspy  # The import takes longer than many commands of ./wr.
+
         solver = highspy.Highs()  # type: ignore[no-untyped-call]  # highspy has no types
         solver.silent()
         entry = next(iter(self.code.blocks))

@@ -2,7 +2,7 @@
 (function () {
   "use strict";
   const place = document.getElementById("recording");
-  const { series, states } = JSON.parse(place.querySelector("[type='application/json']").textContent);
+  const { series, states, topic } = JSON.parse(place.querySelector("[type='application/json']").textContent);
   const one = (name) => place.querySelector(`[data-${name}]`);
   const SVG = "http://www.w3.org/2000/svg";
   const WIDTH = 1000;
@@ -10,6 +10,15 @@
   const TICKS = 5;
   const MS_OF_S = 1000;
   const AT_END = 97; // per cent; beyond this place a label is aligned with the end of the axis
+
+  // MCAP: the first bytes of a file, the kinds of its records, and the places of values in a record
+  const MAGIC = [0x89, 0x4d, 0x43, 0x41, 0x50, 0x30, 0x0d, 0x0a];
+  const [CHANNEL, MESSAGE, CHUNK] = [0x04, 0x05, 0x06];
+  const HEAD = 9; // kind and length of a record
+  const LENGTH = 4; // length of a text
+  const CHANNEL_TOPIC = 4; // after the numbers of the channel and of its schema
+  const MESSAGE_DATA = 22; // after the channel, the sequence number and two times
+  const CHUNK_COMPRESSION = 28; // after two times, the size and the CRC
 
   /* ---- reading ---- */
 
@@ -26,10 +35,71 @@
     return lines;
   }
 
+  /* Calls `visit` with the kind and the content of each record of an MCAP file or of one of its chunks. A record has
+     one byte for its kind and eight bytes for its length (mcap.dev/spec). If the recording was interrupted, the last
+     record is incomplete and is ignored. */
+  function visitRecords(bytes, begin, visit) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+    let at = begin;
+    while (at + HEAD <= bytes.length) {
+      const end = at + HEAD + Number(view.getBigUint64(at + 1, true));
+      if (end > bytes.length) return;
+      visit(bytes[at], bytes.subarray(at + HEAD, end));
+      at = end;
+    }
+  }
+
+  /* Returns the text that begins at a byte, and the byte after this text. */
+  function textAt(bytes, begin) {
+    const length = new DataView(bytes.buffer, bytes.byteOffset + begin).getUint32(0, true);
+    const end = begin + LENGTH + length;
+    return [new TextDecoder().decode(bytes.subarray(begin + LENGTH, end)), end];
+  }
+
+  /* Returns the records of a chunk without compression. */
+  function unpacked(chunk) {
+    const [compression, end] = textAt(chunk, CHUNK_COMPRESSION);
+    const records = chunk.subarray(end + 2 * LENGTH);
+    if (compression === "") return records;
+    if (compression === "zstd") return fzstd.decompress(records);
+    throw new Error(`its compression is ${compression}, and this page reads only zstd`);
+  }
+
+  /* Returns the values of each report of an MCAP file. */
+  function reportsOf(bytes) {
+    const reports = [];
+    const channels = new Set();
+    const visit = (kind, content) => {
+      const view = new DataView(content.buffer, content.byteOffset, content.byteLength);
+      if (kind === CHUNK) visitRecords(unpacked(content), 0, visit);
+      else if (kind === CHANNEL && textAt(content, CHANNEL_TOPIC)[0] === topic) channels.add(view.getUint16(0, true));
+      else if (kind === MESSAGE && channels.has(view.getUint16(0, true)))
+        reports.push(JSON.parse(new TextDecoder().decode(content.subarray(MESSAGE_DATA))));
+    };
+    visitRecords(bytes, MAGIC.length, visit);
+    return reports;
+  }
+
+  /* Returns the names and the cells of the reports, in the same form as in a CSV file. */
+  function linesOf(reports) {
+    const heads = Object.keys(reports[0] || {});
+    const cell = (value) => {
+      if (value === null || value === undefined) return "";
+      if (typeof value === "boolean") return value ? "1" : "0";
+      return Array.isArray(value) ? value.join(" ") : String(value);
+    };
+    return [heads, ...reports.map((report) => heads.map((name) => cell(report[name])))];
+  }
+
+  async function readLines(file) {
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    const isMcap = MAGIC.every((byte, i) => bytes[i] === byte);
+    return isMcap ? linesOf(reportsOf(bytes)) : cellsOf(new TextDecoder().decode(bytes));
+  }
+
   /* Returns the columns by their names, and the time of each report since the first report [s]. After a reset of the
      robot the time continues. */
-  function tableOf(text) {
-    const [heads = [], ...lines] = cellsOf(text);
+  function tableOf([heads = [], ...lines]) {
     const needed = [
       "time_ms",
       ...states,
@@ -175,11 +245,17 @@
     );
 
   async function show(file) {
-    const table = tableOf(await file.text());
+    let table = null;
+    let reason = "it has no reports in the columns that ./wr monitor --csv writes. See “Other recordings” below.";
+    try {
+      table = tableOf(await readLines(file));
+    } catch (error) {
+      reason = `${error.message}. Draw it with ./wr plot FILE.`;
+    }
     one("result").hidden = !table;
     one("status").textContent = table
       ? `${file.name}: ${table.times.length} reports in ${table.times.at(-1).toFixed(1)} s.`
-      : `${file.name} has no reports in the columns that ./wr monitor --csv writes. See “Other recordings” below.`;
+      : `${file.name} cannot be drawn: ${reason}`;
     if (!table) return;
     one("plots").replaceChildren(...series.map((each) => figureOf(table, each)).filter(Boolean));
     one("changes").replaceChildren(...changesOf(table).map(rowOf));

@@ -5,14 +5,18 @@ from __future__ import annotations
 
 import json
 import shutil
+import subprocess
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from tests.python.site.browser import BROWSER, Site, look, served
 from tests.python.site.content import SITE
+from traceability.whole_file import write_whole
 
 # One page of each kind.
 PAGES = [
@@ -41,7 +45,8 @@ TAGS = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
 # Some rules depend on the width, and some on the theme. The other rules are checked only once.
 BY_WIDTH = ["target-size", "scrollable-region-focusable"]
 BY_THEME = ["color-contrast", "link-in-text-block"]
-AXE = "axe.min.js"
+AXE = Path(__file__).with_name("axe.min.js")
+THEME = Path(__file__).parents[3] / "site" / "theme"
 
 MEASURE = """
 const found = {};
@@ -100,12 +105,61 @@ def site() -> Iterator[Site]:
     (SITE / "probe.html").unlink(missing_ok=True)
 
 
+class Looked:
+    """The results of probes on pages, from this run and from the run before.
+
+    A page is opened only if its file, the theme, the probe or the browser has changed.
+    """
+
+    def __init__(self, site: Site) -> None:
+        self._site = site
+        self._file = SITE.with_name("looked.json")
+        self._before = json.loads(self._file.read_text()) if self._file.exists() else {}
+        self._now: dict[str, Any] = {}
+        version = subprocess.run([BROWSER, "--version"], capture_output=True, check=True).stdout
+        parts = [version, *(file.read_bytes() for file in (AXE, *files_in(THEME)))]
+        self._common = sha256(b"".join(parts)).hexdigest()
+
+    def look(self, pages: list[str], probe: str, browsers: int = 1) -> dict[str, Any]:
+        """Returns the result of the probe for each page."""
+        keys = {page: self._key(page, probe) for page in pages}
+        known = {page: self._before[key] for page, key in keys.items() if key in self._before}
+        changed = [page for page in pages if page not in known]
+        with ThreadPoolExecutor(browsers) as pool:
+            parts = [
+                pool.submit(look, self._site, share, probe, name=f"probe_{number}")
+                for number in range(browsers)
+                if (share := changed[number::browsers])
+            ]
+        found = known | {page: one for part in parts for page, one in part.result()[0].items()}
+        self._now |= {keys[page]: one for page, one in found.items()}
+        for number in range(browsers):
+            (SITE / f"probe_{number}.html").unlink(missing_ok=True)
+        return found
+
+    def write(self) -> None:
+        write_whole(self._file, json.dumps(self._now))
+
+    def _key(self, page: str, probe: str) -> str:
+        content = (SITE / f"{page}.html").read_bytes()
+        return sha256(b"".join([self._common.encode(), probe.encode(), content])).hexdigest()
+
+
+def files_in(folder: Path) -> list[Path]:
+    return sorted(file for file in folder.rglob("*") if file.is_file())
+
+
 @pytest.fixture(scope="module")
-def sizes(site: Site) -> dict[str, dict[str, list[int]]]:
+def looked(site: Site) -> Iterator[Looked]:
+    looked = Looked(site)
+    yield looked
+    looked.write()
+
+
+@pytest.fixture(scope="module")
+def sizes(looked: Looked) -> dict[str, dict[str, list[int]]]:
     """Returns the width and the height of each page, for each width of the window."""
-    probe = MEASURE.replace("%WIDTHS%", json.dumps([*WIDTHS, 1440]))
-    seen, _ = look(site, PAGES, probe)
-    return seen
+    return looked.look(PAGES, MEASURE.replace("%WIDTHS%", json.dumps([*WIDTHS, 1440])))
 
 
 def test_no_page_scrolls_sideways(sizes: dict[str, dict[str, list[int]]]) -> None:
@@ -130,22 +184,16 @@ def test_no_page_is_twice_as_tall_in_a_narrower_window(
 
 
 @pytest.fixture(scope="module")
-def violations(site: Site) -> Iterator[dict[str, list[str]]]:
+def violations(looked: Looked) -> Iterator[dict[str, list[str]]]:
     """Returns the findings of axe for each page."""
     script = SITE / "probe_axe.js"
-    shutil.copyfile(Path(__file__).with_name(AXE), script)
+    shutil.copyfile(AXE, script)
     values = {"WIDTHS": AXE_WIDTHS, "TAGS": TAGS, "BY_WIDTH": BY_WIDTH, "BY_THEME": BY_THEME}
     probe = RUN_AXE
     for name, value in values.items():
         probe = probe.replace(f"%{name}%", json.dumps(value))
-    with ThreadPoolExecutor() as browsers:
-        parts = [
-            browsers.submit(look, site, LOOKED_AT[half::2], probe, name=name)
-            for half, name in enumerate(("probe", "probe_2"))
-        ]
-    yield {page: found for part in parts for page, found in part.result()[0].items()}
+    yield looked.look(LOOKED_AT, probe, browsers=2)
     script.unlink()
-    (SITE / "probe_2.html").unlink()
 
 
 def test_pages_are_accessible(

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-import csv
 import json
 import random
 import re
 import shutil
+from base64 import b64encode
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from mcap.writer import CompressionType, Writer
 
 from portal.plots import Drawing, draw
 from portal.recording_page import changes, plots, read_recording
 from tests.python.site.browser import BROWSER, Site, look, served
 from tests.python.site.content import SITE
 from weeding_robot_client.layout import LAYOUTS
-from weeding_robot_client.recording import COLUMNS, cell_of
+from weeding_robot_client.mcap_file import TOPIC
+from weeding_robot_client.messages import Report
+from weeding_robot_client.recording import Recording
 
 AXE = "axe.min.js"
 RANGES = {
@@ -31,11 +34,14 @@ RANGES = {
 }
 REPORTS = 60
 PERIOD_MS = 100
+CHUNK_REPORTS = 200  # at least as many reports as a chunk of an MCAP file contains
 RESET = 30  # the first report after a reset of the robot; its time begins again
-# Chooses or drops a file. Returns the drawings, the changes and the findings of axe.
+# Chooses or drops a file. Returns the drawings, the changes, and, if the file was dropped, the
+# findings of axe.
 SHOW = """
 const files = new view.DataTransfer();
-files.items.add(new view.File([%TEXT%], "drive.csv"));
+const bytes = Uint8Array.from(atob(%CONTENT%), (letter) => letter.charCodeAt(0));
+files.items.add(new view.File([bytes], %NAME%));
 const input = doc.querySelector("#recording-file");
 if (%DROPPED%) {
   const dropped = { dataTransfer: files, bubbles: true, cancelable: true };
@@ -55,11 +61,13 @@ const drawings = [...doc.querySelectorAll(".plot")].map((plot) => ({
   lines: [...plot.querySelectorAll(":scope > svg path:not(.grid)")].map((path) =>
     [path.getAttribute("class"), path.getAttribute("d")]),
 }));
-const script = doc.createElement("script");
-script.src = "/probe_plot_axe.js";
-await new Promise((done) => { script.onload = done; doc.head.append(script); });
 const violations = [];
-for (const theme of ["light", "dark"]) {
+if (%DROPPED%) {
+  const script = doc.createElement("script");
+  script.src = "/probe_plot_axe.js";
+  await new Promise((done) => { script.onload = done; doc.head.append(script); });
+}
+for (const theme of %DROPPED% ? ["light", "dark"] : []) {
   doc.documentElement.dataset.theme = theme;
   const found = await view.axe.run(doc, { resultTypes: ["violations"] });
   violations.push(...found.violations.map(({ id, nodes }) => `${theme} ${id} ${nodes[0].target}`));
@@ -92,49 +100,63 @@ def site() -> Iterator[Site]:
 
 
 @pytest.fixture(scope="module")
-def recording(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Returns reports with all quantities, with missing values and with a reset."""
-    path = tmp_path_factory.mktemp("recording") / "drive.csv"
+def recordings(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """Returns a CSV file and an MCAP file with the same reports. The reports have all quantities,
+    missing values and a reset.
+    """
+    folder = tmp_path_factory.mktemp("recording")
+    paths = {"csv": folder / "drive.csv", "mcap": folder / "drive.mcap"}
+    with Recording(paths["csv"], paths["mcap"]) as files:
+        for report in reports(REPORTS):
+            files.add(report)
+    return paths
+
+
+def reports(count: int) -> Iterator[Report]:
+    """Returns reports with random values."""
     chance = random.Random(1)
     report = LAYOUTS["Report"]
-    with path.open("w", newline="") as file:
-        table = csv.writer(file)
-        table.writerow(COLUMNS)
-        for number in range(REPORTS):
-            numbers: dict[str, Any] = {
-                field.name: b"12345678"
-                if field.type == "char8"
-                else chance.randint(*RANGES[field.type])
-                for field in report.fields
-            }
-            numbers["time_ms"] = number % RESET * PERIOD_MS
-            values = report.decode(report.pack(**numbers)).values()
-            table.writerow([cell_of(value) for value in (*values, None)])
-    return path
+    for number in range(count):
+        numbers: dict[str, Any] = {
+            field.name: b"12345678"
+            if field.type == "char8"
+            else chance.randint(*RANGES[field.type])
+            for field in report.fields
+        }
+        numbers["time_ms"] = number % RESET * PERIOD_MS
+        yield Report.from_payload(report.pack(**numbers))
 
 
-def shown(site: Site, text: str, *, dropped: bool = False) -> dict[str, Any]:
-    probe = SHOW.replace("%TEXT%", json.dumps(text)).replace("%DROPPED%", json.dumps(dropped))
+def shown(site: Site, content: bytes, name: str, *, dropped: bool = False) -> dict[str, Any]:
+    values = {
+        "%CONTENT%": b64encode(content).decode(),
+        "%NAME%": name,
+        "%DROPPED%": dropped,
+    }
+    probe = SHOW
+    for place, value in values.items():
+        probe = probe.replace(place, json.dumps(value))
     seen, errors = look(site, ["plot"], probe, name="probe_plot")
     assert errors == []
     found: dict[str, Any] = seen["plot"]
     return found
 
 
-@pytest.mark.parametrize("dropped", [False, True])
+@pytest.mark.parametrize(("kind", "dropped"), [("csv", False), ("csv", True), ("mcap", False)])
 def test_a_chosen_and_a_dropped_file_have_the_curves_of_wr_plot(
-    site: Site, recording: Path, dropped: bool
+    site: Site, recordings: dict[str, Path], kind: str, dropped: bool
 ) -> None:
-    found = shown(site, recording.read_text(), dropped=dropped)
-    reports = read_recording(recording)
-    expected = [drawing for plot in plots(reports) if (drawing := draw(plot))]
-    assert found["status"] == "drive.csv: 60 reports in 5.8 s."
+    path = recordings[kind]
+    found = shown(site, path.read_bytes(), path.name, dropped=dropped)
+    read = read_recording(path)
+    expected = [drawing for plot in plots(read) if (drawing := draw(plot))]
+    assert found["status"] == f"{path.name}: 60 reports in 5.8 s."
     assert not found["hidden"]
     assert len(found["drawings"]) == len(expected) == 13
     for plot, drawing in zip(found["drawings"], expected, strict=True):
         assert_same(plot, drawing)
     assert found["changes"] == [
-        [f"{one.seconds:.1f} s", one.name, one.before, one.after] for one in changes(reports)
+        [f"{one.seconds:.1f} s", one.name, one.before, one.after] for one in changes(read)
     ]
     assert len(found["changes"]) > REPORTS
     assert found["violations"] == []
@@ -156,7 +178,39 @@ def numbers_of(path: str) -> list[float]:
     return [float(number) for number in re.findall(r"-?[\d.]+", path)]
 
 
-def test_another_table_is_refused(site: Site) -> None:
-    found = shown(site, "a,b\n1,2\n")
+def test_an_interrupted_mcap_file_is_drawn_up_to_its_last_complete_chunk(
+    site: Site, tmp_path: Path
+) -> None:
+    path = tmp_path / "drive.mcap"
+    with Recording(None, path) as files:
+        for report in reports(2 * CHUNK_REPORTS):
+            files.add(report)
+    content = path.read_bytes()
+    found = shown(site, content[: len(content) // 2], path.name)
+    count = int(found["status"].split()[1])
+    assert found["status"].startswith("drive.mcap: ")
+    assert 0 < count < 2 * CHUNK_REPORTS
+
+
+def test_an_mcap_file_with_another_compression_is_refused_with_the_command_that_reads_it(
+    site: Site, tmp_path: Path
+) -> None:
+    path = tmp_path / "drive.mcap"
+    writer = Writer(str(path), compression=CompressionType.LZ4)
+    writer.start()
+    schema = writer.register_schema("", "", b"")
+    channel = writer.register_channel(TOPIC, "json", schema)
+    writer.add_message(channel, log_time=0, publish_time=0, data=b"{}")
+    writer.finish()
+    found = shown(site, path.read_bytes(), path.name)
     assert found["hidden"]
-    assert "drive.csv has no reports" in found["status"]
+    assert found["status"] == (
+        "drive.mcap cannot be drawn: its compression is lz4, and this page reads only zstd. "
+        "Draw it with ./wr plot FILE."
+    )
+
+
+def test_another_table_is_refused(site: Site) -> None:
+    found = shown(site, b"a,b\n1,2\n", "drive.csv")
+    assert found["hidden"]
+    assert "drive.csv cannot be drawn: it has no reports" in found["status"]
