@@ -61,7 +61,7 @@
   const QUOTED = 4; // least number of words of a quoted message, in their sequence
   const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // other groups have the same names
   const WRITTEN = new Set(["Data types", "Source"]); // named only by a query without spaces
-  const SPOKEN = new Set(["Checks", "Pattern applications", "Safety case"]); // the text of their entries is a title
+  const TITLED = new Set(["Checks", "Pattern applications", "Safety case"]); // the text of their entries is a title
   const PARTS = new Set(["Explanations", "Sections"]); // the title of a section needs the title of its page
   const BEST = 3; // number of the hits that are shown before the groups
   const LEAST = 0.3; // least score of a hit, as a share of the best score
@@ -84,8 +84,8 @@
   const same = (text) => pieces(text).join("");
   /* Returns the words without the small words. A text of small words only is a question too: how does it work. */
   function large(words) {
-    const found = words.filter((word) => !SMALL.has(word));
-    return found.length ? found : words;
+    const others = words.filter((word) => !SMALL.has(word));
+    return others.length ? others : words;
   }
   /* Requirements is requirement, crashes is crash, verified is verify, stopping is stop, cycle and cycling are cycl,
      calibrate and calibration are calibr. */
@@ -113,7 +113,7 @@
   let phrases = null; // of the phrases
   const counts = new Map(); // of each word: the number of the entries that contain it
   const compounds = new Map(); // of each word with a hyphen, written as one word: its parts
-  const named = new Map(); // of each name, written as one word: the numbers of the entries
+  const idsByName = new Map(); // of each name, written as one word: the numbers of the entries
 
   function prepare() {
     if (index) return;
@@ -124,15 +124,13 @@
       entries.map(([group, , heading, text, , body, also], id) => {
         const title = heading.replace(CAN, "");
         const names = [...new Set([title, title.split("::").pop()])];
-        for (const name of names) if (name === title || pieces(name).length > 1) listIn(named, same(name)).push(id);
+        for (const name of names) if (name === title || pieces(name).length > 1) listIn(idsByName, same(name)).push(id);
         for (const [word] of `${title} ${also} ${text} ${body}`.matchAll(COMPOUND)) compounds.set(stem(same(word)), stems(word));
         const typed = also.split(",").map(stems);
-        const said = [...names.filter((name) => !PARTS.has(group) || title === text || name !== title), ...spoken(group, title, text)];
-        for (const words of [...said.map(stems), ...typed])
-          if (words.length) {
-            const isList = words.length > LONG && typed.includes(words);
-            documents.push({ id: documents.length, entry: id, words: [...new Set(words)], isList });
-          }
+        const addPhrase = (words, isList) =>
+          words.length && documents.push({ id: documents.length, entry: id, words: [...new Set(words)], isList });
+        titlePhrases(group, title, text, names).forEach((phrase) => addPhrase(stems(phrase), false));
+        typed.forEach((words) => addPhrase(words, words.length > LONG));
         const fields = {
           title: [...stems(title), ...names.map((name) => stem(same(name)))], // wheelcontroller, quickstart
           phrases: typed.filter(({ length }) => length <= LONG).flat(),
@@ -145,11 +143,12 @@
     );
     phrases.addAll(documents);
   }
-  /* Returns further phrases for the title of an entry. */
-  function spoken(group, title, text) {
-    const around = (title.match(/^(.*)\((.*)\)/) || []).slice(1); // the words before and in the parentheses of a question
+  /* Returns the phrases for the title of an entry. The words before and in the parentheses of a question are also
+     phrases. */
+  function titlePhrases(group, title, text, names) {
     const isPart = PARTS.has(group) && title !== text;
-    return [...around.flatMap((part) => part.split(/,| and /)), ...(isPart ? [`${title} ${text}`] : []), ...(SPOKEN.has(group) ? [text] : [])];
+    const parts = (title.match(/^(.*)\((.*)\)/) || []).slice(1).flatMap((part) => part.split(/,| and /));
+    return [...(isPart ? [`${title} ${text}`] : names), ...parts, ...(TITLED.has(group) ? [text] : [])];
   }
   const rarity = (word) => Math.log(1 + entries.length / ((counts.get(word) || 0) + 60));
 
@@ -212,10 +211,10 @@
      contains, and the share of the phrase that the query contains. */
   function nearest(wanted, query) {
     const best = new Map();
-    const isSaid = new Set(wanted.flatMap(({ alternatives }) => alternatives.flatMap(([words]) => words)));
+    const queryWords = new Set(wanted.flatMap(({ alternatives }) => alternatives.flatMap(([words]) => words)));
     for (const { entry, words, isList } of phrases.search(query)) {
       const share = shareOf(wanted, (word) => (words.includes(word) ? 1 : 0));
-      const used = isList ? MIDDLE : sum(words.filter((word) => isSaid.has(word)).map(rarity)) / sum(words.map(rarity));
+      const used = isList ? MIDDLE : sum(words.filter((word) => queryWords.has(word)).map(rarity)) / sum(words.map(rarity));
       const isEqual = Math.min(share, used) > 0.999;
       best.set(entry, Math.max(best.get(entry) || 0, share * used ** CLOSE + (isEqual ? EQUAL : 0)));
     }
@@ -245,7 +244,7 @@
     const written = [all.join(""), ...(text.match(IDENTIFIER) || []).map(same), ...(numbered ? [`fr${numbered[1]}`] : [])];
     const isSpaced = /\s/.test(text.trim());
     const isName = ([group]) => !UNNAMED.has(group) && !(isSpaced && WRITTEN.has(group));
-    return new Set(written.flatMap((name) => named.get(name) || []).filter((id) => isName(entries[id])));
+    return new Set(written.flatMap((name) => idsByName.get(name) || []).filter((id) => isName(entries[id])));
   }
 
   /* Returns the entries that match a text, the best match first. */
@@ -255,8 +254,8 @@
     const words = large(all).map(stem);
     if (!words.length) return [];
     const wanted = wantedIn(words);
-    const read = new Set(words.flatMap((word) => meanings(word).map(([other]) => other)));
-    const kinds = kindWords.filter(([names]) => names.some((name) => read.has(name)));
+    const meantWords = new Set(words.flatMap((word) => meanings(word).map(([other]) => other)));
+    const kinds = kindWords.filter(([names]) => names.some((name) => meantWords.has(name)));
     const asked = new Set([...kinds.flatMap(([, names]) => names), ...(DEFINES.test(text) ? ["Glossary"] : [])]);
     const isOptional = (word) => kinds.some(([names]) => names.includes(meanings(word)[0][0]));
     const weights = wanted.map(({ own }) => Math.max(...own.map(rarity)) * (own.every(isOptional) ? OPTIONAL : 1));
@@ -264,10 +263,10 @@
     const query = asQuery(wanted);
     const near = nearest(wanted, query);
     const exact = namedIn(text, all);
-    const found = index.search(query, { boost: BOOST, boostDocument: weightOf });
-    const absent = [...exact].filter((id) => found.every((hit) => hit.id !== id));
-    const most = found.length ? found[0].score : 1;
-    const hits = [...found, ...absent.map((id) => ({ id, match: {}, score: 0 }))].map(({ id, match, score: own }) => {
+    const matches = index.search(query, { boost: BOOST, boostDocument: weightOf });
+    const absent = [...exact].filter((id) => matches.every((hit) => hit.id !== id));
+    const most = matches.length ? matches[0].score : 1;
+    const hits = [...matches, ...absent.map((id) => ({ id, match: {}, score: 0 }))].map(({ id, match, score: own }) => {
       const [group, , title] = entries[id];
       const placeOf = (word) => Math.max(0, ...(match[word] || []).map((field) => PLACES[field]));
       const contained = exact.has(id) ? 1 : shareOf(wanted, placeOf);
