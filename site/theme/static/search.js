@@ -48,7 +48,7 @@
   const BEGUN = 0.7; // weight of a word that begins with the typed letters
   const CORRECTED = 0.95; // weight of the most frequent word that differs by a typing error
   const LENGTHS = [0, 4, 6]; // least number of letters of a word with one typing error, and with two
-  const FEW = 3; // least number of letters of a word that begins other words
+  const FEW = 3; // greatest number of letters of a word without an ending
   const LONG = 6; // greatest number of words of a phrase; with more words it is a list of single words
   const MIDDLE = 0.7; // share of a list that a query covers, whatever its length
   const CLOSE = 0.5; // exponent of the share of a phrase that the query covers
@@ -118,7 +118,7 @@
   function prepare() {
     if (index) return;
     index = new MiniSearch({ fields: Object.keys(PLACES), ...ready });
-    phrases = new MiniSearch({ fields: ["words"], storeFields: ["entry", "words", "isList"], ...ready });
+    phrases = new MiniSearch({ fields: ["words"], storeFields: ["entry", "words", "isList", "weight"], ...ready });
     const documents = [];
     index.addAll(
       entries.map(([group, , heading, text, , body, also], id) => {
@@ -141,7 +141,7 @@
         return { id, ...fields };
       }),
     );
-    phrases.addAll(documents);
+    phrases.addAll(documents.map((phrase) => ({ ...phrase, weight: sum(phrase.words.map(rarity)) })));
   }
   /* Returns the phrases for the title of an entry. The words before and in the parentheses of a question are also
      phrases. */
@@ -160,7 +160,7 @@
     if (counts.has(word) || compounds.has(word) || groups.flat(2).includes(word)) return [[word, 1]];
     const like = (options) => index.search(word, { ...exactly, ...options }).flatMap(({ terms }) => terms);
     const frequent = (words, most) => [...new Set(words)].sort((a, b) => counts.get(b) - counts.get(a)).slice(0, most);
-    const longer = word.length < FEW ? [] : frequent(like({ prefix: true }), 8);
+    const longer = frequent(like({ prefix: true }), 8);
     if (longer.length) return longer.map((other) => [other, BEGUN]);
     for (const fuzzy of [1, 2]) {
       if (word.length < LENGTHS[fuzzy]) break;
@@ -195,26 +195,40 @@
     return found;
   }
   /* Returns the query of MiniSearch: any word, or an alternative with all its words. */
-  const asQuery = (wanted) => ({
-    ...exactly,
-    combineWith: "OR",
-    queries: wanted.flatMap(({ alternatives }) => alternatives.map(([words]) => ({ combineWith: "AND", queries: words }))),
-  });
-  /* Returns the share of the query that a phrase or an entry contains. A rare word has more weight than a frequent
-     word. valueOf: the weight of a word where it is found, or 0 */
-  function shareOf(wanted, valueOf) {
-    const best = ({ alternatives }) => Math.max(...alternatives.map(([words, weight]) => weight * Math.min(...words.map(valueOf))));
-    return sum(wanted.map((one) => one.share * best(one)));
+  function asQuery(wanted) {
+    const lists = wanted.flatMap(({ alternatives }) => alternatives.map(([words]) => words));
+    const different = [...new Map(lists.map((words) => [words.join(" "), words])).values()];
+    return { ...exactly, combineWith: "OR", queries: different.map((words) => ({ combineWith: "AND", queries: words })) };
+  }
+  /* Returns a function that computes the share of the query that a phrase or an entry contains. A rare word has more
+     weight than a frequent word. terms: the words found there; valueOf: the weight of each by its place */
+  function shareIn(wanted) {
+    const single = new Map(); // of each alternative of one word: the numbers of the wanted words, and its weights
+    const several = []; // the alternatives of several words
+    wanted.forEach(({ alternatives }, i) => {
+      for (const [words, weight] of alternatives)
+        if (words.length === 1) listIn(single, words[0]).push([i, weight]);
+        else several.push([i, weight, words]);
+    });
+    return (terms, valueOf) => {
+      const best = wanted.map(() => 0);
+      for (const term of terms)
+        for (const [i, weight] of single.get(term) || []) best[i] = Math.max(best[i], weight * valueOf(term));
+      for (const [i, weight, words] of several)
+        if (weight > best[i] && words.every((word) => terms.includes(word)))
+          best[i] = Math.max(best[i], weight * Math.min(...words.map(valueOf)));
+      return sum(wanted.map(({ share }, i) => share * best[i]));
+    };
   }
 
   /* Returns of each entry with a fitting phrase the score of the best: the share of the query that the phrase
      contains, and the share of the phrase that the query contains. */
-  function nearest(wanted, query) {
+  function nearest(wanted, query, shareOf) {
     const best = new Map();
     const queryWords = new Set(wanted.flatMap(({ alternatives }) => alternatives.flatMap(([words]) => words)));
-    for (const { entry, words, isList } of phrases.search(query)) {
-      const share = shareOf(wanted, (word) => (words.includes(word) ? 1 : 0));
-      const used = isList ? MIDDLE : sum(words.filter((word) => queryWords.has(word)).map(rarity)) / sum(words.map(rarity));
+    for (const { entry, words, isList, weight, terms } of phrases.search(query)) {
+      const share = shareOf(terms, () => 1);
+      const used = isList ? MIDDLE : sum(words.filter((word) => queryWords.has(word)).map(rarity)) / weight;
       const isEqual = Math.min(share, used) > 0.999;
       best.set(entry, Math.max(best.get(entry) || 0, share * used ** CLOSE + (isEqual ? EQUAL : 0)));
     }
@@ -261,19 +275,20 @@
     const weights = wanted.map(({ own }) => Math.max(...own.map(rarity)) * (own.every(isOptional) ? OPTIONAL : 1));
     wanted.forEach((one, i) => (one.share = weights[i] / sum(weights)));
     const query = asQuery(wanted);
-    const near = nearest(wanted, query);
+    const shareOf = shareIn(wanted);
+    const near = nearest(wanted, query, shareOf);
     const exact = namedIn(text, all);
     const matches = index.search(query, { boost: BOOST, boostDocument: weightOf });
     const absent = [...exact].filter((id) => matches.every((hit) => hit.id !== id));
     const most = matches.length ? matches[0].score : 1;
     const hits = [...matches, ...absent.map((id) => ({ id, match: {}, score: 0 }))].map(({ id, match, score: own }) => {
       const [group, , title] = entries[id];
-      const placeOf = (word) => Math.max(0, ...(match[word] || []).map((field) => PLACES[field]));
-      const contained = exact.has(id) ? 1 : shareOf(wanted, placeOf);
+      const terms = Object.keys(match);
+      const contained = exact.has(id) ? 1 : shareOf(terms, (term) => PLACES[match[term][0]]); // the first field is the best
       const isNamed = group === "Messages" ? isQuoted(pieces(title), all) : exact.has(id);
       const score = PHRASE * (near.get(id) || 0) + WORDS * contained ** WHOLE + (LIBRARY * own) / most;
       const weight = weightOf(id) * (asked.has(group) ? ASKED : 1);
-      return { id, terms: Object.keys(match), score: score * weight + (isNamed ? NAMED * weightOf(id) : 0) };
+      return { id, terms, score: score * weight + (isNamed ? NAMED * weightOf(id) : 0) };
     });
     hits.sort((a, b) => b.score - a.score || a.id - b.id);
     return hits.filter(({ score }) => score >= LEAST * hits[0].score).slice(0, MOST);
