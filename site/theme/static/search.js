@@ -58,6 +58,7 @@
   const NAMED = 6; // addition to the score of an entry whose name or number is in the query
   const PLACES = { title: 1, phrases: 0.9, lists: 0.75, body: 0.35 }; // weights of the words of an entry
   const BOOST = { title: 6, phrases: 5, lists: 3, body: 1 }; // weights of the fields for MiniSearch
+  const COMMON = 60; // words in far fewer entries are equally rare
   const QUOTED = 4; // least number of words of a quoted message, in their sequence
   const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // other groups have the same names
   const WRITTEN = new Set(["Data types", "Source"]); // named only by a query without spaces
@@ -150,7 +151,7 @@
     const parts = (title.match(/^(.*)\((.*)\)/) || []).slice(1).flatMap((part) => part.split(/,| and /));
     return [...(isPart ? [`${title} ${text}`] : names), ...parts, ...(TITLED.has(group) ? [text] : [])];
   }
-  const rarity = (word) => Math.log(1 + entries.length / ((counts.get(word) || 0) + 60));
+  const rarity = (word) => Math.log(1 + entries.length / ((counts.get(word) || 0) + COMMON));
 
   /* Returns the words of the index that a typed word can mean, each with its weight. A word that exists has no other
      meaning. Otherwise the words that begin with it are meant, or the words with the least number of errors. */
