@@ -90,7 +90,7 @@
   }
   /* Requirements is requirement, crashes is crash, verified is verify, stopping is stop, cycle and cycling are cycl,
      calibrate and calibration are calibr. */
-  function stem(typed) {
+  function stemmed(typed) {
     let word = typed;
     if (word.length > FEW && /ie[ds]$/.test(word)) word = `${word.slice(0, -3)}y`;
     else if (/(?:sh|ch|ss|x|z)es$/.test(word)) word = word.slice(0, -2);
@@ -99,6 +99,9 @@
     if (word.length > FEW + 1) word = word.replace(/e$/, "");
     return word.replace(/^(.{5,}?)(?:at|(?:at)?ion)$/, "$1");
   }
+  /* Most words occur often: each is stemmed once. */
+  const stemOf = new Map();
+  const stem = (word) => stemOf.get(word) || stemOf.set(word, stemmed(word)).get(word);
   const stems = (text) => large(pieces(text)).map(stem);
   const kindWords = KINDS.map(([words, groups]) => [words.split(" ").map(stem), groups]);
   const sum = (numbers) => numbers.reduce((total, number) => total + number, 0);
