@@ -66,12 +66,14 @@ def index_script(portal: Portal, bodies: Path) -> str:
 
 
 def with_words(entry: Entry, words: dict[str, str]) -> list[str]:
-    """Returns an entry with a seventh part: the words that readers type for it."""
+    """Returns an entry with a seventh part: the phrases that readers type for it, with commas."""
     group, key, title, text, address, *rest = entry
     own = rest[0] if rest else ""
+    typed = words.get(address, "")
     if group == ANSWERS:
-        return [group, key, title, text, address, "", f"{own} {words.get(address, '')}".strip()]
-    return [group, key, title, text, address, own, words.get(address, "")]
+        phrases = ", ".join(part for part in (own, typed) if part)
+        return [group, key, title, text, address, "", phrases]
+    return [group, key, title, text, address, own, typed]
 
 
 def assigned(name: str, data: object) -> str:

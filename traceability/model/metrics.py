@@ -32,6 +32,7 @@ OF_OTHER_STEPS = (  # metrics that are null until a step measures them
     *("firmware.ram_bytes", "firmware.forbidden_parts", "firmware.needless_modules"),
     *("bench.scenarios", "bench.image_sha256", "sim.real_time_factor"),
     *("drift.seeded", "drift.caught", "portal.axe_violations", "portal.search_first_hit"),
+    "portal.search_unseen_first_hit",
     *("site.pages", "site.dead_links", "build.first_page_s"),
     "changes.proven",
     *("build.cold_s", "build.edit_s", "build.ci_s", "release.reproducible"),

@@ -269,12 +269,12 @@
     loading = loading || Promise.all(SCRIPTS.map(read));
     return loading;
   }
-  /* a text with the found words marked */
+  /* a text with the found words marked, also with the endings that the search cuts off */
   function lit(text, words) {
     const sorted = [...words].sort((a, b) => b.length - a.length);
     if (!sorted.length) return escape(text);
     return text
-      .split(new RegExp(`(${sorted.join("|")})`, "giu"))
+      .split(new RegExp(`((?:${sorted.join("|")})(?:at)?(?:ion|e[ds]?|ing|s)?)`, "giu"))
       .map((part, i) => (i % 2 ? `<mark>${escape(part)}</mark>` : escape(part)))
       .join("");
   }
@@ -285,12 +285,13 @@
     if (!Number.isFinite(i)) return "";
     return `… ${text.slice(text.lastIndexOf(" ", Math.max(0, i - 20)) + 1, i + length)} …`;
   }
-  function row(hit, number) {
+  function row(hit, number, heading) {
     const [group, key, title, words, address, more] = PORTAL_SEARCH.entries[hit.id];
     const letter = /^[A-Z]$/.test(key)
       ? `<span class="key" aria-hidden="true">${key}</span>`
       : "<span></span>";
-    const text = lit(`${words} ${group === "Answers" ? "" : around(more, hit.terms)}`, hit.terms);
+    const kind = group === heading ? "" : `${group}: `;
+    const text = kind + lit(`${words} ${group === "Answers" ? "" : around(more, hit.terms)}`, hit.terms);
     return `<a role="option" tabindex="-1" id="hit${number}" class="${key}" href="${base + address}">${letter}<b>${lit(title, hit.terms)}</b><span class="d">${text}</span></a>`;
   }
   /* a hit: its group, its text, the words around the found words, and its address */
@@ -312,7 +313,7 @@
     for (const [group, found] of PortalSearch.grouped(text)) {
       const size = group === whole ? found.length : GROUP_SIZE;
       list += `<div role="group" aria-label="${group}"><div class="g" role="presentation"><span>${group}</span><span>${found.length}</span></div>`;
-      for (const hit of found.slice(0, size)) list += row(hit, shown.push(hit) - 1);
+      for (const hit of found.slice(0, size)) list += row(hit, shown.push(hit) - 1, group);
       if (found.length > size) {
         const number = shown.push({ group }) - 1;
         list += `<a role="option" tabindex="-1" id="hit${number}" class="more"><span></span><b>All ${found.length} in ${group}</b></a>`;

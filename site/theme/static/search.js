@@ -1,190 +1,246 @@
-/* The search: MiniSearch over the entries of search_index.js. Both files are loaded on first use. */
+/* The search: MiniSearch over the entries of search_index.js, and over the phrases that readers type for them. The
+   scripts are loaded on first use.
+   1. MiniSearch finds the words of the index that a typed word means, also for a beginning or a typing error.
+   2. MiniSearch finds the phrases and the entries that contain these words.
+   3. The score of an entry has three parts: the score of its best phrase, the share of the query that the entry
+      contains, and the score of MiniSearch. Entries whose name is the query come first. */
 (function () {
   "use strict";
   const SMALL = new Set(
-    ("a about an and any are as at be been by could covers did do does doing each for from get given gets got had " +
-      "happen happens has have here how i if in into is it its kind just look made make many may me mean meaning means much must my need needs of " +
-      "on one or our out shall should so tell than that the their them then there these they thing this " +
-      "those through to want was way we were what when where which who whose why will with work works would you your").split(" "),
+    ("a about an and any are as at be been by could did do does doing each for from get given gets got had " +
+      "happen happens has have here how i if in into is it its just kind look made make may me much must my " +
+      "need needs of on or our shall should so than that the their them then there these they thing this those " +
+      "through to want was way we were what when where which who whose why will with work works would you your").split(" "),
   );
-  /* Among equal hits, the hit of the earlier group comes first. */
-  const ANSWERS = "Answers";
-  const GROUPS = [
-    "Modules",
-    "Logic modules",
-    "Pattern applications",
-    "Requirements",
-    "Pages",
-    ANSWERS,
-    "Explanations",
-    "Sections",
-    "Methods",
-    "Data types",
-    "Safety case",
-    "Glossary",
-    "Likely changes",
-    "Checks",
-    "Messages",
-    "Paper",
-    "Tests",
-    "Source",
-  ];
-  const NAMES = new Set([...GROUPS.slice(0, 5), "Methods", "Data types", "Safety case", "Checks", "Messages"]);
+  /* Weights of the groups whose entries are less often the answer. The others have the weight 1. */
   const WEIGHTS = {
-    Modules: 1.6,
-    Pages: 1.5,
-    Answers: 1.1,
-    Sections: 0.7,
-    "Logic modules": 1.2,
-    Methods: 0.8,
-    "Data types": 0.2,
-    Glossary: 0.95,
+    "Logic modules": 0.97,
+    "Pattern applications": 0.97,
+    "Safety case": 0.97,
+    Sections: 0.95,
+    Requirements: 0.95,
+    Glossary: 0.97,
+    Checks: 0.95,
+    Methods: 0.9,
+    Messages: 0.7,
+    "Data types": 0.65,
+    Source: 0.55,
     "Likely changes": 0.5,
-    Checks: 0.5,
-    Messages: 0.5,
-    Paper: 0.4,
-    Tests: 0.15,
-    Source: 0.3,
+    Paper: 0.5,
+    Tests: 0.4,
   };
-  const DEFINES = /\b(mean|means|meaning|definition|glossary|term)\b|^what (is|are) (an? )?[\w-]+( here)?\??$/i; // asks for the glossary
-  const ASPECTS = new Set(["class", "code", "diagram", "module", "source", "test", "uml", "unit"]); // of a module
-  const DEFINITION = new Set(["glossary", "definition", "term"]);
-  const GENERAL = new Set(["robot", "firmware", "software", "project"]); // an answer may lack these words of a question
-  const CAN = /^Can (?=[a-z]|I\b)/; // at the beginning of a title: no CAN bus
-  const MAY = /^can (?=(i|you|we|it|this|the|a)\b)/i;
-  const IDS = new Set(["Requirements", "Safety case"]); // their titles are ids
-  const LAST = new Set(["Tests", "Source"]); // shown first only for their own names, or when nothing else is found
-  const MEANT = 2; // weight of an entry with all words of the query in its title and in the words that readers type for it
-  const BEHIND = 0.1; // weight of these for two or more words
-  const PHRASE = 2; // the query is a phrase that names the entry in site/search_words.txt
+  /* Words that ask for entries of some groups */
+  const KINDS = [
+    ["requirement req test tested verify covered cover", ["Requirements", "Safety case"]],
+    ["hazard goal", ["Safety case"]],
+    ["class module code source implementation implemented interface", ["Modules", "Logic modules"]],
+    ["method function", ["Methods"]],
+    ["pattern", ["Pattern applications"]],
+    ["check rule", ["Checks"]],
+    ["message", ["Messages"]],
+    ["mean meaning definition define glossary term", ["Glossary"]],
+    ["struct enum type", ["Data types"]],
+  ];
+  const DEFINES = /^what (is|are) (an? |the )?[\w-]+( \w+)?\??$/i; // asks for the glossary
+  const ASKED = 1.25; // weight of the groups that a word asks for
+  const OPTIONAL = 0.5; // weight of such a word: many entries of the group lack the word
+  const ALIKE = 0.7; // weight of a synonym
+  const BEGUN = 0.7; // weight of a word that begins with the typed letters
+  const CORRECTED = 0.95; // weight of the most frequent word that differs by a typing error
+  const LENGTHS = [0, 4, 6]; // least number of letters of a word with one typing error, and with two
+  const FEW = 3; // greatest number of letters of a word without an ending
+  const LONG = 6; // greatest number of words of a phrase; with more words it is a list of single words
+  const MIDDLE = 0.7; // share of a list that a query covers, whatever its length
+  const CLOSE = 0.5; // exponent of the share of a phrase that the query covers
+  const WHOLE = 3; // exponent of the share of the query that an entry contains
+  const [PHRASE, WORDS, LIBRARY] = [2, 3, 0.7]; // weights of the parts of a score
+  const EQUAL = 0.5; // addition to the score of a phrase that is the query
+  const NAMED = 6; // addition to the score of an entry whose name or number is in the query
+  const PLACES = { title: 1, phrases: 0.9, lists: 0.75, body: 0.35 }; // weights of the words of an entry
+  const BOOST = { title: 6, phrases: 5, lists: 3, body: 1 }; // weights of the fields for MiniSearch
+  const COMMON = 60; // words in far fewer entries are equally rare
   const QUOTED = 4; // least number of words of a quoted message, in their sequence
-  const NAME = 1; // the query is the name of the entry
-  const DEFINED = 4; // weight of a term for such a question
-  const WHICH = /\bwhich (requirement|class|module|method)s?\b/i; // asks for an element of a kind
-  const KINDS = { requirement: "Requirements", class: "Modules", module: "Modules", method: "Methods" };
-  const ASKED = 3; // weight of the elements of this kind
-  const ENOUGH = 8; // number of hits with all words; with fewer hits, hits without one word are also shown
-  const NEAR = 0.45; // least score of a question with two words, as a share of the best score
+  const UNNAMED = new Set(["Logic modules", "Paper", "Tests"]); // other groups have the same names
+  const WRITTEN = new Set(["Data types", "Source"]); // named only by a query without spaces
+  const TITLED = new Set(["Checks", "Pattern applications", "Safety case"]); // the text of their entries is a title
+  const PARTS = new Set(["Explanations", "Sections"]); // the title of a section needs the title of its page
+  const BEST = 3; // number of the hits that are shown before the groups
+  const LEAST = 0.3; // least score of a hit, as a share of the best score
+  const MOST = 400; // greatest number of hits
   const IDENTIFIER = /\b(?:FR|NFR|SG|HZ|AU)[- ]?\d+\b/gi; // ids of requirements, goals, hazards, assumptions
   const NUMBERED = /\breq(?:uirement)?\b\D{0,9}(\d+)/i; // requirement 15 is FR-15
-  const UNNAMED = 0.2; // weight of an id whose number is in the query without its kind: "every 1 ms" does not ask for FR-1
-  const FEW = 3; // least number of letters of a word that may contain a typing error
+  const COMPOUND = /\p{L}{2,}-\p{L}{2,}/gu;
+  const CAN = /\b[Cc]an (?=[a-z]|I\b)/; // in a title: no CAN bus
+  const MAY = /\bcan (?=(i|you|we|it|this|the|a)\b)/i;
 
-  /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15. */
+  /* WheelController is wheel and controller; FR-15, FR15 and fr 15 are fr and 15; 5V is 5 and v. */
   const pieces = (text) =>
     text
       .normalize("NFKD")
       .replace(/\p{M}/gu, "")
-      .replace(/(\p{Ll})(\p{Lu})|(\p{Lu})(?=\p{Lu}\p{Ll})|(\p{L})(?=\p{N})|(\p{N})(?=\p{Lu})/gu, "$1$3$4$5 $2")
+      .replace(/(\p{Ll})(\p{Lu})|(\p{Lu})(?=\p{Lu}\p{Ll})|(\p{L})(?=\p{N})|(\p{N})(?=\p{L})/gu, "$1$3$4$5 $2")
       .toLowerCase()
       .split(/[^\p{L}\p{N}]+/u)
       .filter(Boolean);
   const same = (text) => pieces(text).join("");
-  const large = (words) => words.filter((word) => !SMALL.has(word));
-  /* "Pool of control systems" names ControlSystemPool. */
-  const sorted = (text) => large(pieces(text)).map(stem).sort().join(" ");
-  /* A title is also found by its words written as one: wheelcontroller, quickstart. */
-  const indexed = (text, field) =>
-    field === "title"
-      ? [...new Set([...pieces(text), same(text), same(text.split("::").pop())])]
-      : pieces(text);
-  /* Requirements is requirement, crashes is crash, verified is verify. */
-  function stem(word) {
-    if (word.length > FEW && /ie[ds]$/.test(word)) return `${word.slice(0, -3)}y`;
-    if (/(?:sh|ch|ss|x|z)es$/.test(word)) return word.slice(0, -2);
-    return word.length > FEW && /[^su]s$/.test(word) ? word.slice(0, -1) : word;
+  /* Returns the words without the small words. A text of small words only is a question too: how does it work. */
+  function large(words) {
+    const others = words.filter((word) => !SMALL.has(word));
+    return others.length ? others : words;
   }
+  /* Requirements is requirement, crashes is crash, verified is verify, stopping is stop, cycle and cycling are cycl,
+     calibrate and calibration are calibr. */
+  function stemmed(typed) {
+    let word = typed;
+    if (word.length > FEW && /ie[ds]$/.test(word)) word = `${word.slice(0, -3)}y`;
+    else if (/(?:sh|ch|ss|x|z)es$/.test(word)) word = word.slice(0, -2);
+    else if (word.length > FEW && /[^su]s$/.test(word)) word = word.slice(0, -1);
+    if (word.length > FEW + 2) word = word.replace(/([^aeiou])(?:ing|ed)$/, "$1").replace(/([^lsz])\1$/, "$1");
+    if (word.length > FEW + 1) word = word.replace(/e$/, "");
+    return word.replace(/^(.{5,}?)(?:at|(?:at)?ion)$/, "$1");
+  }
+  /* Most words occur often: each is stemmed once. */
+  const stemOf = new Map();
+  const stem = (word) => stemOf.get(word) || stemOf.set(word, stemmed(word)).get(word);
+  const stems = (text) => large(pieces(text)).map(stem);
+  const kindWords = KINDS.map(([words, groups]) => [words.split(" ").map(stem), groups]);
+  const sum = (numbers) => numbers.reduce((total, number) => total + number, 0);
+  const listIn = (map, key) => map.get(key) || map.set(key, []).get(key);
 
-  let index = null;
-  /* Of each entry: the stems of its title and of the words that readers type for it, and the words of its title in
-     the sequence of the alphabet. */
-  let known = [];
-  let sortedTitles = [];
-  let phrases = []; // of each entry: the phrases that name it, in the same sequence
   const { entries, synonyms } = window.PORTAL_SEARCH;
+  const groups = synonyms.map((group) => group.map(stems));
+  const weightOf = (id) => WEIGHTS[entries[id][0]] || 1;
+  /* MiniSearch gets lists of stems: the words of a phrase are also needed for its score. */
+  const ready = { tokenize: (words) => [words].flat(), processTerm: (word) => word, stringifyField: (words) => words };
+  const exactly = { prefix: false, fuzzy: false };
+  let index = null; // of the entries
+  let phrases = null; // of the phrases
+  const counts = new Map(); // of each word: the number of the entries that contain it
+  const compounds = new Map(); // of each word with a hyphen, written as one word: its parts
+  const idsByName = new Map(); // of each name, written as one word: the numbers of the entries
+
   function prepare() {
     if (index) return;
-    index = new MiniSearch({
-      fields: ["title", "text", "words", "also"],
-      tokenize: indexed,
-      processTerm: stem,
-    });
-    known = entries.map(([group, , title, , , , also]) => new Set(also || group === ANSWERS ? pieces(`${title.replace(CAN, "")} ${also}`).map(stem) : []));
-    sortedTitles = entries.map(([group, , title]) => (NAMES.has(group) && group !== "Data types" ? sorted(title) : ""));
-    phrases = entries.map(([, , , , , , also]) => (also.includes(",") ? also.split(",").map(sorted) : []));
+    index = new MiniSearch({ fields: Object.keys(PLACES), ...ready });
+    phrases = new MiniSearch({ fields: ["words"], storeFields: ["entry", "words", "isList", "weight"], ...ready });
+    const documents = [];
     index.addAll(
-      entries.map(([group, , title, text, , words, also], id) => {
-        return { id, title: title.replace(CAN, ""), text, words, also };
+      entries.map(([group, , heading, text, , body, also], id) => {
+        const title = heading.replace(CAN, "");
+        const names = [...new Set([title, title.split("::").pop()])];
+        for (const name of names) if (name === title || pieces(name).length > 1) listIn(idsByName, same(name)).push(id);
+        for (const [word] of `${title} ${also} ${text} ${body}`.matchAll(COMPOUND)) compounds.set(stem(same(word)), stems(word));
+        const typed = also.split(",").map(stems);
+        const addPhrase = (words, isList) =>
+          words.length && documents.push({ id: documents.length, entry: id, words: [...new Set(words)], isList });
+        titlePhrases(group, title, text, names).forEach((phrase) => addPhrase(stems(phrase), false));
+        typed.forEach((words) => addPhrase(words, words.length > LONG));
+        const fields = {
+          title: [...stems(title), ...names.map((name) => stem(same(name)))], // wheelcontroller, quickstart
+          phrases: typed.filter(({ length }) => length <= LONG).flat(),
+          lists: typed.filter(({ length }) => length > LONG).flat(),
+          body: stems(`${text} ${body}`),
+        };
+        for (const word of new Set(Object.values(fields).flat())) counts.set(word, (counts.get(word) || 0) + 1);
+        return { id, ...fields };
       }),
     );
+    phrases.addAll(documents.map((phrase) => ({ ...phrase, weight: sum(phrase.words.map(rarity)) })));
   }
+  /* Returns the phrases for the title of an entry. The words before and in the parentheses of a question are also
+     phrases. */
+  function titlePhrases(group, title, text, names) {
+    const isPart = PARTS.has(group) && title !== text;
+    const parts = (title.match(/^(.*)\((.*)\)/) || []).slice(1).flatMap((part) => part.split(/,| and /));
+    return [...(isPart ? [`${title} ${text}`] : names), ...parts, ...(TITLED.has(group) ? [text] : [])];
+  }
+  const rarity = (word) => Math.log(1 + entries.length / ((counts.get(word) || 0) + COMMON));
 
-  /* The words of a text, terms of several words (safe state) combined, each with its synonyms.
-     Words are lists of their stems. */
-  const groups = synonyms.map((group) =>
-    group.map((words) => large(pieces(words)).map(stem)),
-  );
+  /* Returns the words of the index that a typed word can mean, each with its weight. A word that exists has no other
+     meaning. Otherwise the words that begin with it are meant, or the words with the least number of errors. */
+  const kept = new Map();
+  const meanings = (word) => kept.get(word) || kept.set(word, meant(word)).get(word);
+  function meant(word) {
+    if (counts.has(word) || compounds.has(word) || groups.flat(2).includes(word)) return [[word, 1]];
+    const like = (options) => index.search(word, { ...exactly, ...options }).flatMap(({ terms }) => terms);
+    const frequent = (words, most) => [...new Set(words)].sort((a, b) => counts.get(b) - counts.get(a)).slice(0, most);
+    const longer = frequent(like({ prefix: true }), 8);
+    if (longer.length) return longer.map((other) => [other, BEGUN]);
+    for (const fuzzy of [1, 2]) {
+      if (word.length < LENGTHS[fuzzy]) break;
+      const near = frequent([...exchanged(word), ...like({ fuzzy })].filter((other) => /^\p{L}/u.test(other)), 3);
+      if (near.length) return near.map((other, i) => [other, i || fuzzy > 1 ? BEGUN : CORRECTED]);
+    }
+    return [[word, 1]];
+  }
+  /* Returns the words of the index in which two neighbouring letters are exchanged. */
+  const exchanged = (word) =>
+    [...word]
+      .slice(1)
+      .map((letter, i) => word.slice(0, i) + letter + word[i] + word.slice(i + 2))
+      .filter((other) => counts.has(other));
+
+  /* Returns the words of a query, with terms of several words (safe state) combined. Each has its alternatives: lists
+     of words, with their weights. */
   const equal = (one, other) => one.join(" ") === other.join(" ");
-  function meanings(words) {
+  function wantedIn(words) {
     const found = [];
     for (let i = 0; i < words.length; ) {
-      const most = [3, 2, 1].find(
-        (n) =>
-          n === 1 || groups.some((g) => g.some((one) => equal(one, words.slice(i, i + n)) && one.length === n)),
-      );
+      const isTerm = (own) => groups.some((group) => group.some((one) => equal(one, own)));
+      const most = [3, 2].find((n) => i + n <= words.length && isTerm(words.slice(i, i + n))) || 1;
       const own = words.slice(i, i + most);
-      const same = groups.filter((group) => group.some((one) => equal(one, own))).flat();
-      found.push({ own, others: same.filter((one) => !equal(one, own)) });
-      i += own.length;
+      const alike = groups.filter((group) => group.some((one) => equal(one, own))).flat();
+      const others = alike.filter((one) => !equal(one, own)).map((one) => [one, ALIKE]);
+      const read = most > 1 ? [[own, 1]] : meanings(own[0]).map(([word, weight]) => [[word], weight]);
+      const parts = most === 1 && compounds.has(own[0]) ? [[compounds.get(own[0]), CORRECTED]] : [];
+      found.push({ own, alternatives: [...read, ...others, ...parts] });
+      i += most;
     }
     return found;
   }
-  /* Returns the options of the search for a word. A word that exists needs no tolerance, and hits inside longer words
-     have little weight. Any other word is searched with the least number of errors that finds a word. */
-  const kept = new Map();
-  function tolerance(word) {
-    if (!kept.has(word)) kept.set(word, tolerated(word));
-    return kept.get(word);
+  /* Returns the query of MiniSearch: any word, or an alternative with all its words. */
+  function asQuery(wanted) {
+    const lists = wanted.flatMap(({ alternatives }) => alternatives.map(([words]) => words));
+    const different = [...new Map(lists.map((words) => [words.join(" "), words])).values()];
+    return { ...exactly, combineWith: "OR", queries: different.map((words) => ({ combineWith: "AND", queries: words })) };
   }
-  function tolerated(word) {
-    const there = (prefix, fuzzy) => index.search(word, { prefix, fuzzy }).length > 0;
-    if (there(false, false)) return { fuzzy: false, weights: { fuzzy: 0.25, prefix: 0.15 } };
-    const least = [0, 1, 2].find((n) => n === 0 ? there(true, false) : word.length > [, FEW, FEW + 2][n] && there(false, n));
-    return { fuzzy: least || false, weights: { fuzzy: 0.45, prefix: 0.6 } };
+  /* Returns a function that computes the share of the query that a phrase or an entry contains. A rare word has more
+     weight than a frequent word. terms: the words found there; valueOf: the weight of each by its place */
+  function shareIn(wanted) {
+    const single = new Map(); // of each alternative of one word: the numbers of the wanted words, and its weights
+    const several = []; // the alternatives of several words
+    wanted.forEach(({ alternatives }, i) => {
+      for (const [words, weight] of alternatives)
+        if (words.length === 1) listIn(single, words[0]).push([i, weight]);
+        else several.push([i, weight, words]);
+    });
+    return (terms, valueOf) => {
+      const best = wanted.map(() => 0);
+      for (const term of terms)
+        for (const [i, weight] of single.get(term) || []) best[i] = Math.max(best[i], weight * valueOf(term));
+      for (const [i, weight, words] of several)
+        if (weight > best[i] && words.every((word) => terms.includes(word)))
+          best[i] = Math.max(best[i], weight * Math.min(...words.map(valueOf)));
+      return sum(wanted.map(({ share }, i) => share * best[i]));
+    };
   }
-  /* The words in which two neighbouring letters are exchanged. */
-  const exchanged = (word) =>
-    [...word].slice(1).map((letter, i) => word.slice(0, i) + letter + word[i] + word.slice(i + 2));
-  /* A word that no entry contains is replaced by the most frequent word with the least number of errors. */
-  function corrected(typed) {
-    const word = stem(typed);
-    const { fuzzy } = tolerance(word);
-    if (!fuzzy || groups.flat().some((words) => words.includes(word))) return typed;
-    const right = exchanged(word).find((one) => index.search(one, { prefix: false, fuzzy: false }).length);
-    if (right) return right;
-    const counts = new Map();
-    for (const { terms } of index.search(word, { prefix: false, fuzzy }))
-      for (const term of terms) counts.set(term, (counts.get(term) || 0) + 1);
-    return [...counts].sort((a, b) => b[1] - a[1])[0]?.[0] ?? typed;
-  }
-  const asked = ({ own, others }) => ({
-    combineWith: "OR",
-    queries: [
-      { combineWith: "AND", queries: own.map((word) => ({ queries: [word], ...tolerance(word) })) },
-      ...others.map(exactly),
-    ],
-  });
-  const exactly = (queries) => ({
-    queries,
-    combineWith: "AND",
-    prefix: false,
-    fuzzy: false,
-    boost: { title: 5, also: 4, text: 1, words: 0.3 },
-  });
-  const has = (terms, { own, others }) =>
-    [own, ...others].some((words) => words.every((word) => terms.has(word)));
 
-  /* Returns whether a query quotes a message: most of its words are words of the message, in their sequence. Others are values. */
+  /* Returns of each entry with a fitting phrase the score of the best: the share of the query that the phrase
+     contains, and the share of the phrase that the query contains. */
+  function nearest(wanted, query, shareOf) {
+    const best = new Map();
+    const queryWords = new Set(wanted.flatMap(({ alternatives }) => alternatives.flatMap(([words]) => words)));
+    for (const { entry, words, isList, weight, terms } of phrases.search(query)) {
+      const share = shareOf(terms, () => 1);
+      const used = isList ? MIDDLE : sum(words.filter((word) => queryWords.has(word)).map(rarity)) / weight;
+      const isEqual = Math.min(share, used) > 0.999;
+      best.set(entry, Math.max(best.get(entry) || 0, share * used ** CLOSE + (isEqual ? EQUAL : 0)));
+    }
+    return best;
+  }
+
+  /* Returns whether a query quotes a message: most of its words are words of the message, in their sequence. Other
+     words are values. */
   function isQuoted(message, query) {
     let lengths = message.map(() => 0); // of the longest common sequence that ends at or before each word
     for (const word of query) {
@@ -200,102 +256,57 @@
     return (most >= QUOTED && most > query.length / 2) || (most === query.length && most >= QUOTED - 1);
   }
 
-  /* Returns the numbers of the entries that match a text, the best match first. */
+  /* Returns the numbers of the entries whose name or id is the query or is in it. */
+  function namedIn(text, all) {
+    const numbered = text.match(NUMBERED);
+    const written = [all.join(""), ...(text.match(IDENTIFIER) || []).map(same), ...(numbered ? [`fr${numbered[1]}`] : [])];
+    const isSpaced = /\s/.test(text.trim());
+    const isName = ([group]) => !UNNAMED.has(group) && !(isSpaced && WRITTEN.has(group));
+    return new Set(written.flatMap((name) => idsByName.get(name) || []).filter((id) => isName(entries[id])));
+  }
+
+  /* Returns the entries that match a text, the best match first. */
   function find(text) {
     prepare();
-    const all = pieces(text.replace(MAY, "")).map(corrected); // "can I": the CAN bus is not meant
-    const isSentence = large(all).length < all.length;
-    const isDefinition = DEFINES.test(text);
-    const typed = large(all).filter((word, _, { length }) => !isDefinition || length === 1 || !DEFINITION.has(word));
-    const words = (typed.length ? typed : all).map(stem);
+    const all = pieces(text.replace(MAY, "")); // "can I": the CAN bus is not meant
+    const words = large(all).map(stem);
     if (!words.length) return [];
-    const wanted = meanings(words);
-    const numbered = text.match(NUMBERED);
-    const identifiers = [...(text.match(IDENTIFIER) || []).map(same), ...(numbered ? [`fr${numbered[1]}`] : [])];
-    const whole = all.join("");
-    const kind = KINDS[(text.match(WHICH) || [])[1]?.toLowerCase()];
-    const weight = (group) => (group === "Glossary" && isDefinition ? DEFINED : (WEIGHTS[group] || 1) * (group === kind ? ASKED : 1));
-    const options = {
-      tokenize: pieces,
-      prefix: (term) => term.length > 1 || words.length === 1,
-      boost: { title: 6, also: 5, text: 2, words: 1 },
-      boostDocument: (id) => weight(entries[id][0]),
-    };
-    /* Returns how strongly the query names an entry: by its title, or by the name of a method without its class.
-       A method name of one word, such as release, is also an ordinary word. The paper's names come later. */
-    const alphabetic = [...words].sort().join(" ");
-    const element = words.some((word) => ASPECTS.has(word)) && words.filter((word) => !ASPECTS.has(word)).sort().join(" ");
-    const named = ([group, , title], id) => {
-      if (phrases[id].includes(alphabetic)) return PHRASE;
-      if (group === "Modules" && element && element === sortedTitles[id]) return NAME;
-      if (group === "Messages") return isQuoted(pieces(title), all) ? NAME : 0;
-      const method = title.split("::").pop();
-      const names = pieces(method).length > 1 ? [title, method] : [title];
-      const isNamed = names.some((name) => same(name) === whole || identifiers.includes(same(name)));
-      return group !== "Paper" && (isNamed || (words.length > 1 && alphabetic === sortedTitles[id])) ? NAME : 0;
-    };
-    /* Finds a name that is written as one word with an error. */
-    const joined = { queries: [whole], prefix: false, boost: { title: 12, also: 10 }, ...tolerance(whole) };
-    const ownNames = identifiers.map((own) => ({ queries: [own], prefix: false, fuzzy: false }));
-    const queries = [...wanted.map(asked), ...ownNames, ...(words.length > 1 ? [joined] : [])];
-    const found = index.search({ combineWith: "OR", queries }, options).map((hit) => {
-      const terms = new Set(hit.queryTerms);
-      const share = terms.has(stem(whole)) ? wanted.length : wanted.filter((one) => has(terms, one)).length;
-      const [group] = entries[hit.id];
-      const exact = named(entries[hit.id], hit.id);
-      const isLast = LAST.has(group) && !exact && wanted.length > 1;
-      const isMeant = words.length > 1 && words.every((word) => known[hit.id].has(word));
-      const isNumber = IDS.has(group) && !exact && pieces(entries[hit.id][2]).some((part) => /^\d/.test(part) && terms.has(part));
-      const weights = (isMeant ? MEANT : 1) * (isLast ? BEHIND : 1) * (isNumber ? UNNAMED : 1);
-      const score = hit.score * (share / wanted.length) ** 3 * weights;
-      return { id: hit.id, terms: hit.terms, score, isMeant, share: isLast ? share - 1 : share, exact, wanted, isSentence };
+    const wanted = wantedIn(words);
+    const meantWords = new Set(words.flatMap((word) => meanings(word).map(([other]) => other)));
+    const kinds = kindWords.filter(([names]) => names.some((name) => meantWords.has(name)));
+    const asked = new Set([...kinds.flatMap(([, names]) => names), ...(DEFINES.test(text) ? ["Glossary"] : [])]);
+    const isOptional = (word) => kinds.some(([names]) => names.includes(meanings(word)[0][0]));
+    const weights = wanted.map(({ own }) => Math.max(...own.map(rarity)) * (own.every(isOptional) ? OPTIONAL : 1));
+    wanted.forEach((one, i) => (one.share = weights[i] / sum(weights)));
+    const query = asQuery(wanted);
+    const shareOf = shareIn(wanted);
+    const near = nearest(wanted, query, shareOf);
+    const exact = namedIn(text, all);
+    const matches = index.search(query, { boost: BOOST, boostDocument: weightOf });
+    const absent = [...exact].filter((id) => matches.every((hit) => hit.id !== id));
+    const most = matches.length ? matches[0].score : 1;
+    const hits = [...matches, ...absent.map((id) => ({ id, match: {}, score: 0 }))].map(({ id, match, score: own }) => {
+      const [group, , title] = entries[id];
+      const terms = Object.keys(match);
+      const contained = exact.has(id) ? 1 : shareOf(terms, (term) => PLACES[match[term][0]]); // the first field is the best
+      const isNamed = group === "Messages" ? isQuoted(pieces(title), all) : exact.has(id);
+      const score = PHRASE * (near.get(id) || 0) + WORDS * contained ** WHOLE + (LIBRARY * own) / most;
+      const weight = weightOf(id) * (asked.has(group) ? ASKED : 1);
+      return { id, terms, score: score * weight + (isNamed ? NAMED * weightOf(id) : 0) };
     });
-    const most = Math.max(...found.map((hit) => hit.share));
-    const best = found.filter((hit) => hit.share === most || hit.exact);
-    const left = best.length < ENOUGH ? found.filter((hit) => hit.share >= Math.max(1, most - 1) || hit.exact) : best;
-    const place = (id) => GROUPS.indexOf(entries[id][0]);
-    return left.sort(
-      (a, b) => b.exact - a.exact || (a.exact && place(a.id) - place(b.id)) || b.score - a.score,
-    );
+    hits.sort((a, b) => b.score - a.score || a.id - b.id);
+    return hits.filter(({ score }) => score >= LEAST * hits[0].score).slice(0, MOST);
   }
 
-  /* Returns whether a question contains the words of a text with two or more words. Of many words, one may be
-   * missing. With exactly two words, or one missing of three, the score must also be near the best score. */
-  function asks({ id, wanted, score, isSentence }, near) {
-    const [group, , title, , , , also] = entries[id];
-    if (group !== ANSWERS) return false;
-    const terms = pieces(`${title.replace(CAN, "")} ${also}`).map(stem);
-    const said = (word) => terms.some((term) => term.startsWith(word));
-    const has = (word) => terms.includes(word);
-    const special = wanted.filter(({ own }) => !own.every((word) => GENERAL.has(word)));
-    const needed = special.length ? special : wanted;
-    const found = needed.filter(({ own, others }) => own.every(said) || others.some((words) => words.every(has)));
-    const words = wanted.flatMap(({ own }) => own);
-    const isNear = words.length > 1 ? isSentence || words.length > 2 || score >= near : isSentence && score >= near;
-    const spare = needed.length > 3 || (needed.length === 3 && isSentence && score >= near) ? 1 : 0;
-    return isNear && found.length >= needed.length - spare;
-  }
-
-  /* Returns the hits in groups, the group of the best hit first. */
+  /* Returns the best hits, then the other hits in groups, the group of the best hit first. */
   function grouped(text) {
-    const groups = new Map();
-    const written = new Set();
+    const found = new Map();
     const hits = find(text);
-    /* A hand-written page is an entry with its words. */
-    hits.forEach(({ id }) => entries[id][0] === "Explanations" && written.add(entries[id][4]));
-    const isName = hits.some((hit) => hit.exact === PHRASE || (hit.exact && NAMES.has(entries[hit.id][0])));
-    const near = NEAR * Math.max(...hits.map((hit) => hit.score));
-    const asked = isName ? [] : hits.filter((hit) => asks(hit, near));
-    const isMeant = (found) => found.some((hit) => hit.isMeant);
-    if (isMeant(asked) || !isMeant(hits)) asked.length && groups.set(ANSWERS, asked);
-    for (const hit of hits) {
-      const [name, , , , address] = entries[hit.id];
-      if (name === "Pages" && written.has(address)) continue;
-      if (asked.length && name === ANSWERS) continue;
-      if (!groups.has(name)) groups.set(name, []);
-      groups.get(name).push(hit);
-    }
-    return groups;
+    /* A hand-written page has two entries: its name, and its text. If the text is a hit, the name is not shown. */
+    const written = new Set(hits.filter(({ id }) => entries[id][0] === "Explanations").map(({ id }) => entries[id][4]));
+    const shown = hits.filter(({ id }) => entries[id][0] !== "Pages" || !written.has(entries[id][4]));
+    shown.forEach((hit, i) => listIn(found, i < BEST ? "Best hits" : entries[hit.id][0]).push(hit));
+    return found;
   }
 
   window.PortalSearch = { prepare, grouped, pieces };

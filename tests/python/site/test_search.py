@@ -16,12 +16,18 @@ from portal.search import listed
 from tests.python.site.browser import BROWSER
 from tests.python.site.content import SITE, content, searched
 
-SEARCHES: dict[str, list[str]] = {
-    query: [expected] if isinstance(expected, str) else expected
-    for query, expected in tomllib.loads(
-        Path(__file__).with_name("searches.toml").read_text(encoding="utf-8")
-    ).items()
-}
+
+def searches(name: str) -> dict[str, list[str]]:
+    """Returns the expected addresses of each query of a file."""
+    text = Path(__file__).with_name(name).read_text(encoding="utf-8")
+    return {
+        query: [expected] if isinstance(expected, str) else expected
+        for query, expected in tomllib.loads(text).items()
+    }
+
+
+SEARCHES = searches("searches.toml")
+UNSEEN = searches("searches_unseen.toml")
 LEAST = 0.9  # minimum share of searches whose first hit is the expected page
 SCREEN = 12  # number of rows that the list shows without scrolling
 SIZE = 5  # number of rows of a group that are shown at first
@@ -77,8 +83,10 @@ def test_words_that_readers_type_belong_to_an_entry() -> None:
 
 
 def test_each_expected_hit_is_a_place() -> None:
-    expected = {address for addresses in SEARCHES.values() for address in addresses}
-    assert sorted(address for address in expected if not exists(address)) == []
+    files = (SEARCHES, UNSEEN)
+    expected = {address for file in files for addresses in file.values() for address in addresses}
+    places = {address for address in expected if not address.endswith("*")}
+    assert sorted(address for address in places if not exists(address)) == []
 
 
 @pytest.mark.browser
@@ -97,8 +105,23 @@ def test_each_search_shows_the_answer_on_the_first_screen(
     assert share >= LEAST, others
 
 
-def expects(text: str, addresses: list[str]) -> bool:
-    return not set(SEARCHES[text]).isdisjoint(addresses)
+@pytest.mark.browser
+@pytest.mark.skipif(not BROWSER, reason="there is no browser on this machine")
+def test_the_share_of_right_first_hits_of_unseen_searches_is_measured(
+    tmp_path: Path, record_property: Callable[[str, object], None]
+) -> None:
+    found = asked(tmp_path, list(UNSEEN))
+    first = [text for text in UNSEEN if expects(text, found[text][:1], UNSEEN)]
+    record_property("portal.search_unseen_first_hit", round(len(first) / len(UNSEEN), 3))
+
+
+def expects(text: str, addresses: list[str], file: dict[str, list[str]] = SEARCHES) -> bool:
+    """Returns whether a query expects one of the addresses."""
+    return any(
+        address.startswith(expected[:-1]) if expected.endswith("*") else address == expected
+        for expected in file[text]
+        for address in addresses
+    )
 
 
 def asked(folder: Path, texts: list[str]) -> dict[str, list[str]]:
