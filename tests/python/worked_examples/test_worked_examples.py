@@ -13,6 +13,8 @@ from textwrap import dedent
 
 import pytest
 
+pytestmark = pytest.mark.runs_tools
+
 ROOT = Path(__file__).parents[3]
 PAGE = ROOT / "docs" / "how_these_pages_are_made.rst"
 BLOCK = re.compile(r"^\.\. code-block:: diff\n((?:\n|   .*\n?)+)", re.MULTILINE)
