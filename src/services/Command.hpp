@@ -2,9 +2,10 @@
 
 namespace wr {
 
-/// @brief One action, whose caller does not name its receiver.
-/// @function Lets interrupts and threads start an action without naming the module that acts.
-/// @secret Which module acts when a command is executed.
+/// @brief Action that a caller can start without naming the module that performs the action.
+/// @function Separates the interrupts and threads that start an action from the module that
+/// performs it.
+/// @secret The module that performs the action of a command.
 /// @role{cycle-timer-interrupt, Command}
 /// @role{hall-interrupt, Command}
 /// @role{wheel-timer-interrupt, Command}
