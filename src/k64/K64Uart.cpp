@@ -70,10 +70,9 @@ void K64Uart::serve() {
 
 void K64Uart::receive() {
   std::uint32_t lost = 0;
-  std::size_t untilBroken =
-      0;  // number of reads up to and including the byte with a wrong stop bit
-  // The loop ends after at most twice the size of the FIFO, because more bytes may arrive
-  // meanwhile. bound: 1; on average an interrupt has one byte to read
+  std::size_t untilBroken = 0;  // number of reads up to the byte with a wrong stop bit
+  // The limit is twice the size of the FIFO, because more bytes may arrive during the loop.
+  // bound: 1; on average an interrupt has one byte to read
   for (std::size_t i = 0; i < 2 * kFifo; ++i) {
     const auto status = uart::S1.at(offset()).read();
     if (!(status & (uart::S1_RDRF | uart::S1_OR)).any()) {
