@@ -10,8 +10,8 @@ class DigitalOutput {
   DigitalOutput(const DigitalOutput&) = delete;
   DigitalOutput& operator=(const DigitalOutput&) = delete;
 
-  /// @brief Switches the output.
-  /// @param on true to switch it on
+  /// @brief Switches the output on or off.
+  /// @param on true to switch the output on, false to switch it off
   /// @isr{yes}
   virtual void set(bool on) = 0;
 

@@ -23,8 +23,8 @@ class Timebase {
   [[nodiscard]] virtual Instant now() const = 0;
 
   /// @brief Returns the number of processor cycles in which the processor did not sleep.
-  /// @return number of cycles since start. After 2^32 cycles it begins again at 0. It is always 0
-  /// on a platform that does not count cycles
+  /// @return number of cycles since start. The number begins again at 0 after 2^32 cycles, and is
+  /// always 0 on a platform that does not count cycles
   /// @satisfies FR-160
   /// @satisfies FR-302
   /// @satisfies FR-303

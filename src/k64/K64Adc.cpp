@@ -60,8 +60,8 @@ void K64Adc::Converter::endCalibration() {
   if ((status & (adc::SC3_CAL | adc::SC3_CALF)).any()) {
     return;
   }
-  // Each side, plus and minus, has its own gain: half the sum of the results of this side, with the
-  // highest bit set.
+  // The plus side and the minus side of the converter each have a gain: half the sum of the
+  // calibration results of this side, with the highest bit set.
   constexpr std::uint32_t kHighest = 0x8000;
   std::uint32_t plus = 0;
   std::uint32_t minus = 0;

@@ -108,9 +108,8 @@ class K64Adc final : public AnalogInput {
  private:
   [[gnu::always_inline]] inline std::uint32_t takeResult();
 
-  static constexpr std::size_t kConverterAt =
-      3;  // position of the converter's number in the name of a signal
-  static constexpr std::size_t kNumberAt = 7;
+  static constexpr std::size_t kConverterAt = 3;  // position of the converter's number in a signal
+  static constexpr std::size_t kNumberAt = 7;     // position of the input's number in a signal
   static constexpr std::uint32_t kNone = 0xFFFF'FFFF;
 
   Converter& converter_;

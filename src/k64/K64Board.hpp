@@ -9,8 +9,8 @@ namespace wr {
 
 /// @brief The K64 as a whole, on its board FRDM-K64F.
 /// @function Sets all outputs to their safe levels after a reset, and switches the microcontroller
-/// to its full clock. Ends the firmware safely after a fault, and keeps a record of the fault that
-/// the reset does not delete.
+/// to its full clock. Ends the firmware safely after a fault, and writes a record of the fault. A
+/// reset does not delete this record.
 /// @secret How clocks, pins and resets of the K64 are controlled, and how a fault is stored.
 class K64Board {
  public:

@@ -22,7 +22,7 @@ class K64Gpio final : public DigitalOutput {
 
   /// @brief Sets an output pin to its safe level and makes it an output. Uses no variable in RAM.
   /// @param pin an output of the pin table
-  /// @pre The clock of its port runs.
+  /// @pre The clock gate of the port is open.
   /// @isr{yes}
   static void makeSafe(const Pin& pin);
 

@@ -19,7 +19,7 @@ class K64Thread final : public ControlThread {
   explicit constexpr K64Thread(std::uint8_t line) : line_(line) {}
 
   /// @brief Enables an interrupt line.
-  /// @param line number of the line, 0 to 85
+  /// @param line number of the interrupt line, 0 to 85
   /// @param priority priority of the interrupt, kPulsePriority or a lower priority
   /// @isr{no}
   /// @satisfies FR-172

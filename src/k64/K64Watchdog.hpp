@@ -8,7 +8,7 @@ namespace wr {
 
 /// @brief The watchdog of the K64.
 /// @function Resets the microcontroller when no control cycle completes in time. The watchdog uses
-/// the low-power oscillator, so that it works even if all other clocks have failed.
+/// the low-power oscillator, so that the watchdog works even if all other clocks have failed.
 /// @secret The register accesses that configure and refresh the watchdog, and the rules for their
 /// timing.
 /// @hides{K64Watchdog::kTimeOut}

@@ -91,7 +91,7 @@ class Register {
     write(read() | bits);
   }
 
-  /// @brief Clears some bits to 0. The other bits do not change.
+  /// @brief Sets some bits to 0. The other bits do not change.
   /// @param bits bits to clear
   void clear(Bits bits) const
     requires(kAccess == Access::ReadWrite)

@@ -16,7 +16,8 @@ inline constexpr Priority kPulsePriority = 1;
 /// kInterruptPriority, so that the other devices do not delay this interrupt.
 inline constexpr Priority kEdgePriority = 2;
 
-/// @brief Priority of the interrupts of all other devices.
+/// @brief Priority of the interrupts of all devices other than the remote control and the Hall
+/// sensors.
 inline constexpr Priority kInterruptPriority = 3;
 
 /// @brief Priority of the thread of the main controller.

@@ -18,7 +18,7 @@ enum class Role : std::uint8_t {
   HighOutput,  ///< output, safe when high
   LateOutput,  ///< output, safe when low; driven by a peripheral as soon as the peripheral runs
   Input,       ///< input with a pull-up resistor
-  PulledUp,    ///< pin of a peripheral, with a pull-up resistor: its wire may be missing
+  PulledUp,    ///< pin of a peripheral, with a pull-up resistor because the wire may be missing
   Peripheral   ///< pin of a peripheral
 };
 

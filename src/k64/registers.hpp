@@ -108,8 +108,8 @@ inline constexpr auto SRS1_MDM_AP = SRS1.bit(3);
 /// @brief Port control: the peripheral to which each pin is connected, and the edges that cause
 /// interrupts.
 namespace port {
-inline constexpr std::uint32_t kPortDistance = 0x1000;  // from one port to the next [byte]
-inline constexpr std::uint32_t kPinDistance = 4;        // from one pin to the next [byte]
+inline constexpr std::uint32_t kPortDistance = 0x1000;  // address step per port [byte]
+inline constexpr std::uint32_t kPinDistance = 4;        // address step per pin [byte]
 inline constexpr Register<std::uint32_t, 0x40049000, Access::Flags> PCR;
 inline constexpr auto PCR_PS = PCR.bit(0);
 inline constexpr auto PCR_PE = PCR.bit(1);
@@ -124,7 +124,7 @@ inline constexpr Register<std::uint32_t, 0x400490C8> DFWR;
 
 /// @brief General purpose input and output.
 namespace gpio {
-inline constexpr std::uint32_t kPortDistance = 0x40;  // from one port to the next [byte]
+inline constexpr std::uint32_t kPortDistance = 0x40;  // address step per port [byte]
 inline constexpr Register<std::uint32_t, 0x400FF004, Access::Write> PSOR;
 inline constexpr Register<std::uint32_t, 0x400FF008, Access::Write> PCOR;
 inline constexpr Register<std::uint32_t, 0x400FF010, Access::Read> PDIR;
@@ -134,7 +134,7 @@ inline constexpr Register<std::uint32_t, 0x400FF014> PDDR;
 /// @brief Periodic interrupt timer.
 namespace pit {
 inline constexpr Register<std::uint32_t, 0x40037000> MCR;
-inline constexpr std::uint32_t kChannelDistance = 0x10;  // from one channel to the next [byte]
+inline constexpr std::uint32_t kChannelDistance = 0x10;  // address step per channel [byte]
 inline constexpr Register<std::uint32_t, 0x40037100> LDVAL;
 inline constexpr Register<std::uint32_t, 0x40037104, Access::Read> CVAL;
 inline constexpr Register<std::uint32_t, 0x40037108> TCTRL;
@@ -150,7 +150,7 @@ inline constexpr Register<std::uint32_t, 0x40038000> SC;
 inline constexpr auto SC_CLKS_BUS = SC.field(1, 3);
 inline constexpr Register<std::uint32_t, 0x40038004> CNT;
 inline constexpr Register<std::uint32_t, 0x40038008> MOD;
-inline constexpr std::uint32_t kChannelDistance = 8;  // from one channel to the next [byte]
+inline constexpr std::uint32_t kChannelDistance = 8;  // address step per channel [byte]
 inline constexpr Register<std::uint32_t, 0x4003800C> CnSC;
 inline constexpr auto CnSC_ELSB = CnSC.bit(3);
 inline constexpr auto CnSC_MSB = CnSC.bit(5);
@@ -164,7 +164,7 @@ inline constexpr auto CONF_BDMMODE_SAFE = CONF.field(1, 6);
 
 /// @brief Analog-to-digital converters. The addresses are those of converter 0.
 namespace adc {
-inline constexpr std::uint32_t kConverterDistance = 0x80000;  // from converter 0 to 1 [byte]
+inline constexpr std::uint32_t kConverterDistance = 0x80000;  // address step to converter 1 [byte]
 inline constexpr Register<std::uint32_t, 0x4003B000, Access::Flags> SC1A;
 inline constexpr auto SC1A_ADCH_NONE = SC1A.field(0x1F, 0);
 inline constexpr auto SC1A_AIEN = SC1A.bit(6);
@@ -187,14 +187,14 @@ inline constexpr auto SC3_CAL = SC3.bit(7);
 inline constexpr Register<std::uint32_t, 0x4003B02C> PG;
 inline constexpr Register<std::uint32_t, 0x4003B030> MG;
 inline constexpr std::uint32_t kCalibrationResults = 6;  // number for each side, plus and minus
-inline constexpr std::uint32_t kResultDistance = 4;      // from one result to the next [byte]
+inline constexpr std::uint32_t kResultDistance = 4;      // address step per result [byte]
 inline constexpr Register<std::uint32_t, 0x4003B038, Access::Read> CLPS;  // CLP4 to CLP0 follow
 inline constexpr Register<std::uint32_t, 0x4003B058, Access::Read> CLMS;  // CLM4 to CLM0 follow
 }  // namespace adc
 
 /// @brief Serial ports. The addresses are those of port 0.
 namespace uart {
-inline constexpr std::uint32_t kPort4Distance = 0x80000;  // from port 0 to port 4 [byte]
+inline constexpr std::uint32_t kPort4Distance = 0x80000;  // address step to port 4 [byte]
 inline constexpr Register<std::uint8_t, 0x4006A000> BDH;
 inline constexpr Register<std::uint8_t, 0x4006A001> BDL;
 inline constexpr Register<std::uint8_t, 0x4006A003> C2;

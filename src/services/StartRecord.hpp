@@ -9,8 +9,8 @@ namespace wr {
 enum class ResetCause : std::uint8_t {
   Unknown = 0,     ///< the hardware or the platform reports no cause
   PowerOn = 1,     ///< the supply was switched on
-  LowVoltage = 2,  ///< the supply was too low
-  Pin = 3,         ///< the reset pin, to which the reset button of a board is connected
+  LowVoltage = 2,  ///< the supply voltage was too low
+  Pin = 3,         ///< a reset by the reset pin, which the reset button of a board also uses
   Watchdog = 4,    ///< the watchdog was not refreshed in time
   ClockLost = 5,   ///< the clock failed, or the PLL lost its lock
   Lockup = 6,      ///< a second fault occurred in the handler of a fault

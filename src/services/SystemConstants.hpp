@@ -38,7 +38,7 @@ class SystemConstants {
   /// @isr{yes}
   [[nodiscard]] constexpr std::uint8_t waitingCycles() const { return 4; }
 
-  /// @brief Returns the time during which an order can be read.
+  /// @brief Returns the time for which an order can be read after it was received.
   /// @return greatest age of an order [us]
   /// @satisfies FR-20
   /// @satisfies FR-50

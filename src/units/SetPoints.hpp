@@ -71,8 +71,8 @@ struct SetPoints {
   bool repeated = false;     ///< true: the order was read in an earlier cycle and is still in force
   std::uint32_t sentAt = 0;  ///< time at which the order was sent, by the sender's clock [ms]
 
-  /// @brief Checks whether the set-point of each wheel is 0. The quantity of the set-point does not
-  /// matter.
+  /// @brief Checks whether the order is neutral, that is, whether the set-point of each wheel is 0.
+  /// The quantities of the set-points do not matter.
   /// @return true when no wheel shall move
   [[nodiscard]] constexpr bool neutral() const {
     return std::ranges::all_of(wheels, [](const WheelSetPoint& wheel) { return wheel.value == 0; });

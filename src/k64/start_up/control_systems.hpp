@@ -16,8 +16,9 @@ extern std::array<WheelSystemBuilder, kWheelCount> wheelBuilders;
 /// @brief Builders of all control systems, that is, of the wheels and of the steering.
 extern const std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilders;
 
-/// @brief Builder of the pool of all control systems; it also passes each tick on to them. Each
-/// variant of the robot links one definition of this object: with safety functions or without them.
+/// @brief Builder of the pool of all control systems. It also passes each tick on to the control
+/// systems. Each variant of the robot contains one definition of this builder, with safety
+/// functions or without them.
 extern ControlSystemPoolBuilder poolBuilder;
 
 }  // namespace wr::platform
