@@ -7,7 +7,7 @@
 namespace wr {
 
 /// @brief Channel of the periodic interrupt timer (PIT).
-/// @function Causes periodic interrupts, with a period in microseconds.
+/// @function Causes periodic interrupts. The period is a number of microseconds.
 /// @secret How a period is converted to a number of bus clocks, and how the interrupt of the
 /// channel is set up.
 class K64Pit final : public PeriodicTimer {

@@ -22,7 +22,7 @@ class K64Watchdog final : public Watchdog {
   constexpr K64Watchdog() = default;
 
   /// @brief Configures the watchdog and locks this configuration until the next reset. Uses no
-  /// variable in RAM.
+  /// variable in RAM, so that it works before RAM is initialised.
   /// @pre The function is called only once, within 256 bus clocks after the reset. No interrupt
   /// occurs during the call.
   /// @isr{no}

@@ -9,11 +9,11 @@ using Priority = std::uint8_t;
 
 /// @brief Priority of the interrupt that records the times of the edges of the remote control. No
 /// other interrupt of the firmware may delay this interrupt: if the measured length of a pulse is
-/// wrong by 1 us, the steering angle is wrong by 0.06 degrees.
+/// wrong by 1 us, the ordered steering angle is wrong by 0.06 degrees.
 inline constexpr Priority kPulsePriority = 1;
 
 /// @brief Priority of the interrupt that records the times of the Hall edges. It is higher than
-/// kInterruptPriority, so that the other devices do not delay this interrupt.
+/// kInterruptPriority, so that the interrupts with that priority do not delay this interrupt.
 inline constexpr Priority kEdgePriority = 2;
 
 /// @brief Priority of the interrupts of all devices other than the remote control and the Hall
