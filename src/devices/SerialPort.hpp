@@ -17,16 +17,16 @@ class SerialPort {
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /// @brief Reads received bytes, the oldest byte first. Reads no further than the first zero byte,
-  /// which is read too. Never waits. A port may drop a zero byte that follows another zero byte,
-  /// because the second zero byte ends no frame.
+  /// @brief Reads received bytes, the oldest byte first. Stops after the first zero byte, which is
+  /// read too. Never waits. A port may drop a zero byte that follows another zero byte, because the
+  /// second zero byte ends no frame.
   /// @param bytes buffer into which the bytes are written
   /// @return number of bytes that were written into the buffer; 0 only when there is no received
   /// byte to read, or when the buffer has the size 0
   /// @isr{no}
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
 
-  /// @brief Returns the time at which the last zero byte that read() returned was received.
+  /// @brief Returns the time at which the port received the zero byte that ended the last read.
   /// @return time of the stop bit of this zero byte
   /// @pre The last read ended with a zero byte.
   /// @isr{no}

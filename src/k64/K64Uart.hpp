@@ -34,7 +34,7 @@ class K64Uart final : public SerialPort {
   /// @brief Constructs a port that is not switched on yet.
   /// @param port the port; no other object may use it
   /// @param clock time base from which the port reads the time when it receives a zero byte
-  /// @param zeros received zero bytes that the port stores
+  /// @param zeros selection of the zero bytes that the port stores
   K64Uart(Port port, const Timebase& clock, ZeroBytes zeros = ZeroBytes::Ends);
 
   /// @brief Switches the port on. Port 0 uses its FIFOs; the other port has no FIFOs.

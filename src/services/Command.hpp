@@ -3,8 +3,8 @@
 namespace wr {
 
 /// @brief Action that a caller can start without naming the module that performs the action.
-/// @function Separates the interrupts and threads that start an action from the module that
-/// performs it.
+/// @function Lets interrupts and threads start an action without a dependency on the module that
+/// performs the action.
 /// @secret The module that performs the action of a command.
 /// @role{cycle-timer-interrupt, Command}
 /// @role{hall-interrupt, Command}

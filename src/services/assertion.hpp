@@ -8,7 +8,7 @@ namespace wr {
 /// program has a fault.
 /// @datatype
 enum class AssertId : std::uint16_t {
-  PartMissing = 1,         ///< a builder was asked for a robot of which one part was not built
+  PartMissing = 1,         ///< a builder needs a part that was not built yet
   PoolFull = 2,            ///< more control systems were added to a pool than it can contain
   ThreadStartedTwice = 3,  ///< a control thread was given a second command
   FrameTooLarge = 4,       ///< a frame is too large for its buffer

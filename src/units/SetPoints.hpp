@@ -13,7 +13,7 @@ namespace wr {
 /// right.
 inline constexpr std::size_t kWheelCount = 4;
 
-/// @brief Physical quantity for which the set-point of a wheel is given.
+/// @brief Physical quantity of the set-point of a wheel: velocity, voltage or current.
 /// @datatype
 enum class WheelQuantity : std::uint8_t {
   Velocity = 0,  ///< value in 0.1 rpm at the motor shaft
@@ -27,33 +27,33 @@ struct WheelSetPoint {
   WheelQuantity quantity = WheelQuantity::Velocity;  ///< quantity of the value
   std::int16_t value = 0;                            ///< value in the unit of the quantity
 
-  /// @brief Returns a set-point for the velocity.
+  /// @brief Returns a set-point that is a velocity.
   /// @param value velocity [0.1 rpm], -32768 to 32767
   [[nodiscard]] static constexpr WheelSetPoint velocity(Velocity value) {
     return {WheelQuantity::Velocity, static_cast<std::int16_t>(value.count())};
   }
 
-  /// @brief Returns a set-point for the voltage.
+  /// @brief Returns a set-point that is a voltage.
   /// @param value voltage [mV], -32768 to 32767
   [[nodiscard]] static constexpr WheelSetPoint tension(Tension value) {
     return {WheelQuantity::Tension, static_cast<std::int16_t>(value.count())};
   }
 
-  /// @brief Returns a set-point for the current.
+  /// @brief Returns a set-point that is a current.
   /// @param value current [mA], -32768 to 32767
   [[nodiscard]] static constexpr WheelSetPoint current(Current value) {
     return {WheelQuantity::Current, static_cast<std::int16_t>(value.count())};
   }
 
-  /// @brief Returns the velocity of a set-point for the velocity.
+  /// @brief Returns the value of this set-point as a velocity.
   /// @pre The quantity is Velocity.
   [[nodiscard]] constexpr Velocity velocity() const { return Velocity(value); }
 
-  /// @brief Returns the voltage of a set-point for the voltage.
+  /// @brief Returns the value of this set-point as a voltage.
   /// @pre The quantity is ``Tension``.
   [[nodiscard]] constexpr Tension tension() const { return Tension(value); }
 
-  /// @brief Returns the current of a set-point for the current.
+  /// @brief Returns the value of this set-point as a current.
   /// @pre The quantity is Current.
   [[nodiscard]] constexpr Current current() const { return Current(value); }
 
