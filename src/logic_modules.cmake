@@ -1,6 +1,6 @@
-# Adds a library for each logic module: a folder of src or extensions. Module a/b is the target a.b.
-# design/uses.toml is read here: each allowed use is a link, and the linker finds the symbols of a module
-# through these links only. With clang, an include that is not an allowed use does not compile.
+# Adds one library for each logic module. A logic module is a folder of src or extensions; the module a/b has the target
+# a.b. Each use that design/uses.toml allows becomes a link between two targets, and the linker finds the symbols of a
+# module only through these links. With clang, an include that is not an allowed use is a compile error.
 set(allowed ${CMAKE_SOURCE_DIR}/design/uses.toml)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${allowed})
 file(STRINGS ${allowed} lines REGEX "^(\\[uses[.])?\"")
@@ -13,8 +13,8 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 
-# Compiles the headers of the standard library once, because they take most of the time of the compiler. Clang
-# compiles each source without them, and finds a missing include.
+# Makes a target use precompiled headers of the standard library, because these headers need most of the compile time.
+# Only GCC uses them. Clang compiles each source file without precompiled headers, and thus finds a missing include.
 function(precompile_standard_headers target)
   if(WR_JOIN AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_precompile_headers(${target} REUSE_FROM standard_headers)
@@ -45,7 +45,7 @@ foreach(folder IN LISTS folders)
   file(GLOB headers ${CMAKE_SOURCE_DIR}/${folder}/*.hpp)
   file(GLOB sources ${CMAKE_SOURCE_DIR}/${folder}/*.cpp)
 
-  # The rules of the includes, as a module map of clang. The code itself has no C++ modules.
+  # Writes the permitted includes as a module map for clang. The code itself uses no C++ modules.
   list(TRANSFORM headers REPLACE "(.+)" "  header \"\\1\"\n" OUTPUT_VARIABLE lines)
   list(TRANSFORM used REPLACE "(.+)" "  use \"\\1\"\n" OUTPUT_VARIABLE uses)
   string(APPEND rules "module \"${module}\" {\n" ${lines} ${uses} "}\n")
@@ -56,7 +56,7 @@ foreach(folder IN LISTS folders)
   elseif(NOT CMAKE_CROSSCOMPILING)
     continue()
   else()
-    # The sources that each product chooses are not part of the library.
+    # Each variant of the robot chooses its own versions of these source files, so they are not part of the library.
     set(kind OBJECT)
     list(FILTER sources EXCLUDE REGEX "/(main|control_systems|pool)[.]cpp$")
     if(root STREQUAL "extensions")
@@ -85,7 +85,7 @@ foreach(folder IN LISTS folders)
 endforeach()
 file(GENERATE OUTPUT ${map} CONTENT "${rules}")
 
-# The whole robot, with all extensions of the products.
+# The target firmware is the whole robot. The target extensions contains the extensions of all its variants.
 add_library(firmware INTERFACE)
 target_link_libraries(firmware INTERFACE ${src_modules})
 add_library(extensions INTERFACE)

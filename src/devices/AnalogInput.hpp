@@ -5,9 +5,10 @@
 
 namespace wr {
 
-/// @brief Input for a voltage.
+/// @brief Analog input for a voltage.
 /// @function Converts a voltage to a number, in the background.
-/// @secret The converter of the input, and the sequence of conversions that share a converter.
+/// @secret The converter that converts the input, and the sequence in which a converter serves its
+/// inputs.
 class AnalogInput {
  public:
   /// @brief Greatest number that a conversion returns.
@@ -16,10 +17,11 @@ class AnalogInput {
   AnalogInput(const AnalogInput&) = delete;
   AnalogInput& operator=(const AnalogInput&) = delete;
 
-  /// @brief Reads the result of the conversion that the previous call requested, and requests the
-  /// next conversion. Never waits. A conversion that has not ended continues, and no other
-  /// conversion is requested.
+  /// @brief Returns the result of the conversion that an earlier call requested, and requests the
+  /// next conversion. Never waits. If the requested conversion has not ended, it continues, and no
+  /// other conversion is requested.
   /// @return the voltage [1/4096 of the range, 0 to 4095]; nothing when no conversion has ended
+  /// since the previous call
   /// @isr{yes}
   [[nodiscard]] virtual std::optional<std::uint16_t> sample() = 0;
 

@@ -4,14 +4,14 @@ namespace wr {
 
 /// @brief Output with two levels.
 /// @function Switches a device outside the microcontroller on and off.
-/// @secret Which pin is switched, and which of its levels means on.
+/// @secret The pin that is switched, and the level of this pin that means on.
 class DigitalOutput {
  public:
   DigitalOutput(const DigitalOutput&) = delete;
   DigitalOutput& operator=(const DigitalOutput&) = delete;
 
-  /// @brief Switches the output.
-  /// @param on true to switch it on
+  /// @brief Switches the output on or off.
+  /// @param on true to switch the output on, false to switch it off
   /// @isr{yes}
   virtual void set(bool on) = 0;
 

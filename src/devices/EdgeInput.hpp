@@ -3,14 +3,15 @@
 namespace wr {
 
 /// @brief Input with two levels that can cause an interrupt when its level changes.
-/// @function Reads the level of a pin, and causes an interrupt at each of its edges.
-/// @secret The pin, and how its edges are detected and acknowledged.
+/// @function Reads the level of a pin, and causes an interrupt at each edge, that is, at each
+/// change of the level.
+/// @secret The pin that is read, and how edges are detected and acknowledged.
 class EdgeInput {
  public:
   EdgeInput(const EdgeInput&) = delete;
   EdgeInput& operator=(const EdgeInput&) = delete;
 
-  /// @brief Enables the interrupt of each edge. Without this call only the level of the input can
+  /// @brief Enables the interrupts at both edges. Without this call only the level of the input can
   /// be read.
   /// @isr{no}
   virtual void start() = 0;
@@ -20,7 +21,8 @@ class EdgeInput {
   /// @isr{yes}
   [[nodiscard]] virtual bool level() const = 0;
 
-  /// @brief Returns whether the level changed since the last call, and acknowledges its interrupt.
+  /// @brief Returns whether an edge has occurred since the last call, and acknowledges the
+  /// interrupt of the edge.
   /// @return true after an edge
   /// @isr{yes}
   [[nodiscard]] virtual bool acknowledge() = 0;

@@ -5,15 +5,16 @@
 
 namespace wr {
 
-/// @brief The clock of the control cycle.
-/// @function Generates a clock pulse in each control cycle, and executes its command.
-/// @secret The accesses to the timer around each clock pulse.
+/// @brief Timer that starts the control cycles.
+/// @function Generates one clock pulse in each cycle period, and executes a command at each clock
+/// pulse.
+/// @secret The accesses to the hardware timer that each clock pulse needs.
 /// @role{cycle-timer-interrupt, Invoker}
 class FirstTimer final {
  public:
-  /// @brief Binds a timer to a command.
-  /// @param timer generates the interrupts
-  /// @param command is executed at each clock pulse
+  /// @brief Connects a hardware timer to a command.
+  /// @param timer hardware timer that causes the interrupts
+  /// @param command command that is executed at each clock pulse
   FirstTimer(PeriodicTimer& timer, Command& command);
 
   FirstTimer(const FirstTimer&) = delete;
@@ -24,8 +25,8 @@ class FirstTimer final {
   /// @satisfies FR-1
   void start();
 
-  /// @brief Runs one clock pulse: acknowledges the timer, then executes the command. The vector of
-  /// the timer's interrupt calls this function.
+  /// @brief Handles one clock pulse: acknowledges the interrupt of the timer, then executes the
+  /// command. The handler of the timer's interrupt calls this function.
   /// @isr{yes}
   /// @satisfies FR-1
   void expired();

@@ -5,8 +5,8 @@
 namespace wr {
 
 /// @brief Timer that causes periodic interrupts.
-/// @function Causes one interrupt in each period, without end.
-/// @secret The timer that causes the interrupts, and the rules for its registers.
+/// @function Causes one interrupt in each period until it is stopped.
+/// @secret The hardware timer that causes the interrupts, and the use of its registers.
 class PeriodicTimer {
  public:
   PeriodicTimer(const PeriodicTimer&) = delete;

@@ -4,16 +4,17 @@
 
 namespace wr {
 
-/// @brief Output that is on for a part of each period.
-/// @function Sets the mean of an output between off and on.
-/// @secret Which timer generates the periods, how long they are, and when a new share takes effect.
+/// @brief Output with pulse-width modulation: it is on during a part of each period.
+/// @function Sets the mean level of an output to a value between off and on.
+/// @secret The timer that generates the periods, their length, and the moment when a new share
+/// takes effect.
 class PwmOutput {
  public:
   PwmOutput(const PwmOutput&) = delete;
   PwmOutput& operator=(const PwmOutput&) = delete;
 
   /// @brief Sets the share of the period in which the output is on.
-  /// @param dutyCycle share [0.01 %], 0 to 10000; a greater value counts as the limit
+  /// @param dutyCycle share [0.01 %], 0 to 10000; a greater value has the same effect as 10000
   /// @isr{yes}
   virtual void set(DutyCycle dutyCycle) = 0;
 

@@ -8,28 +8,29 @@
 
 namespace wr {
 
-/// @brief The fast clock, for work that must run more often than a control cycle.
-/// @function Ticks 1000 times in a second, and executes its commands in the sequence in which they
-/// were added.
-/// @secret How the commands of one tick are stored, and their sequence.
+/// @brief Timer for work that must run more often than once in a control cycle.
+/// @function Generates 1000 ticks in a second. At each tick it executes its commands in the
+/// sequence in which they were added.
+/// @secret How the commands are stored, and the sequence in which a tick executes them.
 /// @role{wheel-timer-interrupt, Invoker}
 /// @role{steering-timer-interrupt, Invoker}
 class SecondTimer final {
  public:
-  /// @brief Largest number of commands: one for each control system that a pool can contain.
+  /// @brief Greatest number of commands: one command for each control system that a pool can
+  /// contain.
   static constexpr std::size_t kCapacity = 8;
 
-  /// @brief Binds a timer. The timer has no command yet.
-  /// @param timer generates the interrupts
+  /// @brief Constructs a timer that has no commands yet.
+  /// @param timer hardware timer that causes the interrupts
   explicit SecondTimer(PeriodicTimer& timer);
 
   SecondTimer(const SecondTimer&) = delete;
   SecondTimer& operator=(const SecondTimer&) = delete;
 
   /// @brief Adds a command.
-  /// @param command is executed at each tick; it exists as long as the timer
+  /// @param command command that is executed at each tick; it must exist as long as this object
   /// @pre The timer does not run.
-  /// @errors A command beyond the capacity ends the program with the assertion TimerFull.
+  /// @errors If the timer already has kCapacity commands, the assertion TimerFull ends the program.
   /// @isr{no}
   /// @satisfies FR-100
   /// @satisfies FR-176
@@ -40,8 +41,8 @@ class SecondTimer final {
   /// @satisfies FR-100
   void start();
 
-  /// @brief Runs one tick: acknowledges the timer, then executes the commands. The vector of the
-  /// timer's interrupt calls this function.
+  /// @brief Handles one tick: acknowledges the interrupt of the timer, then executes the commands.
+  /// The handler of the timer's interrupt calls this function.
   /// @isr{yes}
   /// @satisfies FR-100
   void expired();

@@ -8,39 +8,43 @@
 
 namespace wr {
 
-/// @brief Serial line in both directions.
-/// @function Stores received bytes until they are read, and written bytes until they are sent.
-/// @secret How bytes are transferred between the line and the buffers of the port.
+/// @brief Port of a serial line, for sending and receiving bytes.
+/// @function Stores received bytes until the firmware reads them, and bytes to send until they are
+/// sent.
+/// @secret How bytes are transferred between the serial line and the buffers of the port.
 class SerialPort {
  public:
   SerialPort(const SerialPort&) = delete;
   SerialPort& operator=(const SerialPort&) = delete;
 
-  /// @brief Reads received bytes, oldest first, at most up to and including the first zero byte. Never
-  /// waits. A port may drop a zero byte that follows another zero byte: it ends no frame.
-  /// @param bytes receives the bytes
-  /// @return number of stored bytes; 0 only when no byte was received, or when the buffer of the
-  /// caller is empty
+  /// @brief Reads received bytes, the oldest byte first. Stops after the first zero byte, which is
+  /// read too. Never waits. A port may drop a zero byte that follows another zero byte, because the
+  /// second zero byte ends no frame.
+  /// @param bytes buffer into which the bytes are written
+  /// @return number of bytes that were written into the buffer; 0 only when there is no received
+  /// byte to read, or when the buffer has the size 0
   /// @isr{no}
   virtual std::size_t read(std::span<std::uint8_t> bytes) = 0;
 
-  /// @brief Returns the time at which the zero byte that ended the last read was received.
-  /// @return time of its stop bit
+  /// @brief Returns the time at which the port received the zero byte that ended the last read.
+  /// @return time of the stop bit of this zero byte
   /// @pre The last read ended with a zero byte.
   /// @isr{no}
   /// @satisfies FR-20
   /// @satisfies FR-33
   [[nodiscard]] virtual Instant receivedAt() const = 0;
 
-  /// @brief Returns the free space for bytes to send.
-  /// @return number of bytes that a write can accept now
+  /// @brief Returns the free space in the buffer for bytes to send.
+  /// @return number of bytes that write() can accept now
   /// @isr{no}
   /// @satisfies FR-64
   [[nodiscard]] virtual std::size_t free() const = 0;
 
-  /// @brief Passes bytes to the port to send, all or none. Never waits.
+  /// @brief Passes bytes to the port, which sends them in the background. Accepts either all bytes
+  /// or no byte. Never waits.
   /// @param bytes bytes to send
-  /// @return false when there is no space for all bytes: no byte is sent
+  /// @return true when all bytes were accepted; false when there is not enough space, and no byte
+  /// will be sent
   /// @isr{no}
   /// @satisfies FR-64
   virtual bool write(std::span<const std::uint8_t> bytes) = 0;

@@ -6,25 +6,25 @@
 
 namespace wr {
 
-/// @brief Clock that runs from the start of the system.
-/// @function Returns the time for time stamps and time-outs, and the time in which the processor
-/// was awake, for the cost of a cycle.
-/// @secret Which counters measure the time and the work, and how an overflow of the time is
-/// prevented.
+/// @brief Source of the time since the start of the system.
+/// @function Returns the time since start, for time stamps and time-outs. Returns the number of
+/// processor cycles without sleep, from which the computing time of a control cycle is calculated.
+/// @secret The counters that measure the time and the processor cycles, and how an overflow of the
+/// time is prevented.
 class Timebase {
  public:
   Timebase(const Timebase&) = delete;
   Timebase& operator=(const Timebase&) = delete;
 
-  /// @brief Returns the time.
-  /// @return time since start [us]; never less than at the previous call
+  /// @brief Returns the present time.
+  /// @return time since start [us]; never less than the result of the previous call
   /// @isr{yes}
   /// @satisfies FR-127
   [[nodiscard]] virtual Instant now() const = 0;
 
-  /// @brief Counts the cycles of the processor in which it does not sleep.
-  /// @return number of cycles since start; it begins again at 0 after 2^32 cycles; always 0 if the
-  /// platform does not count cycles
+  /// @brief Returns the number of processor cycles in which the processor did not sleep.
+  /// @return number of cycles since start. The number begins again at 0 after 2^32 cycles, and is
+  /// always 0 on a platform that does not count cycles
   /// @satisfies FR-160
   /// @satisfies FR-302
   /// @satisfies FR-303

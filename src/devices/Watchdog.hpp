@@ -3,16 +3,16 @@
 namespace wr {
 
 /// @brief Timer that resets the system unless it is refreshed in time.
-/// @function Resets the microcontroller when the system has stopped working: when there is no
+/// @function Resets the microcontroller if the system stops working, that is, if there is no
 /// refresh within the watchdog time-out.
-/// @secret The counter of the time, and the rules for a refresh.
+/// @secret The counter that measures the time, and the steps of a refresh.
 class Watchdog {
  public:
   Watchdog(const Watchdog&) = delete;
   Watchdog& operator=(const Watchdog&) = delete;
 
-  /// @brief Reports to the watchdog that the system works. Only a completed control cycle may report
-  /// this.
+  /// @brief Restarts the time-out of the watchdog. Only a completed control cycle may call this
+  /// function.
   /// @isr{no}
   virtual void refresh() = 0;
 

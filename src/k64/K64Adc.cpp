@@ -10,8 +10,9 @@ namespace wr {
 
 namespace {
 
-// The converters run from the bus clock, divided by 8. The other sources of their clock differ from
-// part to part of the family. The calibration needs a slow clock and comes before the PLL runs.
+// The clock of the converters is the bus clock divided by 8. Their other clock sources are not the
+// same in all microcontrollers of the family. The calibration needs a slow clock, so it runs before
+// the PLL is started.
 constexpr std::uint32_t kDivider = 8;
 constexpr std::uint32_t kMinClock = 1'000'000;                                         // [Hz]
 constexpr std::uint32_t kMaxCalibrationClock = 4'000'000;                              // [Hz]
@@ -20,21 +21,25 @@ constexpr std::uint32_t kSlowestClock = K64Board::kSlowestClockAfterReset / kDiv
 constexpr std::uint32_t kFastest = K64Board::kFastestClockAfterReset / kDivider;       // [Hz]
 constexpr std::uint32_t kClock = K64Board::kBusClock / kDivider;                       // [Hz]
 static_assert(kSlowestClock >= kMinClock && kFastest <= kMaxCalibrationClock,
-              "limits of the calibration");
-static_assert(kClock >= kMinClock && kClock <= kMaxClock, "limits of a conversion with 12 bits");
+              "the clock is within the limits for a calibration");
+static_assert(kClock >= kMinClock && kClock <= kMaxClock,
+              "the clock is within the limits for a conversion with 12 bits");
 
-// A sample needs 20 clocks, and 20 more until it has reached the voltage of the pin. One conversion
-// is the mean of four samples and takes 22 us with its bus clocks, so three conversions need a
-// small part of a tick.
+// A sample takes 40 clock cycles of the converter: 20 cycles until the sampled voltage is equal to
+// the voltage of the pin, and 20 cycles for the conversion. A result is the mean of four samples.
+// It takes 22 us, including some bus clocks. One converter needs at most three results in a tick,
+// which take a small part of the tick.
 constexpr auto kConfiguration =
     adc::CFG1_ADICLK_BUS | adc::CFG1_MODE_12_BITS | adc::CFG1_ADLSMP | adc::CFG1_ADIV_8;
 
-// Greatest number of reads of the register before the calibration counts as failed. A read takes at
-// least 6 and less than 30 clocks of the core, which has the same clock source. The shortest wait
-// is long enough for a calibration of 14000 clocks of the converter, and the longest wait takes
-// less than 45 ms.
+// Greatest number of reads of the status register. If the calibration has not ended after these
+// reads, it has failed. One read takes at least 6 and less than 30 cycles of the core clock, which
+// has the same source as the clock of the converters. If each read takes 6 cycles, there is still
+// enough time for a calibration, which needs 14000 cycles of the converter. If each read takes 30
+// cycles, the reads take less than 45 ms.
 constexpr std::uint32_t kMaxPolls = 30'000;
-static_assert(kMaxPolls * 6 > 14'000 * kDivider, "the calibration can end in the shortest wait");
+static_assert(kMaxPolls * 6 > 14'000 * kDivider,
+              "a calibration takes less time than the fastest reads");
 
 }  // namespace
 
@@ -55,7 +60,8 @@ void K64Adc::Converter::endCalibration() {
   if ((status & (adc::SC3_CAL | adc::SC3_CALF)).any()) {
     return;
   }
-  // The gain of each side is half the sum of its results, with the highest bit set.
+  // The plus side and the minus side of the converter each have a gain: half the sum of the
+  // calibration results of this side, with the highest bit set.
   constexpr std::uint32_t kHighest = 0x8000;
   std::uint32_t plus = 0;
   std::uint32_t minus = 0;
@@ -93,7 +99,7 @@ void K64Adc::Converter::finish() {
     return;
   }
   K64Adc& done = *first_;
-  done.result_ = adc::RA.at(offset()).read().value;  // reading it ends the interrupt
+  done.result_ = adc::RA.at(offset()).read().value;  // this read also clears the interrupt request
   done.asked_ = false;
   first_ = done.next_;
   if (first_ != nullptr) {

@@ -11,24 +11,26 @@
 
 namespace wr {
 
-/// @brief An input of the two converters of the K64.
+/// @brief Analog input of the K64, which has two converters.
 /// @function Converts the voltage of one pin to 12 bits, as the mean of four samples.
-/// @secret How a converter is calibrated and started, and the sequence of the inputs that share it.
+/// @secret How a converter is calibrated and started, and the sequence in which it converts its
+/// inputs.
 class K64Adc final : public AnalogInput {
  public:
   /// @brief Number of converters.
   static constexpr std::size_t kConverterCount = 2;
 
-  /// @brief An input of a converter.
+  /// @brief Number of a converter, and number of one of its inputs.
   /// @datatype
   struct Channel {
     std::uint8_t converter;  ///< 0 or 1
-    std::uint8_t number;     ///< number of the input
+    std::uint8_t number;     ///< number of the input at this converter
   };
 
-  /// @brief Returns the channel of a signal; a signal that is on no pin does not compile.
-  /// @param signal its name in the manual, such as ADC0_SE12
-  /// @return its channel
+  /// @brief Returns the channel of a signal. If no pin has this signal, the compiler reports an
+  /// error.
+  /// @param signal name of the signal in the manual, such as ADC0_SE12
+  /// @return channel of the signal
   /// @satisfies FR-142
   /// @isr{yes}
   static consteval Channel channelOf(std::string_view signal) {
@@ -42,10 +44,10 @@ class K64Adc final : public AnalogInput {
     return {static_cast<std::uint8_t>(signal[kConverterAt] - '0'), number};
   }
 
-  /// @brief One converter: it converts one input at a time.
+  /// @brief Converter that several inputs share. It converts one input at a time.
   class Converter {
    public:
-    /// @brief Constructs a converter that is off.
+    /// @brief Constructs a converter that is not calibrated and converts nothing yet.
     /// @param number 0 or 1
     explicit constexpr Converter(std::uint8_t number) : number_(number) {}
 
@@ -57,8 +59,8 @@ class K64Adc final : public AnalogInput {
 
     void beginCalibration();
     void endCalibration();
-    // Always inlined: these methods run several times in a millisecond, and a call would cost as
-    // much as the work.
+    // These methods are always inlined: they run several times in a millisecond, and a call would
+    // take as long as the method.
     [[gnu::always_inline]] inline void ask(K64Adc& input);
     [[gnu::always_inline]] inline void begin() const;
     [[gnu::always_inline]] inline void finish();
@@ -66,30 +68,32 @@ class K64Adc final : public AnalogInput {
 
     std::uint8_t number_;
     bool calibrated_ = false;
-    K64Adc* first_ = nullptr;  // input that is being converted; the waiting inputs follow
+    K64Adc* first_ = nullptr;  // input that is being converted now, and first input in the queue
     K64Adc* last_ = nullptr;
   };
 
-  /// @brief The converters.
+  /// @brief All converters of the microcontroller.
   using Converters = std::array<Converter, kConverterCount>;
 
-  /// @brief Binds an input to its converter.
-  /// @param converters the converters; they exist as long as the input
-  /// @param channel the channel; nothing else uses it
+  /// @brief Connects an input to its converter.
+  /// @param converters the converters; they must exist as long as this input
+  /// @param channel the channel; no other object may use it
   constexpr K64Adc(Converters& converters, Channel channel)
       : converter_(converters[channel.converter]), number_(channel.number) {}
 
-  /// @brief Sets the converters up and calibrates them, all at the same time. The wait is bounded: less
-  /// than 45 ms for each.
+  /// @brief Sets up all converters and calibrates them at the same time. Waits less than 45 ms for
+  /// the end of each calibration.
   /// @param converters the converters
-  /// @pre The clock gates of the converters are open, the core still uses the clock after reset,
-  /// and the interrupts of the converters are not enabled yet.
-  /// @post A converter whose calibration failed or did not end never converts.
+  /// @pre The clock gates of the converters are open. The core still uses the slow clock after
+  /// reset, because the full clock is too fast for a calibration. The interrupts of the converters
+  /// are not enabled yet.
+  /// @post If the calibration of a converter failed or did not end in time, this converter never
+  /// converts.
   /// @isr{no}
   /// @satisfies FR-143
   static void calibrate(Converters& converters);
 
-  /// @brief Stores a result and begins the next requested conversion. The vector of the
+  /// @brief Stores a result, and starts the next requested conversion. The handler of the
   /// converter's interrupt calls this function.
   /// @param converter the converter
   /// @isr{yes}
@@ -104,9 +108,8 @@ class K64Adc final : public AnalogInput {
  private:
   [[gnu::always_inline]] inline std::uint32_t takeResult();
 
-  static constexpr std::size_t kConverterAt =
-      3;  // position of the converter's number in the name of a signal
-  static constexpr std::size_t kNumberAt = 7;
+  static constexpr std::size_t kConverterAt = 3;  // position of the converter's number in a signal
+  static constexpr std::size_t kNumberAt = 7;     // position of the input's number in a signal
   static constexpr std::uint32_t kNone = 0xFFFF'FFFF;
 
   Converter& converter_;

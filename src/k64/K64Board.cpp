@@ -11,29 +11,34 @@ namespace wr {
 
 namespace {
 
-// Clocks of the board and of the microcontroller, each with its limits.
+// Clock frequencies of the board and of the microcontroller. The static assertions check their
+// limits.
 constexpr std::uint32_t kExternalClock = 50'000'000;  // [Hz]
 constexpr std::uint32_t kPllDivider = 20;             // 1 to 25
 constexpr std::uint32_t kPllFactor = 48;              // 24 to 55
 constexpr std::uint32_t kPllReference = kExternalClock / kPllDivider;
 constexpr std::uint32_t kFlexBusClock = K64Board::kCoreClock / 3;
 constexpr std::uint32_t kFlashClock = K64Board::kCoreClock / 5;
-static_assert(kPllReference >= 2'000'000 && kPllReference <= 4'000'000, "reference of the PLL");
-static_assert(kPllReference * kPllFactor == K64Board::kCoreClock, "the PLL gives the core clock");
+static_assert(kPllReference >= 2'000'000 && kPllReference <= 4'000'000,
+              "the reference clock of the PLL is within its limits");
+static_assert(kPllReference * kPllFactor == K64Board::kCoreClock,
+              "the PLL generates the core clock");
 static_assert(K64Board::kCoreClock / K64Board::kBusClock == 2 && K64Board::kBusClock <= 60'000'000);
 static_assert(kFlexBusClock <= 50'000'000 && kFlashClock <= 25'000'000);
 
-// A field of the dividers contains the divisor minus 1.
+// Each field of the register CLKDIV1 contains a divisor minus 1.
 constexpr auto divideBy(std::uint32_t divider, unsigned lowest) {
   return sim::CLKDIV1.field(divider - 1, lowest);
 }
 
-// The dividers are 1 after reset, so they are set before the clock becomes faster.
+// The divisors after reset are too small for the full clock. Therefore the divisors are set before
+// the clock becomes faster.
 constexpr auto kDividers = divideBy(1, 28) | divideBy(2, 24) | divideBy(3, 20) | divideBy(5, 16);
 
-// Greatest number of reads of a status register before a step of the clock counts as failed. A read
-// takes less than 20 clocks of the slowest clock, 20.9 MHz: the four steps together stay far below
-// the watchdog time-out.
+// Greatest number of reads of the status register in one step of startClock(). If the step is not
+// complete after these reads, it has failed. One read takes less than 20 cycles of the core clock.
+// Even at the slow clock after reset, nominally 20.9 MHz, all four steps together take much less
+// time than the watchdog time-out.
 constexpr std::uint32_t kMaxClockPolls = 20'000;
 
 using Status = decltype(mcg::S)::Bits;
@@ -49,7 +54,8 @@ bool comes(Status mask, Status wanted) {
 
 constexpr std::uint32_t kRetainedMark = 0x57656564;
 
-// The record is in memory that a start does not initialise. At power-on its content is undefined.
+// The fault record is in a part of RAM that the start-up code does not initialise. After power-on
+// its content is undefined.
 struct FaultRecord {
   std::uint32_t mark;
   std::uint32_t kind;
@@ -76,8 +82,8 @@ void recordFault(FaultKind kind, std::uint16_t number, std::uint32_t address) {
   finishStores();
 }
 
-// The firmware stays here until the reset, which comes from the core, or at the latest from the
-// watchdog.
+// Waits in an endless loop for the reset. If the core has not requested a reset, the watchdog
+// causes it.
 [[noreturn]] void awaitReset() {
   for (;;) {
     asm volatile("nop");
@@ -116,7 +122,8 @@ void connect(const Pin& pin, Mux to) {
                                     pin.number * port::kPinDistance);
   const auto mux = port::PCR.field(static_cast<std::uint32_t>(to), port::kMuxLowest);
   if (pin.isOutput()) {
-    control.write(mux | port::PCR_DSE);  // the inputs of drivers may be the lights of optocouplers
+    // High drive strength, because the output may have to drive the LED of an optocoupler.
+    control.write(mux | port::PCR_DSE);
   } else if (pin.role == Role::Input || pin.role == Role::PulledUp) {
     control.write(mux | port::PCR_PE | port::PCR_PS);
   } else {
@@ -124,8 +131,9 @@ void connect(const Pin& pin, Mux to) {
   }
 }
 
-// The digital filters of the port of the Hall sensors need 31 bus clocks of the full clock: they
-// suppress pulses shorter than 0.5 us. No other port has filters.
+// Switches on the digital filters of the port of the Hall sensors. The length of the filters is 31
+// bus clocks. At the full clock they suppress pulses shorter than 0.5 us. No other port has digital
+// filters.
 void filterHallSensors() {
   constexpr std::uint32_t kWidth = 31;
   constexpr auto kPort = static_cast<std::uint32_t>(Port::D) * port::kPortDistance;
@@ -136,7 +144,7 @@ void filterHallSensors() {
     }
   }
   port::DFER.at(kPort).write({0});  // clock and width may change only while no filter is on
-  port::DFCR.at(kPort).write({0});  // bus clock
+  port::DFCR.at(kPort).write({0});  // the filters use the bus clock
   port::DFWR.at(kPort).write({kWidth});
   port::DFER.at(kPort).write({pins});
 }
@@ -182,17 +190,16 @@ void K64Board::enableGuards() {
 }
 
 void K64Board::moveVectors(const std::uint32_t* table) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the register holds an address
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the register contains an address
   scb::VTOR.write({reinterpret_cast<std::uint32_t>(table)});
   finishStores();
 }
 
 std::uint16_t K64Board::startClock() {
   sim::CLKDIV1.write(kDividers);
-  // The core stays on the internal FLL until the external clock is verified to run. The clock of
-  // the
-  // FLL may jump when its reference changes (erratum 7993). This has no effect here: the dividers
-  // are set, the clock is used only for some microseconds, and no device uses it.
+  // The core uses the internal FLL until the external clock runs. The frequency of the FLL may jump
+  // when its reference changes (erratum 7993). A jump does no harm here: the divisors are set, the
+  // core uses this clock only for some microseconds, and no device uses it.
   mcg::C2.write(mcg::C2_LOCRE0 | mcg::C2_RANGE_VERY_HIGH);
   mcg::C1.write(mcg::C1_CLKS_PLL_FLL | mcg::C1_FRDIV_1536);
   if (!comes(mcg::S_IREFST, {})) {
@@ -211,7 +218,7 @@ std::uint16_t K64Board::startClock() {
   if (!comes(mcg::S_CLKST, mcg::S_CLKST_PLL)) {
     return 4;
   }
-  // From now on the loss of the external clock, or of the lock of the PLL, causes a reset.
+  // From now on a reset occurs when the external clock fails or the PLL loses its lock.
   mcg::C8.set(mcg::C8_LOLRE);
   mcg::C6.set(mcg::C6_CME0);
   return 0;
@@ -261,7 +268,8 @@ FaultKind K64Board::faultOf(std::uint16_t exception) {
   if (exception > kHardFault) {
     return kFaults[exception - kHardFault];
   }
-  // The handlers of the other faults are not enabled, so the hard fault includes these faults.
+  // The separate handlers of the other faults are not enabled. Therefore each of these faults is
+  // reported as a hard fault, and the status register contains its kind.
   const auto status = scb::CFSR.read();
   if ((status & scb::CFSR_MEMORY).any()) {
     return FaultKind::MemoryFault;
@@ -272,7 +280,8 @@ FaultKind K64Board::faultOf(std::uint16_t exception) {
   return (status & scb::CFSR_USAGE).any() ? FaultKind::UsageFault : FaultKind::HardFault;
 }
 
-// The generator needs 256 clocks of the bus for a word, and a read of SR needs more than 4 clocks.
+// The generator needs 256 bus clocks for a word. Each read of SR takes more than 4 clocks, so that
+// kMostLooks reads are enough.
 std::optional<std::uint32_t> K64Board::randomWord() {
   constexpr std::uint32_t kMostLooks = 2'000;
   rng::CR.write(rng::CR_GO | rng::CR_HA | rng::CR_INTM);

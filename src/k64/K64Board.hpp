@@ -7,38 +7,42 @@
 
 namespace wr {
 
-/// @brief The K64 as a whole, and the board FRDM-K64F around it.
-/// @function Brings the microcontroller from reset to full clock with safe outputs, and ends the
-/// firmware safely after a fault. Keeps the record of the fault over the reset.
+/// @brief The K64 as a whole, on its board FRDM-K64F.
+/// @function Sets all outputs to their safe levels after a reset, and switches the microcontroller
+/// to its full clock. Ends the firmware safely after a fault, and writes a record of the fault. A
+/// reset does not delete this record.
 /// @secret How clocks, pins and resets of the K64 are controlled, and how a fault is stored.
 class K64Board {
  public:
   K64Board() = delete;
 
-  /// @brief Clock of the core [Hz].
+  /// @brief Frequency of the core clock [Hz].
   static constexpr std::uint32_t kCoreClock = 120'000'000;
-  /// @brief Clock of the timers and of the bus to the other blocks [Hz].
+  /// @brief Frequency of the bus clock, which is also the clock of the timers [Hz].
   static constexpr std::uint32_t kBusClock = 60'000'000;
-  /// @brief Slowest clock of core and bus between the reset and startClock(), from the internal
-  /// oscillator as trimmed in production [Hz].
+  /// @brief Lowest frequency of core clock and bus clock between the reset and startClock() [Hz].
+  /// In this time the clock comes from the internal oscillator, which was trimmed in production.
   static constexpr std::uint32_t kSlowestClockAfterReset = 20'000'000;
-  /// @brief Fastest clock of core and bus between the reset and startClock() [Hz].
+  /// @brief Highest frequency of core clock and bus clock between the reset and startClock() [Hz].
   static constexpr std::uint32_t kFastestClockAfterReset = 25'000'000;
-  /// @brief Ticks of a timer in a microsecond.
+  /// @brief Number of timer ticks in a microsecond.
   static constexpr std::uint32_t kTicksPerMicrosecond = kBusClock / 1'000'000;
 
-  /// @brief Brings all outputs to their safe level. Accesses no memory.
+  /// @brief Sets all outputs to their safe levels. Uses no variable in RAM, so that it works before
+  /// RAM is initialised and after any fault.
   /// @isr{yes}
   /// @satisfies FR-71
   static void makeOutputsSafe();
 
-  /// @brief Connects the outputs of peripherals, which were low until now, to their peripherals.
-  /// @pre Each of the peripherals runs and keeps its outputs low.
+  /// @brief Connects the outputs with the role LateOutput to their peripherals. Until this call
+  /// these outputs are low.
+  /// @pre Each of these peripherals runs and keeps its outputs low.
   /// @isr{no}
   /// @satisfies FR-141
   static void connectLateOutputs();
 
-  /// @brief Connects all pins that are not outputs. Accesses no memory.
+  /// @brief Connects all pins that are not outputs to their functions. Uses no variable in RAM, so
+  /// that it works before RAM is initialised.
   /// @pre makeOutputsSafe() was called.
   /// @isr{no}
   /// @satisfies FR-144
@@ -49,69 +53,72 @@ class K64Board {
   /// @isr{no}
   static void enableFloatingPoint();
 
-  /// @brief Enables the fault for a division by zero, and the reset for a supply below 2.56 V.
+  /// @brief Enables two reactions of the hardware: a fault after a division by zero, and a reset
+  /// when the supply voltage is below 2.56 V.
   /// @isr{no}
   /// @satisfies FR-204
   /// @satisfies FR-206
   static void enableGuards();
 
-  /// @brief Replaces the vector table in flash by another vector table.
-  /// @param table its first word, at a multiple of 512 bytes
+  /// @brief Sets the vector table that the core uses in place of the table in flash.
+  /// @param table first word of the new vector table; its address is a multiple of 512 bytes
   /// @isr{no}
   static void moveVectors(const std::uint32_t* table);
 
-  /// @brief Brings the core from the clock after reset to 120 MHz.
-  /// @return 0 when the clock runs, else the number of the step that failed. 1: the external clock
-  /// does not start. 2: the core does not change to the external clock. 3: the PLL does not lock.
-  /// 4: the core does not change to the PLL.
-  /// @post After a failure the core runs from a working clock, if a clock works. After a success
-  /// the loss of the external clock or of the lock of the PLL causes a reset.
+  /// @brief Switches the core from the slow clock after reset to 120 MHz.
+  /// @return 0 when the core runs at 120 MHz, else the number of the step that failed. 1: the
+  /// external clock does not start. 2: the core does not change to the external clock. 3: the PLL
+  /// does not lock. 4: the core does not change to the PLL.
+  /// @post After a failure the core uses a clock that works, if there is one. After a success a
+  /// reset occurs when the external clock fails or the PLL loses its lock.
   /// @isr{no}
   /// @satisfies FR-72
   /// @satisfies FR-203
   [[nodiscard]] static std::uint16_t startClock();
 
-  /// @brief Enables the clock of the timers, the converters and the serial ports.
+  /// @brief Opens the clock gates of the timers, the converters, the serial ports and the random
+  /// number generator.
   /// @isr{no}
   /// @satisfies FR-140
   static void openGates();
 
-  /// @brief Reads a word from the random number generator. Reads its status at most 2,000 times.
-  /// @return a word of 32 random bits, without meaning as a number; nothing when the generator delivers
-  /// no word in time
-  /// @pre The clocks of the peripherals run.
+  /// @brief Reads one word from the random number generator. To wait for the word, reads the status
+  /// of the generator at most 2,000 times.
+  /// @return a word of 32 random bits, without meaning as a number; nothing when no word was ready
+  /// in time
+  /// @pre openGates() was called.
   /// @isr{no}
   /// @satisfies FR-264
   [[nodiscard]] static std::optional<std::uint32_t> randomWord();
 
-  /// @brief Returns the cause of this start and the record of the fault before it. The record is
-  /// returned only once.
-  /// @return cause of the reset, and the fault before it
+  /// @brief Returns the cause of the last reset and the fault that was recorded before this reset.
+  /// Then deletes the record: each fault is returned only once.
+  /// @return cause of the last reset, and the fault before this reset
   /// @isr{no}
   /// @satisfies FR-77
   [[nodiscard]] static StartRecord takeStartRecord();
 
-  /// @brief Ends the firmware: makes the outputs safe, records the fault, and resets. Never
-  /// returns.
+  /// @brief Ends the firmware: sets the outputs to their safe levels, records the fault, and resets
+  /// the microcontroller. Never returns.
   /// @param kind kind of the fault
-  /// @param number number with a meaning that depends on the kind, 0 if it has none
-  /// @param address byte address of the instruction at which the fault happened, 0 when it is
-  /// unknown
+  /// @param number number whose meaning the kind of fault defines; 0 if the kind has no number
+  /// @param address byte address of the instruction at which the fault happened; 0 when the address
+  /// is unknown
   /// @isr{yes}
   /// @satisfies FR-75
   [[noreturn]] static void endWithFault(FaultKind kind, std::uint16_t number,
                                         std::uint32_t address);
 
-  /// @brief Ends a start without a clock: makes the outputs safe and records the fault. Then the
-  /// watchdog resets the microcontroller. Never returns.
-  /// @param step number of the step that failed
+  /// @brief Ends the firmware when startClock() has failed: sets the outputs to their safe levels,
+  /// records the fault, and waits until the watchdog resets the microcontroller. Never returns.
+  /// @param step number of the step that failed, from startClock()
   /// @isr{no}
   /// @satisfies FR-73
   [[noreturn]] static void endWithoutClock(std::uint16_t step);
 
-  /// @brief Returns the kind of fault of an exception.
+  /// @brief Returns the kind of fault that an exception reports.
   /// @param exception number of the exception
-  /// @return the fault; UnexpectedInterrupt for an exception that is not a fault
+  /// @return kind of the fault; UnexpectedInterrupt for an exception that is not a fault
   /// @isr{yes}
   /// @satisfies FR-75
   [[nodiscard]] static FaultKind faultOf(std::uint16_t exception);

@@ -10,7 +10,8 @@ namespace wr {
 namespace {
 
 constexpr std::uint32_t kPeriod = K64Board::kBusClock / K64Ftm::kFrequency;  // [bus clocks]
-static_assert(kPeriod == 3000 && kPeriod <= 0xFFFF, "a width of the whole period fits too");
+static_assert(kPeriod == 3000 && kPeriod <= 0xFFFF,
+              "a pulse as wide as the period fits into the register too");
 
 constexpr DutyCycle kWholePeriod(10'000);  // [0.01 %]
 constexpr std::uint32_t kChannelCount = 4;
@@ -26,7 +27,8 @@ static_assert(widthOf(DutyCycle(0)) == 0 && widthOf(kWholePeriod) == kPeriod);
 }  // namespace
 
 void K64Ftm::start() {
-  // The timer is stopped while the registers are written, so each value takes effect at once.
+  // The timer is stopped while its registers are written. Therefore each value takes effect
+  // immediately.
   ftm0::MODE.write(ftm0::MODE_WPDIS);
   ftm0::SC.write({0});
   ftm0::CONF.write(ftm0::CONF_BDMMODE_SAFE);
@@ -34,8 +36,8 @@ void K64Ftm::start() {
   ftm0::CNT.write({0});
   ftm0::MOD.write({kPeriod - 1});
   for (std::uint32_t channel = 0; channel < kChannelCount; ++channel) {
-    // The output is high from the beginning of the period until the width has passed. A width
-    // greater than MOD is never reached: the output stays high.
+    // The output is high from the beginning of each period until the counter reaches the width. The
+    // counter never reaches a width greater than MOD, and then the output stays high.
     ftm0::CnSC.at(channel * ftm0::kChannelDistance).write(ftm0::CnSC_MSB | ftm0::CnSC_ELSB);
     ftm0::CnV.at(channel * ftm0::kChannelDistance).write({0});
   }

@@ -6,9 +6,9 @@
 
 namespace wr {
 
-/// @brief A channel of flexible timer 0.
-/// @function Generates a pulse of 50 us period on the pin of the channel, high for a part of the
-/// period.
+/// @brief Channel of the flexible timer FTM0.
+/// @function Generates one pulse in each period of 50 us on the pin of the channel. The duty cycle
+/// sets the width of the pulse.
 /// @secret How the timer generates pulses, and how their width changes without a false pulse.
 /// @hides{K64Ftm::kFrequency}
 class K64Ftm final : public PwmOutput {
@@ -20,19 +20,21 @@ class K64Ftm final : public PwmOutput {
   static constexpr std::uint32_t kFrequency = 20'000;
 
   /// @brief Binds an output to a channel.
-  /// @param channel the channel; nothing else uses it
+  /// @param channel the channel; no other object may use it
   explicit constexpr K64Ftm(Channel channel) : channel_(channel) {}
 
-  /// @brief Starts the timer. All its channels are low until they are set. While a debugger halts
-  /// the core they are also low.
-  /// @pre The clock of the timer runs. The pins are not connected to the timer yet.
+  /// @brief Starts the timer. The output of each channel is low until set() is called. While a
+  /// debugger halts the core, all outputs are low.
+  /// @pre The clock gate of the timer is open: K64Board::openGates() was called. The pins are not
+  /// connected to the timer yet.
   /// @isr{no}
   /// @satisfies FR-140
   static void start();
 
-  /// @param dutyCycle share [0.01 %], 0 to 10000; a greater value counts as the limit. It becomes a
-  /// width of 0 to 3000 bus clocks, rounded to the nearest number.
-  /// @post The new width takes effect at the next period.
+  /// @param dutyCycle share of the period in which the pin is high [0.01 %], 0 to 10000; a greater
+  /// value has the same effect as 10000. The share is converted to a width of 0 to 3000 bus clocks,
+  /// rounded to the nearest integer.
+  /// @post The new width takes effect at the beginning of the next period.
   /// @isr{yes}
   /// @satisfies FR-140
   /// @satisfies FR-141

@@ -12,7 +12,8 @@ std::uint32_t offset(Port port) {
 
 }  // namespace
 
-// The start calls this code before the program is in RAM: see the linker script.
+// The start-up code calls this function before the program is in RAM. The section keeps the
+// function in flash (see k64.ld).
 [[gnu::section(".start_up"), gnu::flatten]] void K64Gpio::makeSafe(const Pin& pin) {
   drive(pin.port, pin.number, pin.role == Role::HighOutput ? Level::High : Level::Low);
   const auto direction = gpio::PDDR.at(offset(pin.port));

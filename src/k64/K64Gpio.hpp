@@ -7,9 +7,9 @@
 
 namespace wr {
 
-/// @brief A pin of the K64 that is an output.
+/// @brief Output pin of the K64.
 /// @function Drives one pin, high or low.
-/// @secret The way to set the level of a pin without a change of other pins.
+/// @secret How the level of a pin is set without changing other pins.
 class K64Gpio final : public DigitalOutput {
  public:
   /// @brief Level of a pin.
@@ -17,12 +17,13 @@ class K64Gpio final : public DigitalOutput {
 
   /// @brief Binds an output to a pin.
   /// @param pin an output of the pin table
-  /// @param on level at which the output is on
+  /// @param on level of the pin when the output is on
   constexpr K64Gpio(const Pin& pin, Level on) : port_(pin.port), number_(pin.number), on_(on) {}
 
-  /// @brief Brings an output to its safe level and drives it. Accesses no memory.
+  /// @brief Sets an output pin to its safe level and makes it an output. Uses no variable in RAM,
+  /// so that it works before RAM is initialised.
   /// @param pin an output of the pin table
-  /// @pre The clock of its port runs.
+  /// @pre The clock gate of the port is open.
   /// @isr{yes}
   static void makeSafe(const Pin& pin);
 

@@ -6,7 +6,8 @@
 namespace wr {
 
 void K64Pit::switchOn() {
-  // Erratum: the first access after the clock was enabled is lost, so the register is read first.
+  // Erratum of the chip: the first access after the opening of the clock gate is lost. Therefore
+  // the register is read once before it is written.
   static_cast<void>(pit::MCR.read());
   pit::MCR.write({0});
 }

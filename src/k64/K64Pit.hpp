@@ -6,27 +6,27 @@
 
 namespace wr {
 
-/// @brief A channel of the periodic interrupt timer.
-/// @function Causes periodic interrupts, with a period in microseconds.
-/// @secret How a period is converted to a count of bus clocks, and how the interrupt of the channel
-/// is set up.
+/// @brief Channel of the periodic interrupt timer (PIT).
+/// @function Causes periodic interrupts. The period is a number of microseconds.
+/// @secret How a period is converted to a number of bus clocks, and how the interrupt of the
+/// channel is set up.
 class K64Pit final : public PeriodicTimer {
  public:
-  /// @brief A channel of the timer. Channel 2 is the time base.
+  /// @brief A channel of the timer. Channel 2 is missing here, because K64Timebase uses it.
   enum class Channel : std::uint8_t { First = 0, Second = 1, Fourth = 3 };
 
   /// @brief Binds a timer to a channel.
-  /// @param channel the channel; nothing else uses it
+  /// @param channel the channel; no other object may use it
   explicit constexpr K64Pit(Channel channel) : channel_(channel) {}
 
-  /// @brief Switches the timer on, with all its channels. Running channels continue.
-  /// @pre The clocks of the timers run.
+  /// @brief Switches the timer on. Channels that already run continue.
+  /// @pre The clock gates of the timers are open: K64Board::openGates() was called.
   /// @isr{no}
   /// @satisfies FR-1
   static void switchOn();
 
   /// @param period time between two interrupts [us], 1 to 71582788
-  /// @pre The clocks of the timers run.
+  /// @pre The clock gates of the timers are open: K64Board::openGates() was called.
   /// @isr{no}
   /// @satisfies FR-1
   void start(Microseconds period) override;

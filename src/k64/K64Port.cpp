@@ -30,7 +30,7 @@ bool K64Port::acknowledge() {
   if (edge) {
     // counts: acknowledged
     flags.write(port::ISFR.bit(number_));
-    const InterruptLock lock;  // the tick writes the same register
+    const InterruptLock lock;  // the handler of the tick writes the same register
     ++edges_;
     if (edges_ == kMaxEdges) {
       const auto control = controlOf(port_, number_);
@@ -49,7 +49,7 @@ void K64Port::allowEdges() {
   if (edges_ == 0) {
     return;
   }
-  const InterruptLock lock;  // the interrupts of the edges write the same register
+  const InterruptLock lock;  // the handlers of the edges write the same register
   if (edges_ >= kMaxEdges) {
     const auto control = controlOf(port_, number_);
     control.write(control.read() | port::PCR_IRQC_BOTH_EDGES);

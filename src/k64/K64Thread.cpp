@@ -6,7 +6,7 @@ namespace wr {
 
 namespace {
 
-// Returns the bit of an interrupt line in an array of 32-bit registers.
+// Returns the offset [byte] of the 32-bit register that contains the bit of an interrupt line.
 std::uint32_t wordOf(std::uint8_t line) {
   return line / 32U * 4U;
 }

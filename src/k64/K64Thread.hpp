@@ -7,23 +7,25 @@
 
 namespace wr {
 
-/// @brief A control thread on an interrupt line that no device uses.
-/// @function Lets the interrupt controller run the body at the priority of the thread.
-/// @secret How the interrupt controller runs a body, and when it may preempt others.
+/// @brief Control thread that runs in an interrupt that no device uses.
+/// @function Requests the interrupt in software. The handler of the interrupt then runs the thread
+/// at the priority of the interrupt.
+/// @secret How the interrupt controller starts a thread, and which other code this thread may
+/// preempt.
 class K64Thread final : public ControlThread {
  public:
   /// @brief Binds a thread to an interrupt line.
-  /// @param line number of the line, 0 to 85; no device uses it
+  /// @param line number of the interrupt line, 0 to 85; no device may use this line
   explicit constexpr K64Thread(std::uint8_t line) : line_(line) {}
 
   /// @brief Enables an interrupt line.
-  /// @param line number of the line, 0 to 85
-  /// @param priority its priority, not above the priority of the edges
+  /// @param line number of the interrupt line, 0 to 85
+  /// @param priority priority of the interrupt, kPulsePriority or a lower priority
   /// @isr{no}
   /// @satisfies FR-172
   static void enable(std::uint8_t line, Priority priority);
 
-  /// @brief Runs one activation. The vector of the line calls this function.
+  /// @brief Runs one activation of the thread. The handler of the interrupt calls this function.
   /// @isr{yes}
   /// @satisfies FR-172
   void runPended();

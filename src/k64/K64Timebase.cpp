@@ -26,7 +26,7 @@ void K64Timebase::start() {
         return time.microseconds * K64Board::kTicksPerMicrosecond == std::uint64_t{15} << 32U &&
                time.ticks == 0;
       }(),
-      "the remaining parts of a microsecond of all periods are added up");
+      "the parts of a microsecond that remain after each period are added up");
   K64Pit::switchOn();
   pit::TCTRL.at(kChannel).write({0});
   pit::LDVAL.at(kChannel).write({kFirst});
@@ -41,8 +41,8 @@ std::uint32_t K64Timebase::awakeCycles() const {
   return dwt::CYCCNT.read().value - sleptCycles_;
 }
 
-// The interrupts are blocked, so that the time of the interrupt that ends the sleep does not count
-// as sleep.
+// The interrupts are blocked during the sleep and until the counter has been read. Thus the
+// interrupt that ends the sleep is handled later, and its cycles do not count as sleep.
 void K64Timebase::sleep() {
   closeInterrupts();
   const std::uint32_t before = dwt::CYCCNT.read().value;
@@ -56,8 +56,8 @@ Instant K64Timebase::now() const {
   std::uint32_t count = pit::CVAL.at(kChannel).read().value;
   if ((pit::TFLG.at(kChannel).read() & pit::TFLG_TIF).any()) {
     pit::TFLG.at(kChannel).write(pit::TFLG_TIF);
-    count = pit::CVAL.at(kChannel).read().value;  // the previous value may be from before the
-                                                  // overflow
+    // The counter is read again, because the first value may be from before the overflow.
+    count = pit::CVAL.at(kChannel).read().value;
     begin_ = begin_.afterPeriod();
   }
   return Instant(begin_.after(kFirst - count).microseconds);

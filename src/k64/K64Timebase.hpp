@@ -7,20 +7,22 @@
 
 namespace wr {
 
-/// @brief The time since start, from channel 2 of the periodic interrupt timer, and the cycles of
-/// the core, from the cycle counter of the core.
+/// @brief Time base of the K64. Channel 2 of the periodic interrupt timer measures the time since
+/// start. The cycle counter of the core counts the cycles.
 /// @function Returns the time in microseconds to threads and interrupts. Lets the core sleep, and
-/// returns the number of cycles in which it was awake.
+/// returns the number of cycles in which the core did not sleep.
 /// @secret How the time is computed from a 32-bit down counter, without overflow and without a
-/// 64-bit division. How the cycles are counted, even if the counter of the core stops during sleep.
+/// 64-bit division. How the cycles are counted, even if the cycle counter stops while the core
+/// sleeps.
 class K64Timebase final : public Timebase {
  public:
-  /// @brief One time for all signals that an interrupt serves. Its handler records the time at its
-  /// entry, so that its work for one signal does not delay the time of the next signal.
+  /// @brief Time at which the handler of an interrupt was entered. The handler uses this time for
+  /// all signals that it serves. Thus the work for one signal does not change the time of the next
+  /// signal.
   class EntryTime final : public Timebase {
    public:
-    /// @brief Binds the time to its clock.
-    /// @param clock the clock; it exists as long as this object
+    /// @brief Connects this object to a time base.
+    /// @param clock the time base; it must exist as long as this object
     explicit constexpr EntryTime(const K64Timebase& clock) : clock_(clock) {}
 
     /// @brief Records the present time.
@@ -41,16 +43,17 @@ class K64Timebase final : public Timebase {
     Instant time_;
   };
 
-  /// @brief Constructs a clock that is stopped.
+  /// @brief Constructs a time base that does not run yet.
   constexpr K64Timebase() = default;
 
-  /// @brief Starts the clock at 0, and the count of cycles.
-  /// @pre The clocks of the timers run.
+  /// @brief Starts the time at 0, and starts the cycle counter.
+  /// @pre The clock gates of the timers are open: K64Board::openGates() was called.
   /// @isr{no}
   /// @satisfies FR-127
   void start();
 
-  /// @pre Two calls are less than 71 s apart.
+  /// @pre The previous call was less than 71 s ago; otherwise an overflow of the counter could be
+  /// missed.
   /// @satisfies FR-200
   /// @isr{yes}
   [[nodiscard]] Instant now() const override;
@@ -61,22 +64,22 @@ class K64Timebase final : public Timebase {
   /// @isr{yes}
   [[nodiscard]] std::uint32_t awakeCycles() const override;
 
-  /// @brief Sleeps until an interrupt comes; the interrupt has been served when this method
-  /// returns.
-  /// @pre No interrupt is being served, and no interrupt is blocked.
+  /// @brief Sleeps until an interrupt occurs. When this method returns, the handler of the
+  /// interrupt has already run.
+  /// @pre No handler of an interrupt is running, and no interrupt is blocked.
   /// @satisfies FR-160
   /// @satisfies FR-302
   /// @isr{no}
   void sleep();
 
  private:
-  /// @brief A time since start, in ticks of the counter.
+  /// @brief A time since start, in microseconds and ticks of the counter.
   /// @datatype
   struct Time {
     std::uint64_t microseconds = 0;
-    std::uint32_t ticks = 0;  ///< remaining ticks, less than a microsecond
+    std::uint32_t ticks = 0;  ///< ticks after the last whole microsecond
 
-    /// @brief Returns a later time.
+    /// @brief Returns the time that is a number of ticks later.
     [[nodiscard]] constexpr Time after(std::uint32_t later) const {
       constexpr std::uint32_t kWhole = K64Board::kTicksPerMicrosecond;
       const std::uint32_t left = ticks + later % kWhole;
@@ -90,8 +93,8 @@ class K64Timebase final : public Timebase {
 
   static constexpr std::uint32_t kFirst = 0xFFFFFFFF;  // the counter runs from this value down to 0
 
-  mutable Time begin_;             // begin of the period of the counter
-  std::uint32_t sleptCycles_ = 0;  // written while interrupts are blocked
+  mutable Time begin_;             // time at which the counter started its present period
+  std::uint32_t sleptCycles_ = 0;  // cycles of sleep; written only while interrupts are blocked
 };
 
 }  // namespace wr

@@ -10,7 +10,7 @@ namespace wr {
 
 namespace {
 
-// The baud rate is the clock of the port divided by 16 (divider + fine / 32).
+// The baud rate is clock / (16 * (divider + fine / 32)), in which clock is the clock of the port.
 struct Divisor {
   std::uint32_t divider;
   std::uint32_t fine;
@@ -28,7 +28,7 @@ consteval bool isExact(std::uint32_t clock, const Divisor& divisor) {
   return error * kBaudErrorDivisor < K64Uart::kBaud;
 }
 
-// Port 0 uses the core clock, port 4 the bus clock.
+// Port 0 uses the core clock. Port 4 uses the bus clock.
 constexpr Divisor kByCore = divisorOf(K64Board::kCoreClock);
 constexpr Divisor kByBus = divisorOf(K64Board::kBusClock);
 static_assert(isExact(K64Board::kCoreClock, kByCore) && isExact(K64Board::kBusClock, kByBus));
@@ -36,13 +36,13 @@ static_assert(isExact(K64Board::kCoreClock, kByCore) && isExact(K64Board::kBusCl
 constexpr auto kReceiving = uart::C2_TE | uart::C2_RE | uart::C2_RIE;
 constexpr auto kSending = kReceiving | uart::C2_TIE;
 
-// Only port 0 has FIFOs. With its FIFO off, or without a FIFO, a port stores 1 byte.
+// Size of each FIFO of port 0 [byte]. Port 4 has no FIFOs: it stores 1 byte in each direction.
 constexpr std::size_t kFifo = 8;
 
 }  // namespace
 
-// The constructor is not in the header. Otherwise the compiler would initialise the object, and its
-// empty buffers would be in flash.
+// The constructor is not in the header. Otherwise the compiler would initialise the object at
+// compile time, and the empty buffers would need space in flash.
 K64Uart::K64Uart(Port port, const Timebase& clock, ZeroBytes zeros)
     : port_(port), zeros_(zeros), clock_(clock) {}
 
@@ -53,8 +53,9 @@ void K64Uart::start() {
   uart::BDL.at(offset()).write({static_cast<std::uint8_t>(divisor.divider)});
   uart::C4.at(offset()).write({static_cast<std::uint8_t>(divisor.fine)});
   if (port_ == Port::Uart0) {
-    // These registers are written while receiver and transmitter are off. The watermarks keep their
-    // values after reset. Each received byte, and an empty transmit FIFO, requests the interrupt.
+    // These registers must be written while receiver and transmitter are off. The watermarks keep
+    // their reset values. With these values each received byte requests the interrupt, and an empty
+    // transmit FIFO requests it too.
     uart::PFIFO.at(offset()).write(uart::PFIFO_RXFE | uart::PFIFO_TXFE);
     uart::CFIFO.at(offset()).write(uart::CFIFO_RXFLUSH | uart::CFIFO_TXFLUSH);
   }
@@ -69,18 +70,20 @@ void K64Uart::serve() {
 
 void K64Uart::receive() {
   std::uint32_t lost = 0;
-  std::size_t untilBroken = 0;  // bytes up to the byte with a wrong stop bit
+  std::size_t untilBroken = 0;  // number of reads up to the byte with a wrong stop bit
   // The limit is twice the size of the FIFO, because more bytes may arrive during the loop.
-  // bound: 1; on average an interrupt has one byte to take
+  // bound: 1; on average an interrupt has one byte to read
   for (std::size_t i = 0; i < 2 * kFifo; ++i) {
     const auto status = uart::S1.at(offset()).read();
     if (!(status & (uart::S1_RDRF | uart::S1_OR)).any()) {
       break;
     }
-    // Reading the byte after the status clears the errors. After an overrun no byte is received
-    // until the errors are cleared, even when the byte was read before.
+    // A read of the status and then of the byte clears the error flags. After an overrun the port
+    // receives nothing until these flags are cleared. Therefore the byte is read here even if it
+    // was already read before.
     if ((status & uart::S1_FE).any()) {
-      // The receiver waits after a wrong stop bit, so this byte is the last byte in the FIFO.
+      // After a wrong stop bit the receiver waits. Therefore the byte with this stop bit is the
+      // last byte in the FIFO.
       untilBroken = uart::RCFIFO.at(offset()).read().value;
     }
     // counts: received
@@ -90,7 +93,8 @@ void K64Uart::receive() {
     if ((status & uart::S1_RDRF).any()) {
       lost += noisy || untilBroken == 1 || !store(byte) ? 1U : 0U;
     } else {
-      // After a read of the empty FIFO, its positions are inconsistent.
+      // The FIFO was empty. A read of an empty FIFO makes its internal positions inconsistent, and
+      // a flush repairs them.
       uart::CFIFO.at(offset()).write(uart::CFIFO_RXFLUSH);
     }
     untilBroken -= untilBroken != 0 ? 1U : 0U;

@@ -13,37 +13,39 @@
 
 namespace wr {
 
-/// @brief A serial port of the K64. Port 0 is the USB debug port of the board.
-/// @function Receives and sends bytes in the background: 115200 baud, 8 bits, no parity, 1 stop bit.
+/// @brief Serial port of the K64. Port 0 is connected to the USB debug port of the board.
+/// @function Receives and sends bytes in the background, with 115200 baud, 8 data bits, no parity
+/// and 1 stop bit.
 /// @secret How bytes are transferred between the registers of the port and the buffers. How the
-/// time of a zero byte is stored, and how errors of the line are handled.
+/// time of a zero byte is stored, and how transmission errors are handled.
 /// @hides{K64Uart::kBaud}
 class K64Uart final : public SerialPort {
  public:
-  /// @brief Speed of the line [baud].
+  /// @brief Speed of the serial line [baud].
   static constexpr std::uint32_t kBaud = 115'200;
 
   /// @brief A serial port that the firmware uses.
   enum class Port : std::uint8_t { Uart0 = 0, Uart4 = 1 };
 
-  /// @brief Zero bytes that the port stores: all zero bytes, or only zero bytes that follow another
-  /// byte and can end a frame.
+  /// @brief Selection of the received zero bytes that a port stores. All: every zero byte is
+  /// stored. Ends: a zero byte is stored only if the byte before it is not zero, because only such
+  /// a zero byte ends a frame.
   enum class ZeroBytes : std::uint8_t { All, Ends };
 
-  /// @brief Constructs a port that is switched off.
-  /// @param port the port; nothing else uses it
-  /// @param clock returns the time at which a zero byte is received
-  /// @param zeros zero bytes that the port stores
+  /// @brief Constructs a port that is not switched on yet.
+  /// @param port the port; no other object may use it
+  /// @param clock time base from which the port reads the time when it receives a zero byte
+  /// @param zeros selection of the zero bytes that the port stores
   K64Uart(Port port, const Timebase& clock, ZeroBytes zeros = ZeroBytes::Ends);
 
-  /// @brief Switches the port on, port 0 with its FIFOs.
-  /// @pre The core runs at its full clock, and the clock of the port runs.
+  /// @brief Switches the port on. Port 0 uses its FIFOs; the other port has no FIFOs.
+  /// @pre The core runs at its full clock, and the clock gate of the port is open.
   /// @isr{no}
   /// @satisfies FR-171
   void start();
 
-  /// @brief Stores received bytes and sends written bytes. The vectors of the port's interrupts call
-  /// it.
+  /// @brief Stores the bytes that the hardware has received, and gives the hardware the next bytes
+  /// to send. The handler of the port's interrupts calls this function.
   /// @isr{yes}
   /// @satisfies FR-171
   void serve();
@@ -55,11 +57,13 @@ class K64Uart final : public SerialPort {
   [[nodiscard]] std::uint16_t lostBytes() const override;
 
  private:
-  // A ring buffer from one writer to one reader; each may preempt the other.
+  // Ring buffer for one writer and one reader. The writer may preempt the reader, and the reader
+  // may preempt the writer.
   template <class Element, std::size_t kSize>
   class Ring {
    public:
-    // Always inlined, like load and store, because these few instructions run for each element.
+    // This method, load() and store() are always inlined: they have few instructions and run for
+    // each element.
     [[nodiscard, gnu::always_inline]] std::size_t count() const { return end() - first(); }
     [[nodiscard]] std::size_t free() const { return kSize - count(); }
     void put(std::span<const Element> elements) {  // precondition: the buffer has enough space
@@ -84,16 +88,17 @@ class K64Uart final : public SerialPort {
       dropUpTo(place + 1);
       return element;
     }
-    // Returns the place of the next element that is read.
+    // Returns the position of the next element to read. A position is the number of elements
+    // written before this element since start.
     [[nodiscard]] std::size_t first() const { return load(read_); }
-    // Returns the place behind the last element.
+    // Returns the position after the last element.
     [[nodiscard]] std::size_t end() const { return load(written_); }
     [[nodiscard]] Element at(std::size_t place) const { return elements_[place % kSize]; }
     void dropUpTo(std::size_t place) { store(read_, place); }
 
    private:
-    // Writer and reader run on one core: only the compiler could change the order of their
-    // accesses.
+    // Writer and reader run on the same core. Therefore only the compiler could change the sequence
+    // of their accesses, and the signal fence prevents this change.
     [[gnu::always_inline]] static std::size_t load(const std::atomic<std::size_t>& count) {
       const std::size_t value = count.load(std::memory_order_relaxed);
       std::atomic_signal_fence(std::memory_order_acquire);
@@ -122,9 +127,10 @@ class K64Uart final : public SerialPort {
   Port port_;
   ZeroBytes zeros_;
   const Timebase& clock_;
-  // 115200 baud transfer 1152 bytes in one cycle.
+  // At 115200 baud the port receives at most 1152 bytes in one control cycle.
   Ring<std::uint8_t, 2048> received_;
-  // Times of the zero bytes. If the port stores only the ends, at most every second byte is zero.
+  // Times at which the stored zero bytes were received. With ZeroBytes::Ends, at most every second
+  // stored byte is zero.
   Ring<Instant, 1024> endings_;
   Ring<std::uint8_t, 512> toSend_;
   std::atomic<std::uint32_t> lost_{0};

@@ -9,28 +9,31 @@ namespace wr {
 
 namespace {
 
-constexpr std::uint32_t kTicks = K64Watchdog::kTimeOut.count() / 1000;  // counts of a 1 kHz clock
-static_assert(kTicks > 4 && kTicks <= 0xFFFF, "the time-out fits in the low half of its register");
+constexpr std::uint32_t kTicks = K64Watchdog::kTimeOut.count() / 1000;  // cycles of the 1 kHz clock
+static_assert(kTicks > 4 && kTicks <= 0xFFFF,
+              "the time-out fits into the lower of its two registers");
 
 }  // namespace
 
 void K64Watchdog::configure() {
-  // The second key must follow within 20 bus clocks. One bus clock later the registers are
-  // unlocked, for 256 bus clocks and for one write each.
+  // The second key must follow the first key within 20 bus clocks. One bus clock after the second
+  // key, the registers are unlocked for 256 bus clocks. In this time each register can be written
+  // once.
   wdog::UNLOCK.write({0xC520});
   wdog::UNLOCK.write({0xD928});
   asm volatile("nop\n\tnop\n\tnop\n\tnop" ::: "memory");
   wdog::PRESC.write({0});
   wdog::TOVALH.write({0});
   wdog::TOVALL.write({static_cast<std::uint16_t>(kTicks)});
-  // The clock is the low-power oscillator. The watchdog has no window, allows no second update, and
-  // runs while the core sleeps or stops.
+  // The bits that are 0 select the low-power oscillator as clock, permit a refresh at any time, and
+  // forbid a second configuration. The watchdog also runs in the wait mode and in the stop mode of
+  // the core.
   wdog::STCTRLH.write(wdog::STCTRLH_WDOGEN | wdog::STCTRLH_STOPEN | wdog::STCTRLH_WAITEN |
                       wdog::STCTRLH_RESERVED);
 }
 
 void K64Watchdog::refresh() {
-  const InterruptLock lock;  // the second key must follow within 20 bus clocks
+  const InterruptLock lock;  // the second key must follow the first within 20 bus clocks
   wdog::REFRESH.write({0xA602});
   wdog::REFRESH.write({0xB480});
 }

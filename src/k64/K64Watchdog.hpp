@@ -7,21 +7,24 @@
 namespace wr {
 
 /// @brief The watchdog of the K64.
-/// @function Resets the microcontroller when no control cycle completes in time. Its clock is the
-/// low-power oscillator, which is independent of the other clocks.
-/// @secret The rules of the watchdog for its configuration and its refresh.
+/// @function Resets the microcontroller when no control cycle completes in time. The watchdog uses
+/// the low-power oscillator, so that the watchdog works even if all other clocks have failed.
+/// @secret The register accesses that configure and refresh the watchdog, and the rules for their
+/// timing.
 /// @hides{K64Watchdog::kTimeOut}
 class K64Watchdog final : public Watchdog {
  public:
-  /// @brief The time for which the watchdog waits for a refresh.
+  /// @brief Longest time without a refresh. After this time the watchdog resets the
+  /// microcontroller.
   static constexpr Microseconds kTimeOut = SystemConstants::instance().watchdogTimeout();
 
-  /// @brief Returns the watchdog, for the module that refreshes it.
+  /// @brief Constructs an object through which the watchdog is refreshed. Accesses no register.
   constexpr K64Watchdog() = default;
 
-  /// @brief Configures the watchdog and locks it until the next reset. Accesses no memory.
-  /// @pre There is only one call. It comes within 256 bus clocks after the reset, and is not
-  /// interrupted.
+  /// @brief Configures the watchdog and locks this configuration until the next reset. Uses no
+  /// variable in RAM, so that it works before RAM is initialised.
+  /// @pre The function is called only once, within 256 bus clocks after the reset. No interrupt
+  /// occurs during the call.
   /// @isr{no}
   /// @satisfies FR-70
   static void configure();

@@ -4,24 +4,25 @@
 
 namespace wr {
 
-/// @brief Access of a program to a register.
+/// @brief Accesses that the firmware may make to a register.
 /// @datatype
 enum class Access : std::uint8_t {
   Read,       ///< read only
   Write,      ///< write only
-  ReadWrite,  ///< a read returns the written bits, so single bits can be changed
-  Flags       ///< reads and writes have different meanings: it is only written as a whole
+  ReadWrite,  ///< a read returns the bits that were written; single bits can be changed
+  Flags       ///< reads and writes have different meanings; single bits cannot be changed
 };
 
 /// @brief Register of the microcontroller.
-/// @tparam Value type of the number in the register
+/// @tparam Value integer type that has the width of the register
 /// @tparam kAddress address of the register, or of the first register of an array
 /// @tparam kAccess permitted access
 /// @datatype
 template <class Value, std::uint32_t kAddress, Access kAccess = Access::ReadWrite>
 class Register {
  public:
-  /// @brief Bits of this register; they cannot be combined with bits of another register.
+  /// @brief Bits of this register. Each register has its own type, so that bits of different
+  /// registers cannot be combined.
   /// @datatype
   struct Bits {
     Value value = 0;  ///< the bits as a number
@@ -30,35 +31,35 @@ class Register {
     /// @return true when at least one bit is set
     [[nodiscard]] constexpr bool any() const { return value != 0; }
 
-    /// @brief Joins bits.
+    /// @brief Returns the bits that are set in at least one of the two values.
     friend constexpr Bits operator|(Bits a, Bits b) {
       return {static_cast<Value>(a.value | b.value)};
     }
 
-    /// @brief Returns the bits that are set in both.
+    /// @brief Returns the bits that are set in both values.
     friend constexpr Bits operator&(Bits a, Bits b) {
       return {static_cast<Value>(a.value & b.value)};
     }
 
-    /// @brief Returns whether the bits are equal.
+    /// @brief Returns whether the same bits are set in both values.
     friend constexpr bool operator==(Bits, Bits) = default;
   };
 
-  /// @brief Returns the bits of a field.
-  /// @param value number in the field
-  /// @param lowest number of the field's lowest bit
+  /// @brief Returns the bits that store a number in a field of the register.
+  /// @param value number to store in the field
+  /// @param lowest number of the lowest bit of the field
   /// @return the bits
   [[nodiscard]] static constexpr Bits field(std::uint32_t value, unsigned lowest) {
     return {static_cast<Value>(value << lowest)};
   }
 
-  /// @brief Returns one bit.
+  /// @brief Returns a value in which only one bit is set.
   /// @param number number of the bit
   /// @return the bit
   [[nodiscard]] static constexpr Bits bit(unsigned number) { return field(1, number); }
 
-  /// @brief Returns an element of the register array.
-  /// @param offset distance from the first register [byte]
+  /// @brief Returns another register of the array that begins with this register.
+  /// @param offset distance between the two registers [byte]
   /// @return the register
   [[nodiscard]] constexpr Register at(std::uint32_t offset) const {
     Register other;
@@ -67,23 +68,22 @@ class Register {
   }
 
   /// @brief Reads the register.
-  /// @return all its bits
+  /// @return all bits of the register
   [[nodiscard]] Bits read() const
     requires(kAccess != Access::Write)
   {
-    return {*place()};  // NOLINT(clang-analyzer-core.FixedAddressDereference): the address is a
-                        // register
+    return {*place()};  // NOLINT(clang-analyzer-core.FixedAddressDereference): a register
   }
 
   /// @brief Writes the register.
-  /// @param bits all its bits
+  /// @param bits new values of all bits of the register
   void write(Bits bits) const
     requires(kAccess != Access::Read)
   {
-    *place() = bits.value;  // NOLINT(clang-analyzer-core.FixedAddressDereference): as above
+    *place() = bits.value;  // NOLINT(clang-analyzer-core.FixedAddressDereference): a register
   }
 
-  /// @brief Sets bits, and does not change the other bits.
+  /// @brief Sets some bits to 1. The other bits do not change.
   /// @param bits bits to set
   void set(Bits bits) const
     requires(kAccess == Access::ReadWrite)
@@ -91,7 +91,7 @@ class Register {
     write(read() | bits);
   }
 
-  /// @brief Clears bits, and does not change the other bits.
+  /// @brief Sets some bits to 0. The other bits do not change.
   /// @param bits bits to clear
   void clear(Bits bits) const
     requires(kAccess == Access::ReadWrite)
@@ -100,7 +100,7 @@ class Register {
   }
 
  private:
-  // The only place where a number is converted to an address: registers have fixed addresses.
+  // Registers have fixed addresses. Only this function converts a number to an address.
   [[nodiscard]] volatile Value* place() const {
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     return reinterpret_cast<volatile Value*>(kAddress + offset_);

@@ -4,42 +4,48 @@
 
 namespace wr {
 
-/// @brief Priority of an interrupt or a thread, 0 to 15; 0 is the highest.
+/// @brief Priority of an interrupt or of a thread, from 0 (highest) to 15 (lowest).
 using Priority = std::uint8_t;
 
-/// @brief Priority of the interrupt that records the time of an edge of the remote control. A
-/// microsecond of a pulse is 0.06 degrees, so no other interrupt of the firmware may delay it.
+/// @brief Priority of the interrupt that records the times of the edges of the remote control. No
+/// other interrupt of the firmware may delay this interrupt: if the measured length of a pulse is
+/// wrong by 1 us, the ordered steering angle is wrong by 0.06 degrees.
 inline constexpr Priority kPulsePriority = 1;
 
-/// @brief Priority of the interrupt that records the time of a Hall edge: above the other devices,
-/// so that they do not delay the time.
+/// @brief Priority of the interrupt that records the times of the Hall edges. It is higher than
+/// kInterruptPriority, so that the interrupts with that priority do not delay this interrupt.
 inline constexpr Priority kEdgePriority = 2;
 
-/// @brief Priority of the other interrupts of the devices.
+/// @brief Priority of the interrupts of all devices other than the remote control and the Hall
+/// sensors.
 inline constexpr Priority kInterruptPriority = 3;
 
 /// @brief Priority of the thread of the main controller.
 inline constexpr Priority kMainThreadPriority = 12;
 
-/// @brief Priority of the threads of the wheels: above the priority of the main controller.
+/// @brief Priority of the threads of the wheels. It is higher than the priority of the thread of
+/// the main controller.
 inline constexpr Priority kWheelThreadPriority = 8;
 
-/// @brief Waits until all stores have reached memory and the registers.
+/// @brief Waits until all stores to memory and to registers are complete.
 inline void finishStores() {
   asm volatile("dsb" ::: "memory");
 }
 
-/// @brief Waits until all stores are done, and fetches the following instructions again.
+/// @brief Waits until all stores are complete. Then discards the instructions that the core has
+/// already fetched, and fetches them again.
 inline void finishInstructions() {
   asm volatile("dsb\n\tisb" ::: "memory");
 }
 
-/// @brief Sleeps until an interrupt comes, also an interrupt that closeInterrupts() blocks.
+/// @brief Sleeps until an interrupt is requested. An interrupt that closeInterrupts() blocks ends
+/// the sleep too.
 inline void sleepUntilInterrupt() {
   asm volatile("dsb\n\twfi" ::: "memory");
 }
 
-/// @brief Blocks all interrupts and faults that can be blocked.
+/// @brief Blocks all interrupts and all faults except the non-maskable interrupt and the hard
+/// fault.
 inline void closeInterrupts() {
   asm volatile("cpsid i" ::: "memory");
 }
@@ -49,19 +55,20 @@ inline void openInterrupts() {
   asm volatile("cpsie i\n\tisb" ::: "memory");
 }
 
-/// @brief Returns the exception that is being handled.
-/// @return number of the exception, 0 for none
+/// @brief Returns the number of the exception that the core is handling.
+/// @return number of the exception; 0 when the core is handling no exception
 inline std::uint16_t activeException() {
-  std::uint32_t number = 0;  // NOLINT(misc-const-correctness): the instruction writes it
+  std::uint32_t number = 0;  // NOLINT(misc-const-correctness): the assembler instruction writes it
   asm volatile("mrs %0, ipsr" : "=r"(number));
   return static_cast<std::uint16_t>(number);
 }
 
-/// @brief Blocks the interrupts of the firmware as long as the object exists. Locks may be nested.
+/// @brief Lock that blocks all interrupts of the firmware as long as the lock object exists. Locks
+/// may be nested.
 /// @datatype
 class InterruptLock {
  public:
-  /// @brief Blocks the interrupts. Interrupts that an outer lock blocks stay blocked.
+  /// @brief Blocks the interrupts. If another lock already blocks them, they stay blocked.
   InterruptLock() {
     asm volatile("mrs %0, basepri" : "=r"(before_));
     constexpr std::uint32_t kMask = kPulsePriority << 4U;
@@ -70,7 +77,8 @@ class InterruptLock {
   InterruptLock(const InterruptLock&) = delete;
   InterruptLock& operator=(const InterruptLock&) = delete;
 
-  /// @brief Restores the previous priority.
+  /// @brief Restores the state before this lock. If an outer lock exists, the interrupts stay
+  /// blocked.
   ~InterruptLock() { asm volatile("msr basepri, %0" ::"r"(before_) : "memory"); }
 
  private:

@@ -16,13 +16,13 @@ enum class Port : std::uint8_t { A = 0, B = 1, C = 2, D = 3, E = 4 };
 enum class Role : std::uint8_t {
   LowOutput,   ///< output, safe when low
   HighOutput,  ///< output, safe when high
-  LateOutput,  ///< output, safe when low; belongs to a peripheral as soon as the peripheral runs
-  Input,       ///< input, pulled up
-  PulledUp,    ///< belongs to a peripheral, pulled up: the line may be unconnected
-  Peripheral   ///< belongs to a peripheral
+  LateOutput,  ///< output, safe when low; driven by a peripheral as soon as the peripheral runs
+  Input,       ///< input with a pull-up resistor
+  PulledUp,    ///< pin of a peripheral, with a pull-up resistor because the wire may be missing
+  Peripheral   ///< pin of a peripheral
 };
 
-/// @brief Connection of a pin: the number of its alternative.
+/// @brief Connection of a pin inside the microcontroller: the number of its alternative function.
 /// @datatype
 enum class Mux : std::uint8_t { Alt0 = 0, Gpio = 1, Alt3 = 3, Alt4 = 4 };
 
@@ -45,25 +45,26 @@ struct Pin {
 /// @datatype
 struct PinRow {
   Pin pin;                  ///< the pin
-  std::string_view signal;  ///< name of the signal on it
+  std::string_view signal;  ///< name of the signal at the pin
   std::string_view header;  ///< connector of the pin on the FRDM-K64F
   std::string_view text;    ///< task of the pin
 };
 
-// The pins that the firmware uses, one per line. A signal of a peripheral has its name in the
-// manual. PTA2 is SWO after reset, which no probe of this board needs. PTE25 is also the data line
-// of the accelerometer, which is not used. J2-2 is not used: up to revision D of the board it is
-// PTA0, a pin of the debugger; from revision E on it is PTC12.
+// The pins that the firmware uses, one pin in each source line. The signals of the peripherals have
+// the names of the manual. After reset PTA2 is the debug output SWO; no debug probe of this board
+// needs SWO. PTE25 is also connected to the accelerometer, which the firmware does not use. The
+// firmware does not use the connector pin J2-2: up to revision D of the board J2-2 is PTA0, a pin
+// of the debugger, and from revision E on J2-2 is PTC12.
 // clang-format off
 inline constexpr auto kPinTable = std::to_array<PinRow>({
-    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset the pin is the NMI; the firmware makes it an input."},
+    {{Port::A, 4, Mux::Gpio, Role::Input}, "button", "SW3", "After reset this pin can cause the non-maskable interrupt; the firmware makes it an input."},
     {{Port::A, 18, Mux::Alt0, Role::Peripheral}, "EXTAL0", "50 MHz of the Ethernet chip", "Clock of the microcontroller."},
     {{Port::B, 16, Mux::Alt3, Role::PulledUp}, "UART0_RX", "USB debug port", "Bytes from the PC."},
     {{Port::B, 17, Mux::Alt3, Role::Peripheral}, "UART0_TX", "USB debug port", "Bytes to the PC."},
     {{Port::C, 14, Mux::Alt3, Role::PulledUp}, "UART4_RX", "J199, Bluetooth", "Bytes from the remote client."},
     {{Port::C, 15, Mux::Alt3, Role::Peripheral}, "UART4_TX", "J199, Bluetooth", "Bytes to the remote client."},
-    {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low lights it: no control cycles run."},
-    {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low lights it: control cycles run."},
+    {{Port::B, 22, Mux::Gpio, Role::LowOutput}, "light_red", "D12 red", "Low switches the light on: no control cycles run."},
+    {{Port::E, 26, Mux::Gpio, Role::HighOutput}, "light_green", "D12 green", "Low switches the light on: control cycles run."},
     {{Port::C, 1, Mux::Alt4, Role::LateOutput}, "FTM0_CH0", "J1-5", "Voltage of the front left wheel."},
     {{Port::C, 2, Mux::Alt4, Role::LateOutput}, "FTM0_CH1", "J1-14", "Voltage of the front right wheel."},
     {{Port::C, 3, Mux::Alt4, Role::LateOutput}, "FTM0_CH2", "J1-16", "Voltage of the rear left wheel."},
@@ -92,8 +93,8 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
     {{Port::B, 10, Mux::Alt0, Role::Peripheral}, "ADC1_SE14", "J4-6", "Current of the rear left wheel."},
     {{Port::B, 11, Mux::Alt0, Role::Peripheral}, "ADC1_SE15", "J4-8", "Current of the rear right wheel."},
     {{Port::C, 10, Mux::Alt0, Role::Peripheral}, "ADC1_SE6b", "J4-12", "Angle of the steering."},
-    {{Port::A, 1, Mux::Gpio, Role::Input}, "steering_left_end", "J1-8", "Low while the left end stop is not reached; high when it is, or a wire is broken."},
-    {{Port::C, 18, Mux::Gpio, Role::Input}, "steering_right_end", "J6-8", "Low while the right end stop is not reached; high when it is, or a wire is broken."},
+    {{Port::A, 1, Mux::Gpio, Role::Input}, "steering_left_end", "J1-8", "Low while the left end stop is not reached; high when it is reached or a wire is broken."},
+    {{Port::C, 18, Mux::Gpio, Role::Input}, "steering_right_end", "J6-8", "Low while the right end stop is not reached; high when it is reached or a wire is broken."},
     {{Port::B, 18, Mux::Gpio, Role::Input}, "rc_velocity", "J1-1", "Pulses of the remote control: velocity."},
     {{Port::B, 19, Mux::Gpio, Role::Input}, "rc_direction", "J1-3", "Pulses of the remote control: direction."},
     {{Port::B, 23, Mux::Gpio, Role::Input}, "rc_enable", "J1-10", "Pulses of the remote control: enable switch."},
@@ -101,23 +102,24 @@ inline constexpr auto kPinTable = std::to_array<PinRow>({
 });
 // clang-format on
 
-/// @brief The pins of the table without its texts, so that the texts are not in flash.
+/// @brief The pins of the table without the texts. Thus the texts need no space in flash.
 inline constexpr auto kPins = [] {
   std::array<Pin, kPinTable.size()> pins{};
   std::ranges::transform(kPinTable, pins.begin(), [](const PinRow& row) { return row.pin; });
   return pins;
 }();
 
-/// @brief Returns the pin of a signal; a signal that is on no pin does not compile.
+/// @brief Returns the pin of a signal. If no pin has this signal, the compiler reports an error.
 /// @param signal name of the signal
-/// @return its pin
+/// @return pin of the signal
 consteval Pin pinOf(std::string_view signal) {
   return std::ranges::find(kPinTable, signal, &PinRow::signal)->pin;
 }
 
 namespace pin_rules {
 
-/// @brief Returns whether all pins exist on the microcontroller, in its package with 100 pins.
+/// @brief Returns whether all pins of the table exist in the 100-pin package of the
+/// microcontroller.
 consteval bool allExist() {
   constexpr std::array<std::uint32_t, 5> kExistingPins = {0x000FF03F, 0x00FF0E0F, 0x0007FFFF,
                                                           0x000000FF, 0x0700007F};
@@ -140,7 +142,7 @@ consteval bool noneTwice() {
   return true;
 }
 
-/// @brief Returns whether each signal of a peripheral is on a pin that supports it.
+/// @brief Returns whether each signal of a peripheral is on a pin that supports this signal.
 consteval bool allMuxed() {
   struct Function {
     Port port;

@@ -1,8 +1,9 @@
 #pragma once
 
-// The registers of the MK64FN1M0VLL12 that the firmware uses. Each block has a namespace. The names
-// are the names of the reference manual (K64P144M120SF5RM), and for the core the names of the
-// ARMv7-M architecture manual. Only the used bits have names.
+// The registers of the microcontroller MK64FN1M0VLL12 that the firmware uses. Each peripheral has
+// its own namespace. The names of its registers and bits come from the reference manual
+// (K64P144M120SF5RM). The names of the core's registers come from the ARMv7-M architecture manual.
+// Bits that the firmware does not use have no name.
 
 #include <cstdint>
 
@@ -16,7 +17,7 @@ inline constexpr Register<std::uint16_t, 0x40052000> STCTRLH;
 inline constexpr auto STCTRLH_WDOGEN = STCTRLH.bit(0);
 inline constexpr auto STCTRLH_STOPEN = STCTRLH.bit(6);
 inline constexpr auto STCTRLH_WAITEN = STCTRLH.bit(7);
-inline constexpr auto STCTRLH_RESERVED = STCTRLH.bit(8);  // 1 after reset, and not changed
+inline constexpr auto STCTRLH_RESERVED = STCTRLH.bit(8);  // 1 after reset; the firmware keeps it 1
 inline constexpr Register<std::uint16_t, 0x40052004> TOVALH;
 inline constexpr Register<std::uint16_t, 0x40052006> TOVALL;
 inline constexpr Register<std::uint16_t, 0x4005200C, Access::Write> REFRESH;
@@ -48,7 +49,7 @@ inline constexpr Register<std::uint8_t, 0x4006400D> C8;
 inline constexpr auto C8_LOLRE = C8.bit(6);
 }  // namespace mcg
 
-/// @brief System integration module: the gates of the clocks, and their dividers.
+/// @brief System integration module: clock gates of the peripherals, and clock dividers.
 namespace sim {
 inline constexpr Register<std::uint32_t, 0x40048028> SCGC1;
 inline constexpr auto SCGC1_UART4 = SCGC1.bit(10);
@@ -81,14 +82,14 @@ inline constexpr auto SR_OREG_LVL = SR.field(0xFF, 8);
 inline constexpr Register<std::uint32_t, 0x4002900C, Access::Read> OR;
 }  // namespace rng
 
-/// @brief Power management: supervision of the supply.
+/// @brief Power management controller: supervision of the supply voltage.
 namespace pmc {
 inline constexpr Register<std::uint8_t, 0x4007D000, Access::Flags> LVDSC1;
 inline constexpr auto LVDSC1_LVDV_HIGH = LVDSC1.field(1, 0);
 inline constexpr auto LVDSC1_LVDRE = LVDSC1.bit(4);
 }  // namespace pmc
 
-/// @brief Reset control: cause of the reset.
+/// @brief Reset control module: cause of the last reset.
 namespace rcm {
 inline constexpr Register<std::uint8_t, 0x4007F000, Access::Read> SRS0;
 inline constexpr auto SRS0_LVD = SRS0.bit(1);
@@ -104,10 +105,11 @@ inline constexpr auto SRS1_SW = SRS1.bit(2);
 inline constexpr auto SRS1_MDM_AP = SRS1.bit(3);
 }  // namespace rcm
 
-/// @brief Port control: the connection of each pin, and the edges that cause interrupts.
+/// @brief Port control: the peripheral to which each pin is connected, and the edges that cause
+/// interrupts.
 namespace port {
-inline constexpr std::uint32_t kPortDistance = 0x1000;  // distance between two ports [byte]
-inline constexpr std::uint32_t kPinDistance = 4;        // distance from one pin to the next [byte]
+inline constexpr std::uint32_t kPortDistance = 0x1000;  // address step per port [byte]
+inline constexpr std::uint32_t kPinDistance = 4;        // address step per pin [byte]
 inline constexpr Register<std::uint32_t, 0x40049000, Access::Flags> PCR;
 inline constexpr auto PCR_PS = PCR.bit(0);
 inline constexpr auto PCR_PE = PCR.bit(1);
@@ -122,7 +124,7 @@ inline constexpr Register<std::uint32_t, 0x400490C8> DFWR;
 
 /// @brief General purpose input and output.
 namespace gpio {
-inline constexpr std::uint32_t kPortDistance = 0x40;  // distance between two ports [byte]
+inline constexpr std::uint32_t kPortDistance = 0x40;  // address step per port [byte]
 inline constexpr Register<std::uint32_t, 0x400FF004, Access::Write> PSOR;
 inline constexpr Register<std::uint32_t, 0x400FF008, Access::Write> PCOR;
 inline constexpr Register<std::uint32_t, 0x400FF010, Access::Read> PDIR;
@@ -132,7 +134,7 @@ inline constexpr Register<std::uint32_t, 0x400FF014> PDDR;
 /// @brief Periodic interrupt timer.
 namespace pit {
 inline constexpr Register<std::uint32_t, 0x40037000> MCR;
-inline constexpr std::uint32_t kChannelDistance = 0x10;  // distance between two channels [byte]
+inline constexpr std::uint32_t kChannelDistance = 0x10;  // address step per channel [byte]
 inline constexpr Register<std::uint32_t, 0x40037100> LDVAL;
 inline constexpr Register<std::uint32_t, 0x40037104, Access::Read> CVAL;
 inline constexpr Register<std::uint32_t, 0x40037108> TCTRL;
@@ -148,7 +150,7 @@ inline constexpr Register<std::uint32_t, 0x40038000> SC;
 inline constexpr auto SC_CLKS_BUS = SC.field(1, 3);
 inline constexpr Register<std::uint32_t, 0x40038004> CNT;
 inline constexpr Register<std::uint32_t, 0x40038008> MOD;
-inline constexpr std::uint32_t kChannelDistance = 8;  // distance between two channels [byte]
+inline constexpr std::uint32_t kChannelDistance = 8;  // address step per channel [byte]
 inline constexpr Register<std::uint32_t, 0x4003800C> CnSC;
 inline constexpr auto CnSC_ELSB = CnSC.bit(3);
 inline constexpr auto CnSC_MSB = CnSC.bit(5);
@@ -160,9 +162,9 @@ inline constexpr Register<std::uint32_t, 0x40038084> CONF;
 inline constexpr auto CONF_BDMMODE_SAFE = CONF.field(1, 6);
 }  // namespace ftm0
 
-/// @brief Converters; the first converter is converter 0.
+/// @brief Analog-to-digital converters. The addresses are those of converter 0.
 namespace adc {
-inline constexpr std::uint32_t kConverterDistance = 0x80000;  // distance between converters [byte]
+inline constexpr std::uint32_t kConverterDistance = 0x80000;  // address step to converter 1 [byte]
 inline constexpr Register<std::uint32_t, 0x4003B000, Access::Flags> SC1A;
 inline constexpr auto SC1A_ADCH_NONE = SC1A.field(0x1F, 0);
 inline constexpr auto SC1A_AIEN = SC1A.bit(6);
@@ -184,16 +186,15 @@ inline constexpr auto SC3_CALF = SC3.bit(6);
 inline constexpr auto SC3_CAL = SC3.bit(7);
 inline constexpr Register<std::uint32_t, 0x4003B02C> PG;
 inline constexpr Register<std::uint32_t, 0x4003B030> MG;
-inline constexpr std::uint32_t kCalibrationResults = 6;  // results of a calibration, in sequence,
-                                                         // for each side
-inline constexpr std::uint32_t kResultDistance = 4;      // distance between two results [byte]
-inline constexpr Register<std::uint32_t, 0x4003B038, Access::Read> CLPS;  // then CLP4 to CLP0
-inline constexpr Register<std::uint32_t, 0x4003B058, Access::Read> CLMS;  // then CLM4 to CLM0
+inline constexpr std::uint32_t kCalibrationResults = 6;  // number for each side, plus and minus
+inline constexpr std::uint32_t kResultDistance = 4;      // address step per result [byte]
+inline constexpr Register<std::uint32_t, 0x4003B038, Access::Read> CLPS;  // CLP4 to CLP0 follow
+inline constexpr Register<std::uint32_t, 0x4003B058, Access::Read> CLMS;  // CLM4 to CLM0 follow
 }  // namespace adc
 
-/// @brief Serial ports; the first port is port 0.
+/// @brief Serial ports. The addresses are those of port 0.
 namespace uart {
-inline constexpr std::uint32_t kPort4Distance = 0x80000;  // distance from port 0 to port 4 [byte]
+inline constexpr std::uint32_t kPort4Distance = 0x80000;  // address step to port 4 [byte]
 inline constexpr Register<std::uint8_t, 0x4006A000> BDH;
 inline constexpr Register<std::uint8_t, 0x4006A001> BDL;
 inline constexpr Register<std::uint8_t, 0x4006A003> C2;
@@ -227,7 +228,7 @@ namespace nvic {
 inline constexpr Register<std::uint32_t, 0xE000E100, Access::Flags> ISER;
 inline constexpr Register<std::uint32_t, 0xE000E200, Access::Flags> ISPR;
 inline constexpr Register<std::uint8_t, 0xE000E400> IPR;
-inline constexpr unsigned kPriorityLowest = 4;  // the microcontroller has the upper 4 of 8 bits
+inline constexpr unsigned kPriorityLowest = 4;  // the priority is in the upper 4 of 8 bits
 }  // namespace nvic
 
 /// @brief System control block of the core.
@@ -246,7 +247,7 @@ inline constexpr Register<std::uint32_t, 0xE000ED88> CPACR;
 inline constexpr auto CPACR_FPU = CPACR.field(0xF, 20);
 }  // namespace scb
 
-/// @brief Data watchpoint and trace unit of the core, and its enable bit.
+/// @brief Data watchpoint and trace unit of the core, and the bit that enables this unit.
 namespace dwt {
 inline constexpr Register<std::uint32_t, 0xE000EDFC> DEMCR;
 inline constexpr auto DEMCR_TRCENA = DEMCR.bit(24);

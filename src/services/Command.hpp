@@ -2,9 +2,10 @@
 
 namespace wr {
 
-/// @brief One action, whose caller does not name its receiver.
-/// @function Lets interrupts and threads start an action without naming the module that acts.
-/// @secret Which module acts when a command is executed.
+/// @brief Action that a caller can start without naming the module that performs the action.
+/// @function Lets interrupts and threads start an action without a dependency on the module that
+/// performs the action.
+/// @secret The module that performs the action of a command.
 /// @role{cycle-timer-interrupt, Command}
 /// @role{hall-interrupt, Command}
 /// @role{wheel-timer-interrupt, Command}

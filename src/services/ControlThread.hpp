@@ -7,36 +7,37 @@
 
 namespace wr {
 
-/// @brief A body that runs to its end each time the thread is posted.
-/// @function Moves work out of interrupts: an interrupt posts the thread, and the platform runs the
-/// body at the priority of the thread. Counts activations that came too early.
-/// @secret How an activation is stored until the body has run, and how activations that overlap are
+/// @brief Thread that executes its command each time it is posted. Each execution runs to its end.
+/// @function Moves work out of interrupt handlers: a handler posts the thread, and the platform
+/// then executes the command at the priority of the thread. Counts the posts that come before the
+/// previous activation has ended.
+/// @secret How an activation is stored until it has run, and how overlapping activations are
 /// counted.
 class ControlThread {
  public:
   ControlThread(const ControlThread&) = delete;
   ControlThread& operator=(const ControlThread&) = delete;
 
-  /// @brief Sets the body of the thread. From now on the thread can be posted.
+  /// @brief Sets the command of the thread. From now on the thread can be posted.
   /// @param body command that each activation executes
-  /// @pre The thread has no body yet.
-  /// @errors Assertion ThreadStartedTwice when the thread has a body.
+  /// @pre The thread has no command yet.
+  /// @errors If the thread already has a command, the assertion ThreadStartedTwice ends the
+  /// program.
   /// @isr{no}
   /// @satisfies FR-172
   /// @satisfies FR-176
   void start(Command& body);
 
-  /// @brief Requests one activation of the body. When the previous activation has not ended, an
-  /// overrun is counted; the new activation follows it, unless another activation is already
-  /// pending.
-  /// @return false when the thread has no body: nothing happens
+  /// @brief Requests one activation of the thread. If the previous activation has not ended, an
+  /// overrun is counted, and the new activation runs after the previous activation. If another
+  /// activation is already waiting, only the overrun is counted.
+  /// @return false when the thread has no command, and nothing happens; otherwise true
   /// @isr{yes}
   /// @satisfies FR-4
   /// @satisfies FR-172
   bool post();
 
-  /// @brief Returns the number of times that the thread was posted before the last activation had
-  /// ended.
+  /// @brief Returns the number of posts that came before the previous activation had ended.
   /// @return number of overruns since start, at most 65535
   /// @isr{yes}
   [[nodiscard]] std::uint16_t overruns() const;
@@ -45,19 +46,20 @@ class ControlThread {
   ControlThread() = default;
   ~ControlThread() = default;
 
-  /// @brief Runs one activation, and triggers the thread again when another activation is pending.
-  /// The platform calls this function at the priority of the thread, after a call of pend().
-  /// Without a pending activation it does nothing.
+  /// @brief Runs one activation. If another activation is then waiting, calls pend() again. If no
+  /// activation is waiting, does nothing. The platform calls this function at the priority of the
+  /// thread, after a call of pend().
   void run();
 
  private:
-  /// @brief Requests that the platform calls run() as soon as the priority of the thread permits.
+  /// @brief Requests a call of run(). The platform calls run() as soon as the priority of the
+  /// thread permits.
   /// @isr{yes}
   virtual void pend() = 0;
 
   std::atomic<Command*> body_{nullptr};
-  std::atomic<std::uint32_t> accepted_{0};  // number of activations, incremented only by posts
-  std::atomic<std::uint32_t> ended_{0};     // number of activations, incremented only by run()
+  std::atomic<std::uint32_t> accepted_{0};  // requested activations; only post() increments it
+  std::atomic<std::uint32_t> ended_{0};     // ended activations; only run() increments it
   std::atomic<std::uint32_t> overruns_{0};
 
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free,

@@ -9,19 +9,19 @@
 
 namespace wr {
 
-/// @brief A value and the time at which it was written.
+/// @brief A value and its time stamp.
 /// @datatype
 template <class T>
 struct Stamped {
   T value{};     ///< the value
-  Instant at{};  ///< time at which it was written
+  Instant at{};  ///< time stamp that the writer has given to the value
 };
 
 /// @brief Transfers the newest value from one writer to one reader.
 /// @function Connects a writer and a reader that run at different priorities and do not depend on
-/// each other. Neither of them waits. Each value has the time at which it was written, so that a
-/// reader detects a stale value.
-/// @secret The exchange of three slots between writer and reader by one atomic operation.
+/// each other. Neither of them waits. The pipe stores the time of each value, so that the reader
+/// can detect a stale value.
+/// @secret How writer and reader exchange three slots by means of one atomic operation.
 template <class T>
 class Pipe {
  public:
@@ -31,9 +31,9 @@ class Pipe {
   Pipe(const Pipe&) = delete;
   Pipe& operator=(const Pipe&) = delete;
 
-  /// @brief Puts a value in the pipe, and replaces the previous value.
+  /// @brief Writes a value to the pipe. The value replaces the previous value.
   /// @param value the value
-  /// @param at time of the value
+  /// @param at time stamp of the value
   /// @pre No other write is active.
   /// @isr{yes}
   /// @satisfies FR-173
@@ -44,7 +44,7 @@ class Pipe {
     written_ = shared_.exchange(written_ | kNew, std::memory_order_acq_rel) & kSlot;
   }
 
-  /// @brief Returns the newest value. The value stays in the pipe.
+  /// @brief Returns a copy of the newest value. The value stays in the pipe.
   /// @return the newest value and its time; nothing before the first write
   /// @pre No other read is active.
   /// @isr{yes}
@@ -54,9 +54,10 @@ class Pipe {
     return value != nullptr ? std::optional(*value) : std::nullopt;
   }
 
-  /// @brief Returns the address of the newest value, for a reader that needs a part of it. The
-  /// address is valid until the next call of this method or of read().
-  /// @return the newest value and its time; null before the first write
+  /// @brief Returns the address of the newest value. A reader that needs only a part of the value
+  /// thus avoids a copy of the whole value. The address is valid until the next call of this method
+  /// or of read().
+  /// @return address of the newest value and its time; null before the first write
   /// @pre No other read is active.
   /// @isr{yes}
   /// @satisfies FR-173
@@ -69,13 +70,13 @@ class Pipe {
   }
 
  private:
-  static constexpr std::uint32_t kSlot = 3;  // the bits with the number of a slot
-  static constexpr std::uint32_t kNew = 4;   // the shared slot was written and not read yet
+  static constexpr std::uint32_t kSlot = 3;  // bits that contain the number of a slot
+  static constexpr std::uint32_t kNew = 4;   // bit: the shared slot has a value that was not read
 
   std::array<Stamped<T>, 3> slots_{};
-  std::uint32_t written_ = 0;             // slot of the writer
-  std::atomic<std::uint32_t> shared_{1};  // slot between writer and reader
-  std::uint32_t read_ = 2;                // slot of the reader
+  std::uint32_t written_ = 0;             // number of the slot that only the writer uses
+  std::atomic<std::uint32_t> shared_{1};  // number of the exchange slot, and the bit of a new value
+  std::uint32_t read_ = 2;                // number of the slot that only the reader uses
   bool filled_ = false;
 
   static_assert(std::atomic<std::uint32_t>::is_always_lock_free,

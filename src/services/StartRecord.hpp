@@ -9,21 +9,21 @@ namespace wr {
 enum class ResetCause : std::uint8_t {
   Unknown = 0,     ///< the hardware or the platform reports no cause
   PowerOn = 1,     ///< the supply was switched on
-  LowVoltage = 2,  ///< the supply was too low
-  Pin = 3,         ///< the reset pin, which is also the reset button of a board
+  LowVoltage = 2,  ///< the supply voltage was too low
+  Pin = 3,         ///< a reset by the reset pin, which the reset button of a board also uses
   Watchdog = 4,    ///< the watchdog was not refreshed in time
-  ClockLost = 5,   ///< the clock or its lock was lost
-  Lockup = 6,      ///< a fault inside the handler of a fault
-  Software = 7,    ///< the firmware requested the reset; the fault record has the reason
+  ClockLost = 5,   ///< the clock failed, or the PLL lost its lock
+  Lockup = 6,      ///< a second fault occurred in the handler of a fault
+  Software = 7,    ///< the firmware requested the reset; the fault record contains the reason
   Debugger = 8     ///< a debugger requested the reset
 };
 
 /// @brief Fault that ended the firmware before this start.
 /// @datatype
 enum class FaultKind : std::uint8_t {
-  None = 0,                 ///< nothing was recorded
+  None = 0,                 ///< no fault was recorded
   Assertion = 1,            ///< a condition was false; the number identifies the condition
-  HardFault = 2,            ///< fault without a separate handler
+  HardFault = 2,            ///< fault that is none of the other kinds
   MemoryFault = 3,          ///< access that the memory protection forbids
   BusFault = 4,             ///< access that failed on the bus
   UsageFault = 5,           ///< instruction that cannot be executed
@@ -31,15 +31,15 @@ enum class FaultKind : std::uint8_t {
   ClockFailed = 7           ///< the clock did not start; the number identifies the failed step
 };
 
-/// @brief Cause of the start, and the fault before it.
+/// @brief Cause of the last reset, and the fault before this reset.
 /// @datatype
 struct StartRecord {
   ResetCause cause = ResetCause::Unknown;  ///< cause of the last reset
-  FaultKind fault = FaultKind::None;       ///< fault recorded before the reset
-  std::uint16_t number = 0;   ///< number with a meaning that depends on the kind of fault, 0 if it
-                              ///< has none
-  std::uint32_t address = 0;  ///< address of the instruction at which the firmware ended, 0 when it
-                              ///< is unknown
+  FaultKind fault = FaultKind::None;       ///< fault that was recorded before the reset
+  std::uint16_t number = 0;   ///< number whose meaning the kind of fault defines; 0 if the kind
+                              ///< has no number
+  std::uint32_t address = 0;  ///< address of the instruction at which the fault occurred; 0 when
+                              ///< the address is unknown
 
   /// @brief Returns whether two records are equal.
   friend constexpr bool operator==(const StartRecord&, const StartRecord&) = default;

@@ -4,8 +4,8 @@
 
 namespace wr {
 
-/// @brief A number with a unit. Numbers of different units cannot be combined.
-/// @tparam Tag names the unit
+/// @brief A number with a unit. Quantities with different units cannot be added or compared.
+/// @tparam Tag type that identifies the unit; it is used for nothing else
 /// @tparam Rep type of the number
 /// @datatype
 template <class Tag, class Rep>
@@ -17,7 +17,7 @@ class Quantity {
   /// @brief Constructs the quantity zero.
   constexpr Quantity() = default;
 
-  /// @brief Constructs a quantity of a number.
+  /// @brief Constructs a quantity with the given number.
   /// @param count number [unit of the quantity]
   explicit constexpr Quantity(Rep count) : count_(count) {}
 
@@ -25,31 +25,32 @@ class Quantity {
   /// @return number [unit of the quantity]
   [[nodiscard]] constexpr Rep count() const { return count_; }
 
-  /// @brief Compares two quantities of one unit.
+  /// @brief Compares two quantities with the same unit.
   friend constexpr auto operator<=>(Quantity a, Quantity b) { return a.count_ <=> b.count_; }
 
-  /// @brief Returns whether two quantities of one unit are equal.
+  /// @brief Returns whether two quantities with the same unit are equal.
   friend constexpr bool operator==(Quantity a, Quantity b) { return a.count_ == b.count_; }
 
-  /// @brief Adds two quantities of one unit.
+  /// @brief Adds two quantities with the same unit.
   friend constexpr Quantity operator+(Quantity a, Quantity b) {
     return Quantity(static_cast<Rep>(a.count_ + b.count_));
   }
 
-  /// @brief Subtracts two quantities of one unit.
+  /// @brief Subtracts two quantities with the same unit.
   friend constexpr Quantity operator-(Quantity a, Quantity b) {
     return Quantity(static_cast<Rep>(a.count_ - b.count_));
   }
 
-  /// @brief Changes the sign.
+  /// @brief Returns the quantity with the opposite sign.
   friend constexpr Quantity operator-(Quantity a) { return Quantity(static_cast<Rep>(-a.count_)); }
 
-  /// @brief Multiplies by a number.
+  /// @brief Multiplies a quantity by a number.
   friend constexpr Quantity operator*(Quantity a, Rep factor) {
     return Quantity(static_cast<Rep>(a.count_ * factor));
   }
 
-  /// @brief Divides by a number that is not zero. The result is rounded towards zero.
+  /// @brief Divides a quantity by a number, which must not be zero. The result is rounded towards
+  /// zero.
   friend constexpr Quantity operator/(Quantity a, Rep divisor) {
     return Quantity(static_cast<Rep>(a.count_ / divisor));
   }

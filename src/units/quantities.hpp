@@ -7,19 +7,19 @@
 
 namespace wr {
 
-/// @brief Speed of rotation of a motor shaft [0.1 rpm], positive forwards.
+/// @brief Speed of rotation of a motor shaft [0.1 rpm]; a positive speed drives the robot forwards.
 /// @datatype
 using Velocity = Quantity<struct VelocityTag, std::int32_t>;
 
-/// @brief Voltage of a wheel motor [mV], positive forwards.
+/// @brief Voltage of a wheel motor [mV]; a positive voltage drives the robot forwards.
 /// @datatype
 using Tension = Quantity<struct TensionTag, std::int32_t>;
 
-/// @brief Current of a wheel motor [mA], positive forwards.
+/// @brief Current of a wheel motor [mA]; a positive current drives the robot forwards.
 /// @datatype
 using Current = Quantity<struct CurrentTag, std::int32_t>;
 
-/// @brief Angle of the steering device [0.01 degree], positive to the left.
+/// @brief Angle of the steering device [0.01 degree]; angles to the left are positive.
 /// @datatype
 using Angle = Quantity<struct AngleTag, std::int32_t>;
 
@@ -27,11 +27,12 @@ using Angle = Quantity<struct AngleTag, std::int32_t>;
 /// @datatype
 using DutyCycle = Quantity<struct DutyCycleTag, std::int32_t>;
 
-/// @brief Speed of the steering motor [steps/s], positive to the left.
+/// @brief Speed of the steering motor [steps/s]; a turn to the left is positive.
 /// @datatype
 using StepRate = Quantity<struct StepRateTag, std::int32_t>;
 
-/// @brief Position of a wheel [Hall edges since start], increasing forwards.
+/// @brief Position of a wheel [Hall edges since start]; it increases while the wheel turns
+/// forwards.
 /// @datatype
 using HallCount = Quantity<struct HallCountTag, std::int32_t>;
 
@@ -39,14 +40,15 @@ using HallCount = Quantity<struct HallCountTag, std::int32_t>;
 /// @datatype
 using Microseconds = Quantity<struct MicrosecondsTag, std::int64_t>;
 
-/// @brief Constructs a duration of milliseconds.
+/// @brief Converts a number of milliseconds to a duration.
 /// @param count duration [ms]
 /// @return the duration
 [[nodiscard]] constexpr Microseconds milliseconds(std::int64_t count) {
   return Microseconds(count * 1000);
 }
 
-/// @brief Point in time [us since start]. It does not overflow while a robot is in use.
+/// @brief Point in time [us since start]. The number is so large that it never overflows in the
+/// life of a robot.
 /// @datatype
 class Instant {
  public:
@@ -61,7 +63,7 @@ class Instant {
   /// @return time since start [us]
   [[nodiscard]] constexpr std::uint64_t sinceStart() const { return sinceStart_; }
 
-  /// @brief Compares two instants: the later one is greater.
+  /// @brief Compares two instants: the later instant is greater.
   friend constexpr auto operator<=>(Instant a, Instant b) {
     return a.sinceStart_ <=> b.sinceStart_;
   }
@@ -69,12 +71,12 @@ class Instant {
   /// @brief Returns whether two instants are equal.
   friend constexpr bool operator==(Instant a, Instant b) { return a.sinceStart_ == b.sinceStart_; }
 
-  /// @brief Returns the duration from the second instant to the first.
+  /// @brief Returns the duration from the earlier instant to the later instant.
   friend constexpr Microseconds operator-(Instant later, Instant earlier) {
     return Microseconds(static_cast<std::int64_t>(later.sinceStart_ - earlier.sinceStart_));
   }
 
-  /// @brief Returns the instant that is later by a duration.
+  /// @brief Returns the instant that comes a given duration after another instant.
   friend constexpr Instant operator+(Instant instant, Microseconds duration) {
     return Instant(instant.sinceStart_ + static_cast<std::uint64_t>(duration.count()));
   }

@@ -9,14 +9,16 @@
 
 namespace wr::platform {
 
-/// @brief Builders of the wheels, with the devices of the board.
+/// @brief Builders of the control systems of the wheels. Each builder uses the devices of its
+/// wheel.
 extern std::array<WheelSystemBuilder, kWheelCount> wheelBuilders;
 
-/// @brief Builders of all control systems: of the wheels and of the steering.
+/// @brief Builders of all control systems, that is, of the wheels and of the steering.
 extern const std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilders;
 
-/// @brief Builds the control systems of the product, and handles their ticks. A product uses one
-/// pool, with or without safety functions.
+/// @brief Builder of the pool of all control systems. It also passes each tick on to the control
+/// systems. Each variant of the robot contains one definition of this builder, with safety
+/// functions or without them.
 extern ControlSystemPoolBuilder poolBuilder;
 
 }  // namespace wr::platform

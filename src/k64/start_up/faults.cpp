@@ -8,12 +8,13 @@
 #include "services/assertion.hpp"
 
 extern "C" {
-// The linker script defines them.
+// The linker script defines the two ends of the stack.
 extern const std::uint32_t stackBottom[];
 extern const std::uint32_t stackTop[];
 
 /// @brief Records the fault, and ends the firmware.
-/// @param frame registers that the core has pushed on the stack; outside the stack when the stack overflowed
+/// @param frame registers that the core has pushed on the stack; this address is outside the stack
+/// if the stack has overflowed
 [[noreturn, gnu::used]] void endOfProgram(const std::uint32_t* frame) {
   constexpr std::size_t kProgramCounter = 6;  // index in the exception frame [word]
   constexpr std::size_t kFrame = 8;           // [word]
@@ -25,16 +26,17 @@ extern const std::uint32_t stackTop[];
                              onStack ? frame[kProgramCounter] : 0);
 }
 
-/// @brief Ends the program after the call of a pure virtual function: an undefined instruction
-/// causes a fault.
-// The ABI of the compiler defines the name.
+/// @brief Ends the program after the call of a pure virtual function, by means of an undefined
+/// instruction, which causes a fault.
+// The ABI of the compiler defines the name of this function.
 // NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
 [[noreturn]] void __cxa_pure_virtual() {
   __builtin_trap();
 }
 }
 
-// The stack may have overflowed. Its content is not needed any more, so the stack pointer is reset.
+// The stack may have overflowed. Therefore endOfProgram() begins with an empty stack; it only needs
+// the old stack pointer, which is passed in r0.
 [[gnu::naked]] void unexpected() {
   asm volatile(
       "mov r0, sp\n\t"
@@ -44,7 +46,8 @@ extern const std::uint32_t stackTop[];
       "b endOfProgram");
 }
 
-// Only some products have the modules of these interrupts. These products replace the handlers.
+// Only some variants of the robot use these interrupts. These variants define their own handlers,
+// which replace the weak handlers here.
 [[gnu::weak, gnu::naked]] void remoteControlInterrupt() {
   asm volatile("b unexpected");
 }
@@ -56,7 +59,8 @@ extern const std::uint32_t stackTop[];
 namespace wr {
 
 void assertionFailed(AssertId id) {
-  // The return address is odd, like all addresses of code; the call is 3 bytes before it.
+  // A return address is odd, because bit 0 of each code address is 1. The address 3 bytes before it
+  // is even and inside the call instruction.
   const auto after = reinterpret_cast<std::uint32_t>(__builtin_return_address(0));
   K64Board::endWithFault(FaultKind::Assertion, static_cast<std::uint16_t>(id), after - 3);
 }

@@ -2,63 +2,67 @@
 
 #include <cstdint>
 
-// Handlers that the hardware calls. The names are not mangled, for the linker script and the
-// debugger.
+// Handlers that the hardware calls. Their names are not mangled, so that the linker script and the
+// debugger can use them.
 
 extern "C" {
 
 /// @brief Brings the microcontroller from the reset to its full clock, and runs the robot.
 [[noreturn]] void resetHandler();
 
-/// @brief Ends the firmware: for each fault, and for each interrupt without a handler.
+/// @brief Ends the firmware. The hardware calls this function at each fault, and at each interrupt
+/// that has no other handler.
 void unexpected();
 
-/// @brief The serial port of the PC has a received byte, space for a byte to send, or a lost byte.
+/// @brief Serves the serial port of the PC. The port has received a byte, lost a byte, or has space
+/// for a byte to send.
 void pcPortInterrupt();
 
-/// @brief Converter 0 has a result.
+/// @brief Stores a result of converter 0.
 void firstConverterInterrupt();
 
-/// @brief Converter 1 has a result.
+/// @brief Stores a result of converter 1.
 void secondConverterInterrupt();
 
-/// @brief The thread of the main controller is triggered.
+/// @brief Runs the thread of the main controller.
 void mainThreadInterrupt();
 
-/// @brief The thread of the front left wheel is triggered.
+/// @brief Runs the thread of the front left wheel.
 void frontLeftThreadInterrupt();
 
-/// @brief The thread of the front right wheel is triggered.
+/// @brief Runs the thread of the front right wheel.
 void frontRightThreadInterrupt();
 
-/// @brief The thread of the rear left wheel is triggered.
+/// @brief Runs the thread of the rear left wheel.
 void rearLeftThreadInterrupt();
 
-/// @brief The thread of the rear right wheel is triggered.
+/// @brief Runs the thread of the rear right wheel.
 void rearRightThreadInterrupt();
 
-/// @brief A period of the tick timer has passed.
+/// @brief Runs one tick, because a period of the tick timer has passed.
 void tickTimerInterrupt();
 
-/// @brief A Hall sensor has an edge.
+/// @brief Serves the Hall sensors, because at least one of them has an edge.
 void hallSensorInterrupt();
 
-/// @brief A period of the cycle timer has passed. Each product defines this handler.
+/// @brief Starts a control cycle, because a period of the cycle timer has passed. Each variant of
+/// the robot defines this handler.
 void cycleTimerInterrupt();
 
-/// @brief A signal of the remote control has an edge. The interrupt is unexpected in a product
-/// without this handler.
+/// @brief Serves the signals of the remote control, because at least one of them has an edge. If a
+/// variant of the robot does not define this handler, the interrupt ends its firmware.
 void remoteControlInterrupt();
 
-/// @brief The second serial port has a received byte, space for a byte to send, or a lost byte.
-/// The interrupt is unexpected in a product without this handler.
+/// @brief Serves the second serial port, which has received a byte, lost a byte, or has space for a
+/// byte to send. If a variant of the robot does not define this handler, the interrupt ends its
+/// firmware.
 void secondPortInterrupt();
 }
 
 namespace wr {
 
 /// @brief Builds the robot, starts its control cycles, and sleeps between the interrupts. Each
-/// product has a separate definition.
+/// variant of the robot defines this function.
 [[noreturn]] void runRobot();
 
 // Interrupt lines.
@@ -69,10 +73,10 @@ inline constexpr std::uint8_t kCycleTimerLine = 48;        // PIT channel 0
 inline constexpr std::uint8_t kTickTimerLine = 49;         // PIT channel 1
 inline constexpr std::uint8_t kRemoteControlLine = 60;     // PORTB
 inline constexpr std::uint8_t kHallSensorLine = 62;        // PORTD
-inline constexpr std::uint8_t kMainThreadLine = 64;        // software interrupt: no device uses it
+inline constexpr std::uint8_t kMainThreadLine = 64;        // software interrupt, used by no device
 inline constexpr std::uint8_t kSecondPortLine = 66;        // UART4 receive and transmit
 inline constexpr std::uint8_t kSecondPortErrorLine = 67;   // UART4 error
 inline constexpr std::uint8_t kSecondConverterLine = 73;   // ADC1
-inline constexpr std::uint8_t kFirstWheelThreadLine = 75;  // CAN0, which is not used: 75 to 78
+inline constexpr std::uint8_t kFirstWheelThreadLine = 75;  // 75 to 78: CAN0, which is not used
 
 }  // namespace wr

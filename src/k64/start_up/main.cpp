@@ -1,4 +1,4 @@
-// The composition of the weeding robot: orders of the PC and of the remote control.
+// The composition of the weeding robot that obeys orders of the PC and of the remote control.
 
 #include "construction/MainControllerBuilder.hpp"
 #include "construction/RobotDirector.hpp"
@@ -34,7 +34,7 @@ RobotDirector director(platform::poolBuilder, controllerBuilder);
 
 }  // namespace wr
 
-// Each handler waits for its stores: see the handlers of the devices.
+// Each handler waits until its stores are complete: platform.cpp states the reason.
 
 void cycleTimerInterrupt() {
   wr::controllerBuilder.clock().expired();

@@ -132,8 +132,9 @@ void sleepForever() {
 
 }  // namespace wr::platform
 
-// An interrupt may be entered again when the store that ends it has not completed (erratum 838869
-// of the core), so each handler waits for its stores before it returns.
+// Each handler waits until its stores are complete before it returns. Otherwise the core may enter
+// the interrupt again, because the store that clears the interrupt request is not complete (erratum
+// 838869 of the core).
 
 void pcPortInterrupt() {
   wr::platform::pcPort.serve();

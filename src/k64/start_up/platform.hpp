@@ -17,14 +17,15 @@
 
 namespace wr::platform {
 
-// The devices of the board: all products have them. The composition of the product uses them.
+// The devices of the board, which are the same for all variants of the robot. The composition of
+// each variant uses them.
 
 /// @brief Devices of one wheel.
 /// @datatype
 struct WheelDevices {
-  K64Ftm pwm;           ///< voltage
-  K64Gpio orientation;  ///< on: backwards
-  K64Gpio enable;       ///< on: current may flow
+  K64Ftm pwm;           ///< sets the voltage of the wheel
+  K64Gpio orientation;  ///< on when the wheel shall turn backwards
+  K64Gpio enable;       ///< on when current may flow through the motor
   K64Port hallA;        ///< first Hall sensor
   K64Port hallB;        ///< second Hall sensor
   K64Adc current;       ///< current sensor
@@ -48,38 +49,42 @@ extern K64Port rcVelocityPin;
 extern K64Port rcDirectionPin;
 extern K64Port rcEnablePin;
 
-/// @brief Time of the edges of the remote control: the time at which their interrupt was entered.
+/// @brief Time of the last edges of the remote control, that is, the time at which the handler of
+/// their interrupt was entered.
 extern K64Timebase::EntryTime rcEdgeTime;
 
-/// @brief Contact of the emergency stop: low while it is released.
+/// @brief Contact of the emergency stop. Its level is low while the emergency stop is released.
 extern K64Port emergencyStopContact;
 
-/// @brief Light that is on from reset until control cycles run. Afterwards the product may use it.
+/// @brief Light that is on from the reset until control cycles run. After this time the variant of
+/// the robot may use the light.
 extern K64Gpio redLight;
 
-/// @brief Cause of the start of the firmware.
+/// @brief Cause of the last reset, and the fault before this reset.
 extern StartRecord startRecord;
 
 /// @brief Signals of the remote control that have an edge.
 /// @datatype
 struct RcEdges {
-  bool velocity;   ///< pulses of the velocity lever
-  bool direction;  ///< pulses of the direction lever
-  bool enable;     ///< pulses of the enable switch
+  bool velocity;   ///< true when the signal of the velocity lever has an edge
+  bool direction;  ///< true when the signal of the direction lever has an edge
+  bool enable;     ///< true when the signal of the enable switch has an edge
 };
 
-/// @brief Records the time of the edges of the remote control. The handler of their interrupt calls this function
-/// first, and then serves the signals that have an edge.
+/// @brief Records the time of the edges of the remote control. The handler of the interrupt of
+/// these edges calls this function first. Then it serves the signals that have an edge.
 /// @return the signals that have an edge
 /// @isr{yes}
 RcEdges enterRcInterrupt();
 
-/// @brief Returns whether a Hall edge waits for its interrupt. All Hall sensors share this interrupt.
-/// @return true if an edge is not acknowledged yet
+/// @brief Returns whether an edge of a first Hall sensor waits for the handler of its interrupt.
+/// All Hall sensors share this interrupt.
+/// @return true if an edge of the first Hall sensor of a wheel is not acknowledged yet
 /// @isr{yes}
 [[nodiscard]] bool hallEdgeWaits();
 
-/// @brief Enables the interrupts of inputs that had too many edges. The handler of the tick calls this function.
+/// @brief Enables the interrupts of those inputs that were blocked because of too many edges. The
+/// handler of the tick calls this function.
 /// @isr{yes}
 void allowEdges();
 
@@ -88,22 +93,22 @@ void allowEdges();
 /// @isr{no}
 void calibrateConverters();
 
-/// @brief Starts the devices. The outputs for the voltage are switched from their safe level to the
-/// timer, which keeps them low.
+/// @brief Starts the devices. Then connects the outputs for the voltages of the wheels to their
+/// timer, which keeps these outputs low.
 /// @pre The converters are calibrated, and the core runs at its full clock.
 /// @isr{no}
 void startDevices();
 
 /// @brief Enables the interrupts of the devices and the threads.
-/// @pre All objects that their handlers call are constructed.
+/// @pre All objects that the interrupt handlers call are constructed.
 /// @isr{no}
 void enableInterrupts();
 
-/// @brief Switches on the light for running control cycles.
+/// @brief Switches the red light off and the green light on: control cycles run.
 /// @isr{no}
 void showRunning();
 
-/// @brief Switches on the light for running control cycles, and sleeps between the interrupts.
+/// @brief Calls showRunning(), and then sleeps between the interrupts.
 /// @isr{no}
 [[noreturn]] void sleepForever();
 

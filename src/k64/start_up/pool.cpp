@@ -1,4 +1,4 @@
-// The pool of control systems of a product without safety functions.
+// The pool of control systems, for a variant of the robot without safety functions.
 
 #include "k64/core.hpp"
 #include "k64/start_up/control_systems.hpp"
@@ -11,7 +11,7 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, systemBuilders);
 
 }  // namespace wr::platform
 
-// The handler waits for its stores: see the handlers of the devices.
+// The handler waits until its stores are complete: platform.cpp states the reason.
 
 void tickTimerInterrupt() {
   wr::platform::poolBuilder.timer().expired();

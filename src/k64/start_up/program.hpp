@@ -3,10 +3,11 @@
 #include <array>
 #include <cstdint>
 
-// Addresses of the parts of the program, which the linker script defines.
+// The linker script defines these addresses: the beginnings and the ends of the parts of the
+// program.
 extern "C" {
-/// @brief Words that are copied together: the core loads and stores four words with two
-/// instructions.
+/// @brief Group of four words that is copied at once: the core needs only two instructions to load
+/// and store the group.
 using Words = std::array<std::uint32_t, 4>;
 extern Words codeBegin[];
 extern Words codeEnd[];

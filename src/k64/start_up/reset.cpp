@@ -8,7 +8,7 @@
 #include "k64/start_up/platform.hpp"
 #include "k64/start_up/program.hpp"
 
-// The linker script defines the beginning and the end of the constructors.
+// The linker script defines the beginning and the end of the list of constructors.
 extern "C" {
 using Constructor = void (*)();
 extern const Constructor constructorsBegin[];
@@ -26,8 +26,8 @@ namespace {
   }
 }
 
-// This function must not call a function that it copies, for example a library function. The linker
-// script rejects a call of such a function from its section.
+// This function must not call a function that is not in RAM yet, for example a library function.
+// The linker script forbids such a call: NOCROSSREFS_TO makes it an error.
 [[gnu::section(".start_up"), gnu::noinline]] void initialiseMemory() {
   copy(codeInitial, codeBegin, codeEnd);
   copy(vectors, ramVectors, ramVectorsEnd);
@@ -49,7 +49,7 @@ void constructObjects() {
 }  // namespace wr
 
 void resetHandler() {
-  // No object of the program may be accessed before memory is initialised.
+  // Before initialiseMemory() has returned, no object of the program may be accessed.
   wr::K64Watchdog::configure();
   wr::K64Board::makeOutputsSafe();
   wr::K64Board::connectInputs();

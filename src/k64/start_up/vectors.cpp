@@ -4,20 +4,19 @@
 
 #include "k64/start_up/handlers.hpp"
 
-extern "C" std::uint32_t stackTop;  // the linker script defines it
+extern "C" std::uint32_t stackTop;  // defined by the linker script
 
 namespace wr {
 
 namespace {
 
-constexpr std::size_t kExceptions = 16;  // number of vectors of the core; the interrupt lines
-                                         // follow
+constexpr std::size_t kExceptions = 16;  // vectors of the core, before the interrupt lines
 constexpr std::size_t kLines = 86;
 
 using Handler = void (*)();
 
-// The hardware reads the table at reset: the first word is the initial stack pointer, the second
-// the reset handler, and the other handlers follow.
+// The hardware reads this table at reset. The first word is the initial stack pointer. The second
+// word is the address of the reset handler; the addresses of the other handlers follow.
 struct Vectors {
   const std::uint32_t* stack;
   std::array<Handler, kExceptions - 1 + kLines> handlers;
