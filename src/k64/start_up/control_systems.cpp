@@ -45,7 +45,7 @@ constinit const std::array<ControlSystemBuilder*, kWheelCount + 1> systemBuilder
 
 }  // namespace wr::platform
 
-// Each handler waits for its stores: see the handlers of the devices.
+// Each handler ends with finishStores(). src/k64/start_up/platform.cpp states the reason.
 
 void hallSensorInterrupt() {
   // bound: kWheelCount

@@ -132,8 +132,9 @@ void sleepForever() {
 
 }  // namespace wr::platform
 
-// An interrupt may be entered again when the store that ends it has not completed (erratum 838869
-// of the core), so each handler waits for its stores before it returns.
+// A handler clears its interrupt request with a store. If this store has not completed when the
+// handler returns, the processor may enter the handler again (erratum 838869 of the core).
+// Therefore each handler ends with finishStores(), which waits until all its stores have completed.
 
 void pcPortInterrupt() {
   wr::platform::pcPort.serve();

@@ -11,7 +11,7 @@ ControlSystemPoolBuilder poolBuilder(tickTimer, systemBuilders);
 
 }  // namespace wr::platform
 
-// The handler waits for its stores: see the handlers of the devices.
+// The handler ends with finishStores(). src/k64/start_up/platform.cpp states the reason.
 
 void tickTimerInterrupt() {
   wr::platform::poolBuilder.timer().expired();
