@@ -140,8 +140,8 @@ class SteeringDevice final {
   /// @satisfies FR-105
   void changeRate();
 
-  /// @brief Adds the rate to the completed part of the next step. Makes the step when it is
-  /// complete.
+  /// @brief Adds the rate to the completed part of the next step. When this part is a whole step,
+  /// makes the step.
   /// @satisfies FR-104
   void stepWhenDue();
 
