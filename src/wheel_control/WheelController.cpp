@@ -96,8 +96,8 @@ bool WheelController::reversalLate() const {
   return reversalLate_;
 }
 
-// Detects a wheel that has voltage but shows no motion. On a slope, a wheel with the order to stand
-// still may have voltage without motion. Therefore the voltage of such a wheel does not count.
+// Detects a wheel that has voltage but shows no motion. On a slope, a wheel with the velocity order
+// 0 may have voltage without motion. Therefore the voltage of such a wheel does not count.
 void WheelController::watchMotion(const WheelSetPoint& setPoint,
                                   const WheelMeasurements& measured) {
   const HallCount position = measured.position.value_or(HallCount());
